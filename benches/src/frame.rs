@@ -184,7 +184,7 @@ pub fn run() {
     }
     for doing in Doing::OF_A_POLYGON {
         let mut desk = Desk::at(CUTTING[0], CUTTING[1]);
-        desk.apply(Command::Lab(polygons::LAB.id()));
+        desk.apply(Command::Lab(polygons::LAB.id));
         desk.apply(Command::Edit(
             Edit::own(PolygonsChange::Random {
                 count: N_VERTICES,

@@ -3,7 +3,7 @@
 use std::{hint::black_box, time::Instant};
 
 use clipscope::{
-    export::{Picture, Steps, Studio},
+    export::{Options, Picture, Steps, Studio},
     labs::Scene,
     lesson::{Course, LessonStep},
     paint::ThemeKind,
@@ -52,10 +52,12 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
     Picture {
         scene,
         step,
-        lang: Lang::En,
-        theme: ThemeKind::Light,
-        size_px: SIZE_PX,
-        among: Steps::Figures,
+        options: Options {
+            lang: Lang::En,
+            theme: ThemeKind::Light,
+            size_px: SIZE_PX,
+            steps: Steps::Figures,
+        },
         title: None,
     }
 }

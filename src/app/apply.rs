@@ -3,143 +3,129 @@
 use egui::Context;
 
 use crate::{
-    labs::{Edit, OutlineKind, Sketch},
+    labs::{Edit, OutlineKind, Scene, Sketch},
     text::{Diagnostic, Message, Value},
 };
 
 use super::{
-    App, Command,
-    history::UndoGroup,
-    notice::Notice,
-    room::{Room, is_narrow, wants_strip},
+    App, Command, Dialog, PathOf,
+    history::{History, UndoGroup},
+    room::Room,
 };
 
 impl App {
-    /// Does one thing.
     pub fn apply(&mut self, ctx: &Context, command: Command) {
         let now = ctx.input(|input| input.time);
+        let transport = &mut self.playback.transport;
         match command {
-            Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
-            Command::Add => {
-                self.edit(Edit::Add(self.stage.chosen()), None, now);
-            }
-            Command::Remove => {
-                self.edit(Edit::Remove(self.stage.chosen()), None, now);
-                self.stage.selected = None;
-            }
-            Command::Type(handle) => self.start_typing(handle, None),
-            Command::TypeAt(handle, at) => self.start_typing(Some(handle), Some(at)),
-            Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
-            Command::CloseOutline if self.stage.sketch.is_none() => {
-                if let Some(handle) = self.stage.focused {
-                    self.start_typing(Some(handle), None);
-                } else {
-                    self.go_to_verdict();
-                }
-            }
-            Command::Ask(about) => self.stage.asked = about,
-            Command::Verdict => self.go_to_verdict(),
-            Command::Typed => self.apply_typed(now),
-            Command::Select(handle) => self.stage.selected = Some(handle),
-            Command::DrawNth(nth) => {
-                let outlines = self.history.now().document().lab().outlines();
-                if let Some(outline) = outlines.get(nth) {
-                    self.draw(ctx, outline, now);
-                }
-            }
-            Command::Draw(outline) => self.draw(ctx, outline, now),
-            Command::Place(_) | Command::TakeBack | Command::CloseOutline => {
-                self.sketch(&command, now);
-            }
-            // Half an outline has a past of its own.
-            Command::Undo if self.stage.sketch.is_some() => {
-                self.sketch(&Command::TakeBack, now);
-            }
-            Command::EndGesture => self.history.end_gesture(),
-            Command::Undo => self.travel(|app| app.history.undo()),
-            Command::Redo => self.travel(|app| app.history.redo()),
-            Command::Reset => self.reset(now),
-            Command::Lesson { forward } => self.turn_page(ctx, forward),
-            Command::Lab(lab) => self.open_lab(lab),
-            Command::Adopt(lab) => self.adopt(lab, now),
-            Command::Open([lesson, step]) => {
-                self.turn_to(|bookmark| bookmark.open(lesson, step));
-                self.shown.room = Room::Stage;
-            }
-            Command::Contents(open) => self.shown.lists_lessons = open,
-            Command::Answer(shown) => self.shown.is_answered = shown,
-            Command::Free => self.toggle_free(),
-            Command::OpenFile
-            | Command::Save
-            | Command::TypePath(_)
-            | Command::Browse
-            | Command::Export
-            | Command::Show(_)
-            | Command::Confirm
-            | Command::Help => {
-                self.apply_dialog(ctx, command, now);
-            }
-            Command::Present
-            | Command::Projector
-            | Command::Cancel
-            | Command::Course
-            | Command::Inspector
-            | Command::Language(_)
-            | Command::Theme(_)
-            | Command::Code(_)
-            | Command::Snap(_)
-            | Command::Measure(_)
-            | Command::Dismiss => self.apply_shown(ctx, &command),
-            Command::View(..) | Command::Turn(..) | Command::FitView | Command::Zoom(_) => {
-                self.stage.look(ctx, self.history.now(), &command);
-            }
-            Command::Step(_)
-            | Command::Phase(_)
-            | Command::Seek(_)
-            | Command::First
-            | Command::Last
-            | Command::Play
-            | Command::Speed(_) => self.apply_transport(&command),
-        }
-    }
-
-    fn apply_transport(&mut self, command: &Command) {
-        if let Command::Phase(by) = *command {
-            let to = self.playback.phase(by);
-            self.playback.transport_mut().seek(to);
-        }
-        let transport = self.playback.transport_mut();
-        match *command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
             Command::First => transport.seek(0),
             Command::Last => transport.seek(usize::MAX),
+            Command::Phase(by) => self.seek(self.playback.phase(by)),
             Command::Play => transport.toggle(),
             Command::Speed(speed) => {
                 transport.set_speed(speed);
                 self.settings.speed = speed;
             }
+            Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
+            Command::Add => self.edit(Edit::Add(self.stage.chosen()), None, now),
+            Command::Remove => {
+                self.edit(Edit::Remove(self.stage.chosen()), None, now);
+                self.stage.selected = None;
+            }
+            Command::EndGesture => self.history.end_gesture(),
+            // Half an outline has a past of its own.
+            Command::Undo if self.stage.sketch.is_some() => self.take_back(),
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
+            Command::Reset => self.reset(now),
+            Command::Select(handle) => self.stage.selected = Some(handle),
+            Command::Ask(about) => self.stage.asked = about,
+            Command::Verdict => self.go_to_verdict(),
+            Command::Type(handle) => self.start_typing(handle, None),
+            Command::TypeAt(handle, at) => self.start_typing(Some(handle), Some(at)),
+            Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
+            Command::Typed => self.apply_typed(now),
+            Command::DrawNth(nth) => {
+                if let Some(outline) = self.scene().document().lab().outlines.get(nth) {
+                    self.draw(ctx, outline, now);
+                }
+            }
+            Command::Draw(outline) => self.draw(ctx, outline, now),
+            Command::Place(at) => {
+                if let Some(sketch) = &mut self.stage.sketch {
+                    sketch.place(at);
+                }
+            }
+            Command::TakeBack => self.take_back(),
+            Command::CloseOutline => self.close_outline(now),
+            Command::View(id, to) => self.stage.move_to(id, to),
+            Command::Turn(id, eye) => self.stage.turn(id, eye),
+            Command::FitView => self.stage.fit(self.history.now()),
+            Command::Zoom(factor) => self.stage.zoom(ctx, factor),
+            command => self.apply_to_window(ctx, command, now),
+        }
+    }
+
+    /// What is about pages, files and the window, and not about the scene on stage.
+    fn apply_to_window(&mut self, ctx: &Context, command: Command, now: f64) {
+        self.shown.size = ctx.content_rect().size();
+        let (is_narrow, has_strip) = (self.is_narrow(), self.has_strip());
+        let (shown, settings) = (&mut self.shown, &mut self.settings);
+        match command {
+            Command::Lesson { forward } => self.turn_page(forward),
+            Command::Lab(lab) => self.open_lab(lab),
+            Command::Adopt(lab) => self.adopt(lab, now),
+            Command::Open(at) => {
+                self.turn_to(|bookmark| bookmark.open(at));
+                self.shown.room = Room::Stage;
+            }
+            Command::Contents(open) => shown.lists_lessons = open,
+            Command::Answer(is_answered) => shown.is_answered = is_answered,
+            Command::Free => self.toggle_free(),
+            Command::Help if shown.dialog == Some(Dialog::Help) => shown.dialog = None,
+            Command::Help => shown.dialog = Some(Dialog::Help),
+            Command::OpenFile => self.ask(ctx, self.opened()),
+            Command::Save => self.ask(ctx, self.saved()),
+            Command::TypePath(PathOf::Opened) => self.shown.dialog = Some(self.opened()),
+            Command::TypePath(PathOf::Saved) => self.shown.dialog = Some(self.saved()),
+            // How figures look is asked first, and in the window.
+            Command::Export => self.shown.dialog = Some(self.exported_to()),
+            Command::Browse => {
+                if let Some(dialog) = shown.dialog.take() {
+                    self.ask(ctx, dialog);
+                }
+            }
+            Command::Show(dialog) => shown.dialog = dialog,
+            Command::Confirm => self.confirm(ctx, now),
+            Command::Present => self.present(ctx),
+            Command::Projector => self.toggle_projector(),
+            Command::Cancel => self.cancel(ctx),
+            Command::Course if is_narrow => shown.room = shown.room.toggled(Room::Course),
+            Command::Inspector if is_narrow => shown.room = shown.room.toggled(Room::Inspector),
+            Command::Course if settings.course && has_strip => shown.unfolded ^= true,
+            Command::Course => settings.course ^= true,
+            Command::Inspector => settings.inspector ^= true,
+            Command::Language(lang) => settings.lang = lang,
+            Command::Theme(theme) => settings.theme = theme,
+            Command::Code(code) => shown.code = code,
+            Command::Snap(snap) => settings.snap = snap,
+            Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
+            Command::Dismiss => self.notices.clear(),
             _ => {}
         }
     }
 
-    /// To the step that decided what was asked about.
     fn go_to_verdict(&mut self) {
-        let document = self.history.now().document();
-        let run = self.playback.main();
-        let verdict = self
-            .stage
-            .asked
-            .and_then(|about| document.verdict(about, run));
+        let (document, run) = (self.history.now().document(), self.playback.main());
+        let asked = self.stage.asked;
+        let verdict = asked.and_then(|about| document.verdict(about, run));
         if let Some(step) = verdict.and_then(|verdict| verdict.step) {
-            self.apply_transport(&Command::Seek(step));
+            self.seek(step);
         }
     }
 
-    /// Changes the scene, and records its run again.
-    ///
-    /// # Errors
-    /// Why the scene would not be valid: it is as it was.
     pub(super) fn change(
         &mut self,
         edit: Edit,
@@ -175,8 +161,7 @@ impl App {
         if let Err(Diagnostic { message, .. }) = self.change(edit, gesture, now)
             && !is_drag
         {
-            let text = self.catalog().message(&message);
-            self.notices.push(Notice::passing(text, now));
+            self.tell(&message, now);
         }
     }
 
@@ -184,81 +169,54 @@ impl App {
     fn draw(&mut self, ctx: &Context, outline: &'static OutlineKind, now: f64) {
         if !(outline.is_of_use)(self.history.now()) {
             let message = Message::new("draw-no-use").with("part", Value::Term(outline.part_key));
-            let text = self.catalog().message(&message);
-            self.notices.push(Notice::passing(text, now));
+            self.tell(&message, now);
             return;
         }
         self.stage.sketch = Some(Sketch::new(outline));
         self.stage.selected = None;
         self.shown.room = Room::Stage;
-        self.playback.transport_mut().pause();
+        self.playback.transport.pause();
         // Enter closes the outline: it must not press a button.
         ctx.memory_mut(egui::Memory::stop_text_input);
     }
 
-    /// Goes on with an outline: the scene changes when it is closed.
-    fn sketch(&mut self, command: &Command, now: f64) {
-        let Some(sketch) = &mut self.stage.sketch else {
-            return;
-        };
-        match *command {
-            Command::Place(at) => sketch.place(at),
-            Command::TakeBack if !sketch.take_back() => self.stage.sketch = None,
-            Command::CloseOutline => {
+    fn take_back(&mut self) {
+        if let Some(sketch) = &mut self.stage.sketch
+            && !sketch.take_back()
+        {
+            self.stage.sketch = None;
+        }
+    }
+
+    /// Closes the outline; where none is drawn, Enter is about the handle in focus, or about what was asked.
+    fn close_outline(&mut self, now: f64) {
+        match (&self.stage.sketch, self.stage.focused) {
+            (Some(sketch), _) => {
                 if let Some(change) = sketch.change() {
                     self.stage.sketch = None;
                     self.edit(Edit::Own(change), None, now);
                 }
             }
-            _ => {}
+            (None, Some(handle)) => self.start_typing(Some(handle), None),
+            (None, None) => self.go_to_verdict(),
         }
     }
 
-    /// Undo or redo.
-    fn travel(&mut self, step: impl FnOnce(&mut Self)) {
+    fn travel(&mut self, step: fn(&mut History<Scene>)) {
         let before = self.history.revision();
-        step(self);
+        step(&mut self.history);
         if self.history.revision() != before {
             self.playback.rerecord(self.history.now());
             self.stage.refit(self.history.now());
         }
     }
 
-    /// The scene, the moment and the view as the page has them at first; undo brings back what was there.
     fn reset(&mut self, now: f64) {
         if let Some((scene, position)) = self.own() {
             self.edit(Edit::Replace(scene), None, now);
-            self.playback.transport_mut().seek(position);
+            self.seek(position);
         }
         self.stage.fit(self.history.now());
-    }
-
-    fn apply_shown(&mut self, ctx: &Context, command: &Command) {
-        let size = ctx.content_rect().size();
-        let is_narrow = is_narrow(size);
-        let has_strip = wants_strip(self.look().theme, size.x);
-        match *command {
-            Command::Present => self.present(ctx),
-            Command::Projector => self.toggle_projector(),
-            Command::Cancel => self.cancel(ctx),
-            Command::Course if is_narrow => self.shown.room = self.shown.room.toggled(Room::Course),
-            Command::Inspector if is_narrow => {
-                self.shown.room = self.shown.room.toggled(Room::Inspector);
-            }
-            Command::Course if self.settings.course && has_strip => self.shown.unfolded ^= true,
-            Command::Course => self.settings.course ^= true,
-            Command::Inspector => self.settings.inspector ^= true,
-            Command::Language(lang) => self.settings.lang = lang,
-            Command::Theme(theme) => self.settings.theme = theme,
-            Command::Code(code) => self.shown.code = code,
-            Command::Snap(snap) => self.settings.snap = snap,
-            Command::Measure(open) => {
-                // Only the lines lab has methods that give the same answer to compare.
-                self.shown.is_measuring = open && self.measures();
-            }
-            Command::Dismiss => self.notices.clear(),
-            _ => {}
-        }
     }
 
     fn cancel(&mut self, ctx: &Context) {
@@ -277,24 +235,17 @@ impl App {
             || self.stage.typing.take().is_some()
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()
+            || std::mem::take(&mut self.shown.is_measuring)
+            || !std::mem::take(&mut self.notices).is_empty()
         {
-            return;
-        }
-        if std::mem::take(&mut self.shown.is_measuring) {
-            return;
-        }
-        if !self.notices.is_empty() {
-            self.notices.clear();
             return;
         }
         self.shown.room = Room::Stage;
         (self.stage.selected, self.stage.asked) = (None, None);
     }
 
-    /// Does the stage show the lesson's own scene?
     pub(super) fn is_untouched(&self) -> bool {
-        self.bookmark
-            .step()
-            .is_none_or(|step| *step.scene == *self.history.now())
+        let step = self.bookmark.step();
+        step.is_none_or(|step| *step.scene == *self.history.now())
     }
 }

@@ -19,24 +19,22 @@ use super::{
     room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
-/// From tab to tab.
 const BETWEEN_TABS: f32 = 12.0;
 /// The program's name and a method's, before any scale.
 const BESIDE_TABS: f32 = 270.0;
 
-/// Name, labs and methods at the left; menus at the right.
-pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let bar = ui.max_rect();
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         if app.is_narrow() {
-            sides(app, ui, commands);
-            menus::behind_one_button(app, ui, panels, commands);
+            sides(app, ui);
+            menus::behind_one_button(app, ui, panels);
         } else {
-            menus::in_a_row(app, ui, panels, commands);
+            menus::in_a_row(app, ui, panels);
             let is_all = app.course_part() == CoursePart::Whole && app.settings.inspector;
             if !is_all || app.has_strip() {
-                sides(app, ui, commands);
+                sides(app, ui);
             }
         }
         let right = ui.available_rect_before_wrap().right();
@@ -47,12 +45,12 @@ pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &
             if !app.is_narrow() {
                 title(app, ui, bar, panels);
                 for panel in &*panels {
-                    tab(app, ui, panel.lab(), bar, commands);
+                    tab(app, ui, panel.lab(), bar);
                     ui.add_space(BETWEEN_TABS);
                 }
                 ui.add_space(4.0);
             }
-            pickers(app, ui, commands);
+            pickers(app, ui);
         });
     });
 }
@@ -73,7 +71,6 @@ fn title(app: &App, ui: &mut Ui, bar: Rect, panels: &[Box<dyn LabPanel>]) {
     });
 }
 
-/// Of all labs' names and what is between them.
 fn tabs_width(ui: &Ui, look: Look<'_>, panels: &[Box<dyn LabPanel>]) -> f32 {
     let font = theme::strong().resolve(ui.style());
     let width = |name: String| {
@@ -82,49 +79,47 @@ fn tabs_width(ui: &Ui, look: Look<'_>, panels: &[Box<dyn LabPanel>]) -> f32 {
             .layout_no_wrap(name, font.clone(), look.theme.ink);
         galley.size().x + BETWEEN_TABS
     };
-    let names = panels.iter().map(|panel| look.say(panel.lab().name_key()));
+    let names = panels.iter().map(|panel| look.say(panel.lab().name_key));
     names.map(width).sum()
 }
 
-/// A lab; underlined where it is open.
-fn tab(app: &App, ui: &mut Ui, lab: &'static dyn Lab, bar: Rect, commands: &mut Vec<Command>) {
+fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
     let (look, is_open) = (app.look(), app.scene().document().lab() == lab);
     let colour = if is_open {
         look.theme.accent
     } else {
         look.theme.soft
     };
-    let text = RichText::new(look.say(lab.name_key()))
+    let text = RichText::new(look.say(lab.name_key))
         .text_style(theme::strong())
         .color(colour);
     let button = Button::selectable(false, text).frame(false);
-    let label = ui.add(button).on_hover_text(look.say(lab.about_key()));
+    let label = ui.add(button).on_hover_text(look.say(lab.about_key));
     if is_open {
         let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
         ui.painter().rect_filled(line, 0.0, look.theme.accent);
     } else if label.clicked() {
-        commands.push(Command::Lab(lab.id()));
+        app.push(Command::Lab(lab.id));
     }
 }
 
-fn pickers(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn pickers(app: &App, ui: &mut Ui) {
     let edit = method_picker(
         ui,
         app.look(),
         app.scene(),
         app.shown.code == CodeView::Hidden,
     );
-    commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+    app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
     menus::compare_is_in_the_bar(ui.ctx(), has_room);
     if has_room {
         let edit = compare_picker(ui, app.look(), app.scene());
-        commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+        app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     }
 }
 
-/// Buttons that show and hide the side panels.
-fn sides(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn sides(app: &App, ui: &mut Ui) {
     for (icon, key, command) in SIDES.iter().rev() {
         let is_open = match command {
             Command::Course => {
@@ -141,68 +136,65 @@ fn sides(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
                 .rect_filled(under.shrink2(vec2(8.0, 0.0)), 0.0, app.look().theme.accent);
         }
         if button.clicked() {
-            commands.push(command.clone());
+            app.push(command.clone());
         }
     }
 }
 
-/// The buttons, the timeline, the number of the step, and the speed.
-pub fn transport(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+pub fn transport(app: &App, ui: &mut Ui) {
     let width = ui.available_width();
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        buttons(app, ui, commands);
+        buttons(app, ui);
         let has_room = transport_has_room(width);
         ui.add_space(if has_room { 24.0 } else { 0.0 });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if has_room {
-                let speed = app.playback.transport().speed();
+                let speed = app.playback.transport.speed();
                 let chosen = speed_menu(ui, app.look(), speed);
-                commands.extend(chosen.map(Command::Speed));
+                app.push_all(chosen.map(Command::Speed));
                 ui.add_space(8.0);
             }
-            number_and_timeline(app, ui, commands);
+            number_and_timeline(app, ui);
         });
     });
 }
 
-/// The buttons and the number of the step, for a lecture hall.
-pub fn small_transport(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+pub fn small_transport(app: &App, ui: &mut Ui) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        buttons(app, ui, commands);
+        buttons(app, ui);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.available_width() > 240.0 * app.look().theme.text_scale {
-                hall(app, ui, commands);
+                hall(app, ui);
             } else {
                 let name = app.look().say("menu-more");
                 let button = icon_button(ui, app.look(), Icon::More, &name, true);
                 Popup::menu(&button)
                     .style(menu_style)
-                    .show(|ui| hall(app, ui, commands));
+                    .show(|ui| hall(app, ui));
             }
-            number_and_timeline(app, ui, commands);
+            number_and_timeline(app, ui);
         });
     });
 }
 
-/// What a lecture hall needs besides: the way out, and the colours for its projector.
-fn hall(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn hall(app: &App, ui: &mut Ui) {
     let (look, soft) = (app.look(), app.look().theme.soft);
     let leave = RichText::new(look.say("action-present-leave")).color(soft);
     if ui.add(Button::new(leave)).clicked() {
-        commands.push(Command::Present);
+        app.push(Command::Present);
     }
     let is_on = look.theme.kind == ThemeKind::Projector;
     let projector = RichText::new(look.say("theme-projector"));
     if ui.selectable_label(is_on, projector).clicked() {
-        commands.push(Command::Projector);
+        app.push(Command::Projector);
     }
 }
 
-fn buttons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn buttons(app: &App, ui: &mut Ui) {
     let pressed = ui
-        .scope(|ui| transport_buttons(ui, app.look(), app.playback.transport()))
+        .scope(|ui| transport_buttons(ui, app.look(), &app.playback.transport))
         .inner;
-    commands.extend(pressed.map(|press| match press {
+    app.push_all(pressed.map(|press| match press {
         Press::First => Command::First,
         Press::Back => Command::Step(-1),
         Press::Play => Command::Play,
@@ -211,10 +203,8 @@ fn buttons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     }));
 }
 
-/// From the right: the number of the step, in words where there is room for them, and the timeline, where there is any
-/// for it.
-fn number_and_timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let transport = app.playback.transport();
+fn number_and_timeline(app: &App, ui: &mut Ui) {
+    let transport = &app.playback.transport;
     let steps = [transport.position(), transport.n_steps()];
     let words = step_text(app.look(), steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
@@ -227,7 +217,7 @@ fn number_and_timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.add(Label::new(text).extend()).on_hover_text(words);
     if ui.available_width() > LEAST_TIMELINE {
         ui.add_space(if has_words { 8.0 } else { 0.0 });
-        timeline(app, ui, commands);
+        timeline(app, ui);
     }
 }
 
@@ -239,17 +229,17 @@ pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
     look.catalog.message(&message)
 }
 
-fn timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let transport = app.playback.transport();
+fn timeline(app: &App, ui: &mut Ui) {
+    let transport = &app.playback.transport;
     let (look, catalog) = (app.look(), app.look().catalog);
     let run = app.playback.main();
-    let difference = app.playback.difference();
+    let difference = app.playback.difference;
     let note = difference.map(|difference| catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
     let told = match app.shown.code {
         CodeView::Full | CodeView::Words => transport.n_steps(),
-        CodeView::Hidden => app.playback.reached(),
+        CodeView::Hidden => app.playback.reached,
     };
     let note = note.filter(|_| first.is_none_or(|first| first <= told));
     let tip = |step: usize| {
@@ -268,7 +258,7 @@ fn timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
         position: transport.position(),
         told,
         tick: &|step| run.tick(step),
-        phases: app.playback.phases(),
+        phases: &app.playback.phases,
         difference: first,
         tip: &tip,
         name: match &note {
@@ -278,13 +268,11 @@ fn timeline(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
         look: app.look(),
     }
     .show(ui);
-    commands.extend(asked.map(Command::Seek));
+    app.push_all(asked.map(Command::Seek));
 }
 
-/// A timeline that is shorter than this tells nothing.
 const LEAST_TIMELINE: f32 = 48.0;
 
-/// The signs of the buttons that show and hide the side panels.
 const SIDES: [(Icon, &str, Command); 2] = [
     (Icon::LeftPanel, "panel-course", Command::Course),
     (Icon::RightPanel, "panel-inspector", Command::Inspector),

@@ -9,51 +9,29 @@ use crate::{
 use super::desk::Page;
 
 /// A course, and an open step of it where it has one; or the free scene of a lab, and the step to come back to.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Bookmark {
-    course: Course,
-    lesson_idx: usize,
-    step_idx: usize,
-    free: Option<&'static dyn Lab>,
+    pub course: Course,
+    /// The indices of lesson and step.
+    pub at: [usize; 2],
+    /// The lab whose free scene is open.
+    pub free: Option<&'static Lab>,
 }
 
 impl Bookmark {
-    /// At the first step of the first lesson.
-    pub const fn new(course: Course) -> Self {
-        Self {
-            course,
-            lesson_idx: 0,
-            step_idx: 0,
-            free: None,
-        }
-    }
-
-    /// Every lesson.
-    pub fn lessons(&self) -> &[Lesson] {
-        &self.course.lessons
-    }
-
-    /// The lab whose free scene is open.
-    pub const fn free(&self) -> Option<&'static dyn Lab> {
-        self.free
-    }
-
-    /// The open page.
     pub fn page(&self) -> Option<Page> {
         match self.free {
-            Some(lab) => Some(Page::Free(lab.id().to_owned())),
-            None => self.page_of(self.lesson_idx, self.step_idx),
+            Some(lab) => Some(Page::Free(lab.id.to_owned())),
+            None => self.page_of(self.at),
         }
     }
 
-    /// The page of a step, by its indices.
-    pub fn page_of(&self, lesson_idx: usize, step_idx: usize) -> Option<Page> {
+    pub fn page_of(&self, [lesson_idx, step_idx]: [usize; 2]) -> Option<Page> {
         let lesson = self.course.lessons.get(lesson_idx)?;
         let step = lesson.steps.get(step_idx)?;
         Some(Page::Step(lesson.id.clone(), step.id.clone()))
     }
 
-    /// The step with these ids.
     pub fn step_of(&self, lesson: &str, step: &str) -> Option<&LessonStep> {
         let lesson = self.course.lessons.iter().find(|l| l.id == lesson)?;
         lesson.steps.get(lesson.step_index(step)?)
@@ -61,37 +39,26 @@ impl Bookmark {
 
     /// The open lesson, or the one to come back to.
     pub fn lesson(&self) -> Option<&Lesson> {
-        self.course.lessons.get(self.lesson_idx)
+        self.course.lessons.get(self.at[0])
     }
 
     /// The open step; none in a free scene.
     pub fn step(&self) -> Option<&LessonStep> {
         match self.free {
             Some(_) => None,
-            None => self.lesson()?.steps.get(self.step_idx),
+            None => self.lesson()?.steps.get(self.at[1]),
         }
     }
 
-    /// The open step's title.
     pub fn title(&self, lang: Lang) -> Option<&str> {
         self.lesson()?.step_title(&self.step()?.id, lang)
     }
 
-    /// Indices of the open lesson and step.
-    pub const fn indices(&self) -> [usize; 2] {
-        [self.lesson_idx, self.step_idx]
-    }
-
     /// Opens a step, where there is one with these indices.
-    pub fn open(&mut self, lesson_idx: usize, step_idx: usize) -> bool {
-        let steps = self
-            .course
-            .lessons
-            .get(lesson_idx)
-            .map_or(0, |lesson| lesson.steps.len());
-        let exists = step_idx < steps;
+    pub fn open(&mut self, at: [usize; 2]) -> bool {
+        let exists = self.page_of(at).is_some();
         if exists {
-            (self.lesson_idx, self.step_idx, self.free) = (lesson_idx, step_idx, None);
+            (self.at, self.free) = (at, None);
         }
         exists
     }
@@ -101,18 +68,17 @@ impl Bookmark {
         let found = self.course.lessons.iter().position(|l| l.id == lesson);
         found.is_some_and(|lesson_idx| {
             let step_idx = self.course.lessons[lesson_idx].step_index(step);
-            self.open(lesson_idx, step_idx.unwrap_or(0))
+            self.open([lesson_idx, step_idx.unwrap_or(0)])
         })
     }
 
     /// Opens the first lesson of the lab with this id, where there is one.
     pub fn open_lab(&mut self, id: &str) -> bool {
         let found = self.course.lessons.iter().position(|l| l.lab == id);
-        found.is_some_and(|lesson_idx| self.open(lesson_idx, 0))
+        found.is_some_and(|lesson_idx| self.open([lesson_idx, 0]))
     }
 
-    /// Opens the free scene of a lab.
-    pub const fn open_free(&mut self, lab: &'static dyn Lab) -> bool {
+    pub const fn open_free(&mut self, lab: &'static Lab) -> bool {
         self.free = Some(lab);
         true
     }
@@ -121,7 +87,7 @@ impl Bookmark {
     pub fn open_page(
         &mut self,
         page: &Page,
-        lab_of: impl FnOnce(&str) -> Option<&'static dyn Lab>,
+        lab_of: impl FnOnce(&str) -> Option<&'static Lab>,
     ) -> bool {
         match page {
             Page::Step(lesson, step) => self.open_ids(lesson, step),
@@ -129,22 +95,17 @@ impl Bookmark {
         }
     }
 
-    /// Back to the course.
-    pub fn close_free(&mut self) -> bool {
-        self.open(self.lesson_idx, self.step_idx)
-    }
-
     /// One step on or back, into the neighbouring lesson at an end.
     pub fn go(&mut self, forward: bool) -> bool {
-        let [lesson, step] = self.indices();
+        let [lesson, step] = self.at;
         if forward {
-            return self.open(lesson, step + 1) || self.open(lesson + 1, 0);
+            return self.open([lesson, step + 1]) || self.open([lesson + 1, 0]);
         }
         match (step.checked_sub(1), lesson.checked_sub(1)) {
-            (Some(before), _) => self.open(lesson, before),
+            (Some(before), _) => self.open([lesson, before]),
             (None, Some(before)) => {
                 let last = self.course.lessons[before].steps.len().saturating_sub(1);
-                self.open(before, last)
+                self.open([before, last])
             }
             (None, None) => false,
         }
@@ -153,10 +114,9 @@ impl Bookmark {
     /// Another version of the course (a browser's never changes); the reader stays at the same step where it is still there.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn replace(&mut self, course: Course) {
-        let page = self.page_of(self.lesson_idx, self.step_idx);
+        let page = self.page_of(self.at);
         let free = self.free;
-        self.course = course;
-        (self.lesson_idx, self.step_idx) = (0, 0);
+        (self.course, self.at) = (course, [0, 0]);
         if let Some(Page::Step(lesson, step)) = page {
             self.open_ids(&lesson, &step);
         }

@@ -12,7 +12,6 @@ use rfd::{AsyncFileDialog, FileHandle};
 
 use super::dialog::{Answer, Question};
 
-/// Opens dialogs, and hears what came of them.
 #[derive(Default)]
 pub struct Chooser {
     answer: Option<Receiver<Answer>>,
@@ -20,7 +19,6 @@ pub struct Chooser {
 }
 
 impl Chooser {
-    /// Has the system been found to have no such dialog?
     pub const fn is_missing(&self) -> bool {
         self.is_missing
     }
@@ -52,7 +50,6 @@ impl Chooser {
         });
     }
 
-    /// What came of the dialog that was opened last: said once.
     pub fn answer(&mut self) -> Option<Answer> {
         let answer = self.answer.as_ref()?.try_recv().ok()?;
         self.answer = None;
@@ -85,12 +82,10 @@ mod system {
     /// A portal that has to be started first is there within a second.
     const PATIENCE: Duration = Duration::from_secs(3);
 
-    /// Is there a portal that answers, or zenity, which rfd turns to next?
     pub fn has_dialogs() -> bool {
         has_portal() || has_program("zenity")
     }
 
-    /// Does a portal say which version its file chooser is, and in time?
     fn has_portal() -> bool {
         let (said, answer) = mpsc::channel();
         thread::spawn(move || said.send(pollster::block_on(version()).is_ok()));
@@ -114,7 +109,6 @@ mod system {
     }
 }
 
-/// Elsewhere they are the system's own.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
 mod system {
     pub const fn has_dialogs() -> bool {

@@ -1,11 +1,11 @@
-//! What was done to a stage, as commands.
+//! What was done to a stage, as commands; and an outline that is drawn by clicking.
 
-use egui::{Key, Pos2, Ui};
+use egui::{Key, Pos2, Shape, Stroke, Ui};
 
 use crate::{
     figure::{Lens, Link, ViewId},
     geom::Orbit,
-    labs::{Click, Edit, Handle, Lock, Motion},
+    labs::{Click, Edit, Handle, Lock, Motion, Sketch},
     paint::Viewport,
     panels::moved_to,
     widgets::{CanvasShown, Gesture, PanZoom, place_at},
@@ -18,7 +18,6 @@ const CLICK_REACH: f64 = 8.0;
 /// An eye goes round by so many degrees while the pointer crosses half the height of the picture.
 const TURN_DEG: f64 = 90.0;
 
-/// What was done to a canvas with these handles and locks.
 pub fn ask(
     app: &App,
     ui: &Ui,
@@ -26,9 +25,8 @@ pub fn ask(
     (id, lens): (ViewId, Lens),
     (handles, locks): (&[Handle], &[Lock]),
     state: &StageState,
-    commands: &mut Vec<Command>,
 ) {
-    commands.extend(shown.view.and_then(|view| match lens {
+    app.push_all(shown.view.and_then(|view| match lens {
         Lens::Plane => Some(Command::View(id, view)),
         Lens::Eye(eye) => {
             let moved = if shown.pans { panned } else { turned };
@@ -44,7 +42,7 @@ pub fn ask(
             Gesture::Nudge => UndoGroup::Nudge(moved.spot),
         };
         if handle.kind().is_vertex && state.selected != Some(handle) {
-            commands.push(Command::Select(handle));
+            app.push(Command::Select(handle));
         }
         let from = app.scene().document().position(handle);
         let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
@@ -52,10 +50,10 @@ pub fn ask(
             let to = moved_to(&lens, motion, from, moved.to);
             lens.deeper(to, moved.deeper)
         });
-        commands.extend(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
+        app.push_all(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
     }
     if shown.released {
-        commands.push(Command::EndGesture);
+        app.push(Command::EndGesture);
     }
     let Some(click) = shown.clicked else {
         return;
@@ -63,12 +61,12 @@ pub fn ask(
     let vertex = click.spot.and_then(|i| handles.get(i));
     let is_free = |handle: &&Handle| !Lock::any_holds(locks, **handle);
     if let Some(&handle) = vertex.filter(|handle| click.is_double && is_free(handle)) {
-        commands.push(Command::Type(Some(handle)));
+        app.push(Command::Type(Some(handle)));
         return;
     }
     if let Some(&vertex) = vertex.filter(|handle| handle.kind().is_vertex) {
-        commands.push(Command::Select(vertex));
-        commands.push(Command::Ask(vertex.link()));
+        app.push(Command::Select(vertex));
+        app.push(Command::Ask(vertex.link()));
         return;
     }
     let place = place_at(ui, &shown.viewport, click.at, app.settings.snap);
@@ -80,8 +78,8 @@ pub fn ask(
     };
     let document = app.scene().document();
     let change = document.click(&click);
-    commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
-    commands.push(Command::Ask(document.asked(&click)));
+    app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
+    app.push(Command::Ask(document.asked(&click)));
 }
 
 /// In space X, Y or Z held: along that axis only.
@@ -96,7 +94,6 @@ fn held_axis(ui: &Ui, lens: Lens) -> Option<Motion> {
     held.map(|(_, axis)| Motion::Axis(axis))
 }
 
-/// A plain click at a place on the screen.
 pub fn click_at<'a>(
     viewport: &Viewport,
     lens: Lens,
@@ -115,15 +112,78 @@ pub fn click_at<'a>(
     }
 }
 
-/// Where an eye has gone that was pushed round instead of panned, and drawn nearer.
 fn turned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {
     let by = [0, 1].map(|i| TURN_DEG * (to.centre[i] - seen.centre[i]));
     eye.turned(by).zoomed(to.scale / seen.scale)
 }
 
-/// Where an eye has gone that was moved sideways, and drawn nearer.
 fn panned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {
     // The picture's half height is 1, whatever part of it is seen.
     let by = [0, 1].map(|i| to.centre[i] - seen.centre[i]);
     eye.panned(by).zoomed(to.scale / seen.scale)
+}
+
+/// A click this near to the first point, in points, closes the outline.
+const CLOSE_REACH: f32 = 10.0;
+const DOT: f32 = 4.0;
+/// A dash and the gap after it.
+const DASH: [f32; 2] = [6.0, 4.0];
+
+pub fn ask_of_sketch(app: &App, ui: &Ui, shown: &CanvasShown, sketch: &Sketch) {
+    app.push_all(shown.view.map(|view| Command::View(ViewId::PLANE, view)));
+    let Some(click) = shown.clicked else {
+        return;
+    };
+    // The first click of the two has placed the last point.
+    if click.is_double || closes(&shown.viewport, sketch, click.at) {
+        app.push(Command::CloseOutline);
+    } else {
+        let at = place_at(ui, &shown.viewport, click.at, app.settings.snap);
+        app.push(Command::Place(at));
+    }
+}
+
+fn closes(viewport: &Viewport, sketch: &Sketch, at: Pos2) -> bool {
+    let is_near = |&first: &[f64; 2]| viewport.to_screen(first).distance(at) <= CLOSE_REACH;
+    sketch.can_close() && sketch.points().first().is_some_and(is_near)
+}
+
+pub fn draw_sketch(app: &App, ui: &Ui, viewport: &Viewport, sketch: &Sketch) {
+    let theme = app.look().theme;
+    let painter = ui.painter_at(viewport.rect);
+    let colour = theme.accent;
+    let points = sketch.points().iter().map(|&p| viewport.to_screen(p));
+    let points: Vec<Pos2> = points.collect();
+    let pointer = ui.ctx().pointer_hover_pos();
+    let pointer = pointer.filter(|_| ui.rect_contains_pointer(viewport.rect));
+    let will_close = pointer.is_some_and(|at| closes(viewport, sketch, at));
+    let place = |at| viewport.to_screen(place_at(ui, viewport, at, app.settings.snap));
+    let next = if will_close {
+        points.first().copied()
+    } else {
+        pointer.map(place)
+    };
+    let solid = theme.stroke(2.0, colour);
+    painter.add(Shape::line(points.clone(), solid));
+    let dashed = |from: Pos2, to: Pos2, stroke: Stroke| {
+        let [dash, gap] = DASH.map(|length| length * theme.stroke_scale);
+        painter.extend(Shape::dashed_line(&[from, to], stroke, dash, gap));
+    };
+    if let (Some(&last), Some(next)) = (points.last(), next) {
+        dashed(last, next, solid);
+    }
+    // The edge that would close it, once it encloses something.
+    if let ([first, _, ..], Some(next), false) = (&points[..], next, will_close) {
+        dashed(next, *first, theme.stroke(1.0, theme.faint));
+    }
+    for &at in &points {
+        painter.circle(at, DOT, colour, Stroke::new(2.0, theme.background));
+    }
+    if let (Some(&first), true) = (points.first(), sketch.can_close()) {
+        let radius = if will_close { 11.0 } else { 8.0 };
+        painter.circle_stroke(first, radius, theme.stroke(1.5, colour));
+    }
+    if let Some(next) = next.filter(|_| !will_close) {
+        painter.circle(next, DOT, theme.background, theme.stroke(1.5, colour));
+    }
 }

@@ -11,20 +11,17 @@ use egui::{
 use crate::{
     lesson::Lesson,
     paint::{Theme, theme},
-    widgets::{Look, lesson_text, step_title},
+    widgets::{Icon, Look, icon_button, lesson_text, step_title},
 };
 
 use super::{App, Command};
 
-/// Between the numbers of steps, in points.
 const GAP: f32 = 4.0;
-/// Radius of the dot that marks what the reader has changed.
 const CHANGED: f32 = 3.0;
 /// How strongly a text is seen that speaks of another scene than the stage's.
 const ASIDE: f32 = 0.6;
 
-/// Draws the panel: the open lesson, or the list of all in its place.
-pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui) {
     let look = app.look();
     let Some(lesson) = app.bookmark.lesson() else {
         ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
@@ -32,18 +29,18 @@ pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
     };
     ui.spacing_mut().item_spacing.y = 0.0;
     if heading(app, ui, lesson).clicked() {
-        commands.push(Command::Contents(!app.shown.lists_lessons));
+        app.push(Command::Contents(!app.shown.lists_lessons));
     }
     if app.shown.lists_lessons {
         ScrollArea::vertical()
             .id_salt("lessons")
             .auto_shrink(false)
-            .show(ui, |ui| lessons(app, ui, commands));
+            .show(ui, |ui| lessons(app, ui));
         return;
     }
-    foot(app, ui, lesson, commands);
-    padded(ui, |ui| steps(app, ui, lesson, commands));
-    let [lesson_idx, step_idx] = app.bookmark.indices();
+    foot(app, ui, lesson);
+    padded(ui, |ui| steps(app, ui, lesson));
+    let [lesson_idx, step_idx] = app.bookmark.at;
     let text = lesson.text(app.settings.lang);
     let Some(step) = text.steps.get(step_idx) else {
         return;
@@ -57,7 +54,7 @@ pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 step_title(ui, look, &step.title);
                 if !app.is_untouched() {
-                    changed(ui, look, commands);
+                    changed(app, ui);
                     ui.set_opacity(ASIDE);
                 }
                 lesson_text(ui, look, id, &step.body, app.shown.is_answered);
@@ -72,10 +69,28 @@ pub fn show(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
         });
 }
 
-/// The open lesson; a click shows all.
+/// Where there is no room for it beside the stage: the numbers of the open lesson's steps, and a button that opens the rest.
+pub fn strip(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    ui.with_layout(Layout::top_down(Align::Center), |ui| {
+        let open = look.say("panel-course");
+        if icon_button(ui, look, Icon::LeftPanel, &open, true).clicked() {
+            app.push(Command::Course);
+        }
+        let Some(lesson) = app.bookmark.lesson() else {
+            return;
+        };
+        ui.add_space(12.0);
+        ScrollArea::vertical().show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 8.0;
+            discs(app, ui, lesson, f32::INFINITY);
+        });
+    });
+}
+
 fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
     let look = app.look();
-    let [lesson_idx, _] = app.bookmark.indices();
+    let [lesson_idx, _] = app.bookmark.at;
     let heading = Row {
         number: "",
         title: &format!(
@@ -96,8 +111,7 @@ fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
     response
 }
 
-/// Under the text, always in sight: the way to the answer, and the source.
-fn foot(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let look = app.look();
     let has_source = !lesson.source.is_empty() && !app.is_low();
     if !has_source && !app.has_answer() {
@@ -118,7 +132,7 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
                     };
                     let text = RichText::new(look.say(key)).color(look.theme.accent);
                     if ui.add(Button::new(text)).clicked() {
-                        commands.push(Command::Answer(!app.shown.is_answered));
+                        app.push(Command::Answer(!app.shown.is_answered));
                     }
                 }
                 if has_source {
@@ -128,7 +142,6 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
         });
 }
 
-/// One line; all of it while the pointer is on it.
 fn source(ui: &mut Ui, look: Look<'_>, source: &str) {
     let text = RichText::new(source).small().color(look.theme.soft);
     ui.add(egui::Label::new(text).truncate());
@@ -141,14 +154,14 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
         .inner
 }
 
-fn lessons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn lessons(app: &App, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 0.0;
-    let [open, _] = app.bookmark.indices();
+    let [open, _] = app.bookmark.at;
     let free = app.look().say("action-free");
     if row(ui, app.look(), Row::new("+", &free)).clicked() {
-        commands.push(Command::Free);
+        app.push(Command::Free);
     }
-    for (i, lesson) in app.bookmark.lessons().iter().enumerate() {
+    for (i, lesson) in app.bookmark.course.lessons.iter().enumerate() {
         let row_of = Row {
             number: &(i + 1).to_string(),
             title: &lesson.text(app.settings.lang).title,
@@ -160,7 +173,7 @@ fn lessons(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
             bring_into_view(ui, open, response.rect);
         }
         if response.clicked() {
-            commands.push(Command::Open([i, 0]));
+            app.push(Command::Open([i, 0]));
         }
     }
 }
@@ -176,27 +189,23 @@ fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
     ui.ctx().request_repaint();
 }
 
-/// Has the reader changed a scene of this lesson?
 fn has_changes(app: &App, idx: usize, lesson: &Lesson) -> bool {
     (0..lesson.steps.len()).any(|step| is_changed(app, idx, step))
 }
 
-/// Is the scene of this step another than the lesson's?
 fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
-    if [lesson, step] == app.bookmark.indices() {
+    if [lesson, step] == app.bookmark.at {
         return !app.is_untouched();
     }
-    let page = app.bookmark.page_of(lesson, step);
+    let page = app.bookmark.page_of([lesson, step]);
     page.is_some_and(|page| app.desk.is_changed(&page))
 }
 
-/// A row of the list.
 #[derive(Clone, Copy)]
 struct Row<'a> {
     number: &'a str,
     title: &'a str,
     is_open: bool,
-    /// Has the reader changed a scene of it?
     is_changed: bool,
 }
 
@@ -211,7 +220,6 @@ impl<'a> Row<'a> {
     }
 }
 
-/// What it is called, and that the reader has changed a scene of it.
 fn named(look: Look<'_>, title: &str, is_changed: bool) -> String {
     if is_changed {
         format!("{title}: {}", look.say("lesson-has-changes"))
@@ -220,7 +228,6 @@ fn named(look: Look<'_>, title: &str, is_changed: bool) -> String {
     }
 }
 
-/// A lesson's number and title.
 fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
     let theme = look.theme;
     let height = (28.0 * theme.text_scale.sqrt()).round();
@@ -248,7 +255,6 @@ fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
     }
 }
 
-/// What is written in a row; is the title cut?
 fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
     let y = rect.center().y;
     if row.is_changed {
@@ -275,28 +281,24 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
     is_cut
 }
 
-/// One small disc a step, the open one filled.
-fn steps(app: &App, ui: &mut Ui, lesson: &Lesson, commands: &mut Vec<Command>) {
+fn steps(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let n_steps = lesson.steps.len().max(1) as f32;
     let room = (ui.available_width() + GAP) / n_steps - GAP;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
-        discs(app, ui, lesson, room, commands);
+        discs(app, ui, lesson, room);
     });
     ui.add_space(12.0);
 }
 
-/// The number of a step.
 struct Disc<'a> {
     number: usize,
     title: &'a str,
     is_open: bool,
-    /// Has the reader changed its scene?
     is_changed: bool,
 }
 
 impl Disc<'_> {
-    /// Draws it; was it clicked?
     fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
         let theme = look.theme;
         let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
@@ -333,8 +335,8 @@ impl Disc<'_> {
         }
     }
 }
-/// The scene is not the lesson's any more: says so, and offers the way back.
-fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
+fn changed(app: &App, ui: &mut Ui) {
+    let look = app.look();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
         ui.label(
             RichText::new(look.say("lesson-changed"))
@@ -343,20 +345,13 @@ fn changed(ui: &mut Ui, look: Look<'_>, commands: &mut Vec<Command>) {
         );
         let restore = RichText::new(look.say("lesson-restore")).color(look.theme.accent);
         if ui.add(Button::new(restore).frame(false)).clicked() {
-            commands.push(Command::Reset);
+            app.push(Command::Reset);
         }
     });
 }
 
-/// Draws a disc for each step of the open lesson, no wider than `room`; one that is clicked opens its step.
-pub(super) fn discs(
-    app: &App,
-    ui: &mut Ui,
-    lesson: &Lesson,
-    room: f32,
-    commands: &mut Vec<Command>,
-) {
-    let [lesson_idx, open] = app.bookmark.indices();
+fn discs(app: &App, ui: &mut Ui, lesson: &Lesson, room: f32) {
+    let [lesson_idx, open] = app.bookmark.at;
     let titles = &lesson.text(app.settings.lang).steps;
     for i in 0..lesson.steps.len() {
         let disc = Disc {
@@ -366,7 +361,7 @@ pub(super) fn discs(
             is_changed: is_changed(app, lesson_idx, i),
         };
         if disc.show(ui, app.look(), room) {
-            commands.push(Command::Open([lesson_idx, i]));
+            app.push(Command::Open([lesson_idx, i]));
         }
     }
 }

@@ -1,32 +1,25 @@
-//! What lies over the window, or beside it: the list of keys, the question which file.
+//! What lies over the window, or beside it: the list of keys, the question which file. It is asked in the system's dialog, or
+//! in the window, where its path is typed.
 
+use egui::Context;
 use serde::{Deserialize, Serialize};
 
-use crate::{paint::ThemeKind, text::Lang};
+use crate::{
+    paint::ThemeKind,
+    text::{Lang, Message},
+};
 
-/// A dialog that is open.
+use super::App;
+
 #[derive(Clone, PartialEq, Debug)]
 pub enum Dialog {
-    /// The list of keys.
     Help,
-    /// Which file to open.
     Open(Target),
-    /// Where to save the scene.
     Save(Target),
-    /// Where to export the figure, or those of all steps, and how they look.
     Export(Target, Figures),
 }
 
 impl Dialog {
-    /// The file that it is about.
-    pub const fn target(&self) -> Option<&Target> {
-        match self {
-            Self::Help => None,
-            Self::Open(target) | Self::Save(target) | Self::Export(target, _) => Some(target),
-        }
-    }
-
-    /// The same, to be changed.
     pub const fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
             Self::Help => None,
@@ -35,17 +28,14 @@ impl Dialog {
     }
 }
 
-/// A file to be read or written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Target {
-    /// As it is being typed.
     pub path: String,
     /// Another file stands there: it is replaced when the reader says so again.
     pub replaces: bool,
 }
 
 impl Target {
-    /// A file that has not been asked about.
     pub const fn new(path: String) -> Self {
         Self {
             path,
@@ -54,54 +44,112 @@ impl Target {
     }
 }
 
-/// What a dialog of the system is opened for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Question {
-    /// Over it.
     pub title: String,
     /// What is suggested; to open a file, the folder it is looked for in counts.
     pub path: String,
-    /// Is a file to be opened, or to be written?
     pub opens: bool,
     /// How the names of such files end: `toml`.
     pub endings: &'static [&'static str],
 }
 
-/// What came of a dialog of the system.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Answer {
     /// This file; where it is to be written and there was one, the reader has said that it is to be replaced.
     Chosen(String),
-    /// None: the dialog was closed.
     Cancelled,
-    /// This system has no such dialog.
     NoDialog,
 }
 
-/// How exported figures look, and which they are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Figures {
-    /// Width and height in pixels.
     pub size_px: [u32; 2],
-    /// Colours and weights.
     pub theme: ThemeKind,
-    /// The language of captions.
     pub lang: Lang,
-    /// Every step of the run, or the one that is shown.
     pub all: bool,
 }
 
 impl Figures {
-    /// The sizes to choose from: a small slide, a slide, a large screen.
     pub const SIZES: [[u32; 2]; 3] = [[1280, 720], [1920, 1080], [3840, 2160]];
+}
 
-    /// A slide of the step that is shown.
-    pub const fn slide(theme: ThemeKind, lang: Lang) -> Self {
-        Self {
-            size_px: Self::SIZES[1],
-            theme,
-            lang,
+impl App {
+    /// Where a file of this scene would be put.
+    fn suggested(&self, ending: &str) -> String {
+        let step = self.bookmark.step().and_then(|step| step.figure.clone());
+        let methods = self.scene().document().methods();
+        let method = methods.first().map(|card| card.id.to_owned());
+        let stem = step.or(method).unwrap_or_default();
+        self.platform.suggest(&format!("{stem}.{ending}"))
+    }
+
+    pub(super) fn opened(&self) -> Dialog {
+        let path = self.file.clone();
+        let path = path.unwrap_or_else(|| self.platform.suggest(""));
+        Dialog::Open(Target::new(path))
+    }
+
+    pub(super) fn saved(&self) -> Dialog {
+        let path = self.file.clone();
+        Dialog::Save(Target::new(path.unwrap_or_else(|| self.suggested("toml"))))
+    }
+
+    pub(super) fn exported_to(&self) -> Dialog {
+        let slide = Figures {
+            size_px: Figures::SIZES[1],
+            theme: self.settings.theme,
+            lang: self.settings.lang,
             all: false,
+        };
+        let figures = self.settings.figures.unwrap_or(slide);
+        Dialog::Export(Target::new(self.suggested("png")), figures)
+    }
+
+    /// Asks the system. Where it has no dialog, or the last one has not been heard of, the path is typed.
+    pub(super) fn ask(&mut self, ctx: &Context, mut dialog: Dialog) {
+        let (title_key, opens, endings): (_, _, &[&str]) = match &dialog {
+            Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
+            Dialog::Save(_) => ("save-title", false, &["toml"]),
+            Dialog::Export(..) => ("export-title", false, &["png"]),
+            Dialog::Help => return,
+        };
+        let is_waiting = self.asked.take().is_some();
+        let target = dialog.target_mut().cloned();
+        let Some(target) = target.filter(|_| self.platform.has_dialogs() && !is_waiting) else {
+            self.shown.dialog = Some(dialog);
+            return;
+        };
+        let question = Question {
+            title: self.catalog().message(&Message::new(title_key)),
+            path: target.path,
+            opens,
+            endings,
+        };
+        self.platform.ask(&question, ctx);
+        self.asked = Some(dialog);
+    }
+
+    /// Does what was asked for when the system's dialog has been answered.
+    pub(super) fn take_answer(&mut self, ctx: &Context, now: f64) {
+        let Some(answer) = self.platform.answer() else {
+            return;
+        };
+        let Some(mut dialog) = self.asked.take() else {
+            return;
+        };
+        match answer {
+            Answer::Chosen(path) => {
+                // The system has asked about this file, and about none that is numbered after it.
+                let replaces = !matches!(&dialog, Dialog::Export(_, figures) if figures.all);
+                if let Some(target) = dialog.target_mut() {
+                    *target = Target { path, replaces };
+                }
+                self.shown.dialog = Some(dialog);
+                self.confirm(ctx, now);
+            }
+            Answer::Cancelled if !matches!(dialog, Dialog::Export(..)) => {}
+            Answer::Cancelled | Answer::NoDialog => self.shown.dialog = Some(dialog),
         }
     }
 }

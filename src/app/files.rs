@@ -1,16 +1,20 @@
-//! Files that go out: where the scene is saved, and its figures exported, one a frame.
+//! Files: those that are dropped or opened, where the scene is saved, and its figures, which are exported one a frame.
+
+use std::path::Path;
 
 use egui::Context;
 
 use crate::{
-    labs::Scene,
-    text::{Catalog, Diagnostic, Message},
+    labs::{Edit, Scene},
+    lesson::{Problem, SceneFile},
+    text::{Diagnostic, Message},
 };
 
+#[cfg(not(target_arch = "wasm32"))]
+use super::mesh_loading::{is_mesh, is_of_a_mesh};
 use super::{
     App, Dialog,
     dialog::{Figures, Target},
-    notice::Notice,
     platform::StageFigure,
 };
 
@@ -23,17 +27,6 @@ pub struct Export {
     /// The step that is drawn next, and the last one.
     next: usize,
     last: usize,
-}
-
-impl Export {
-    fn figure(&self) -> StageFigure<'_> {
-        StageFigure {
-            title: self.title.as_deref(),
-            scene: &self.scene,
-            position: self.next,
-            figures: self.figures,
-        }
-    }
 }
 
 /// The file of a step: of many, each has its number before the ending.
@@ -49,6 +42,91 @@ fn path_of(path: &str, figures: Figures, step: usize) -> String {
 }
 
 impl App {
+    pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
+        let now = ctx.input(|input| input.time);
+        let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+        #[cfg(not(target_arch = "wasm32"))]
+        let has_mesh = dropped.iter().any(|file| is_mesh(file.path()));
+        for file in dropped {
+            #[cfg(not(target_arch = "wasm32"))]
+            if has_mesh && is_of_a_mesh(file.path()) {
+                continue;
+            }
+            if self.open_folder_or_mesh(file.path(), ctx) {
+                continue;
+            }
+            let name = file.path().display().to_string();
+            match bytes_of(&file) {
+                Ok(bytes) => self.open_bytes(&name, &bytes, now),
+                Err(reason) => self.report_unread(&name, reason),
+            }
+        }
+    }
+
+    /// Opens what is a folder of lessons or a mesh; is it one?
+    #[cfg(not(target_arch = "wasm32"))]
+    fn open_folder_or_mesh(&mut self, path: &Path, ctx: &Context) -> bool {
+        if path.is_dir() {
+            self.open_folder(path, ctx);
+        } else if is_mesh(path) {
+            self.load_mesh(&path.display().to_string(), ctx);
+        } else {
+            return false;
+        }
+        true
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    const fn open_folder_or_mesh(&mut self, _path: &Path, _ctx: &Context) -> bool {
+        false
+    }
+
+    pub(super) fn report_unread(&mut self, path: &str, reason: Diagnostic) {
+        let message = Message::new("status-open-failed").with("path", path.to_owned());
+        let message = message.with("reason", reason);
+        self.complain(self.catalog().message(&message));
+    }
+
+    /// Shows the scene in these bytes, in the free scene of its lab; what is wrong with them is shown, and all left as
+    /// it was.
+    pub fn open_bytes(&mut self, name: &str, bytes: &[u8], now: f64) {
+        match self.kit.formats.read(name, bytes) {
+            Ok(read) => {
+                self.notices.clear();
+                self.open_scene(name, read, now);
+            }
+            Err(problems) => self.report_unfit(&problems),
+        }
+    }
+
+    /// Says what is wrong with a file, and that all is as it was.
+    pub(super) fn report_unfit(&mut self, problems: &[Problem]) {
+        let kept = self.catalog().term("status-kept");
+        self.complain(format!("{}\n{kept}", self.listing(problems)));
+    }
+
+    pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile, now: f64) {
+        let SceneFile { scene, position } = opened;
+        let lab = scene.document().lab();
+        self.turn_to(|bookmark| bookmark.open_free(lab));
+        self.edit(Edit::Replace(scene), None, now);
+        self.seek(position);
+        self.file = Some(file.to_owned());
+    }
+
+    /// Problems as a compiler prints them; of very many, the first.
+    pub(super) fn listing(&self, problems: &[Problem]) -> String {
+        const MOST: usize = 64;
+        let catalog = self.catalog();
+        let shown = problems.iter().take(MOST);
+        let mut lines: Vec<String> = shown.map(|problem| problem.render(catalog)).collect();
+        if problems.len() > MOST {
+            let more = Message::new("status-more-problems").with("count", problems.len() - MOST);
+            lines.push(catalog.message(&more));
+        }
+        lines.join("\n")
+    }
+
     /// Does what the open dialog is about; a file that the scene is not of is replaced only when told to a second time.
     pub(super) fn confirm(&mut self, ctx: &Context, now: f64) {
         let mut asked = self.shown.dialog.take();
@@ -73,19 +151,31 @@ impl App {
             return;
         }
         self.notices.clear();
+        // Where something goes wrong, the path is still there to be mended.
         match asked {
-            Some(Dialog::Open(target)) => self.open(&target.path, ctx, now),
-            Some(Dialog::Save(target)) => {
-                let notice = self.save(&target.path, now);
-                if notice.is_problem {
-                    // The path is still there to be mended.
-                    self.shown.dialog = Some(Dialog::Save(target));
+            Some(Dialog::Open(Target { path, .. })) => {
+                if !self.open_folder_or_mesh(Path::new(&path), ctx) {
+                    match self.platform.read(&path) {
+                        Ok(bytes) => self.open_bytes(&path, &bytes, now),
+                        Err(reason) => {
+                            self.report_unread(&path, reason);
+                            self.shown.dialog = Some(Dialog::Open(Target::new(path)));
+                        }
+                    }
                 }
-                self.notices.push(notice);
+            }
+            Some(Dialog::Save(target)) => {
+                let path = target.path.clone();
+                let written = self.platform.write(&path, self.as_file().as_bytes());
+                match &written {
+                    Ok(path) => self.file = Some(path.clone()),
+                    Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
+                }
+                self.report(&path, written, ["status-saved", "status-save-failed"], now);
             }
             Some(Dialog::Export(target, figures)) => {
                 self.settings.figures = Some(figures);
-                self.exporting = Some(self.export_of(&target.path, figures));
+                self.exporting = Some(self.export_of(target.path, figures));
                 self.export_next(ctx, now);
             }
             Some(Dialog::Help) | None => {}
@@ -93,40 +183,9 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Opens a scene, a mesh, or a folder of lessons.
-    fn open(&mut self, path: &str, ctx: &Context, now: f64) {
-        #[cfg(not(target_arch = "wasm32"))]
-        if std::path::Path::new(path).is_dir() {
-            self.open_folder(std::path::Path::new(path), ctx);
-            return;
-        }
-        #[cfg(not(target_arch = "wasm32"))]
-        if super::is_mesh(std::path::Path::new(path)) {
-            self.load_mesh(path, ctx);
-            return;
-        }
-        match self.platform.read(path) {
-            Ok(bytes) => self.open_bytes(path, &bytes, now),
-            Err(reason) => {
-                self.report_unread(path, reason);
-                // The path is still there to be mended.
-                self.shown.dialog = Some(Dialog::Open(Target::new(path.to_owned())));
-            }
-        }
-        ctx.request_repaint();
-    }
-
-    fn save(&mut self, path: &str, now: f64) -> Notice {
-        let written = self.platform.write(path, self.as_file().as_bytes());
-        if let Ok(path) = &written {
-            self.file = Some(path.clone());
-        }
-        self.reported(path, written, ["status-saved", "status-save-failed"], now)
-    }
-
     /// The first and the last step that become figures.
     const fn exported(&self, figures: Figures) -> [usize; 2] {
-        let transport = self.playback.transport();
+        let transport = &self.playback.transport;
         if figures.all {
             [0, transport.n_steps()]
         } else {
@@ -134,14 +193,14 @@ impl App {
         }
     }
 
-    fn export_of(&self, path: &str, figures: Figures) -> Export {
+    fn export_of(&self, path: String, figures: Figures) -> Export {
         let title = self.bookmark.title(figures.lang);
         let [next, last] = self.exported(figures);
         Export {
-            path: path.to_owned(),
+            path,
             figures,
             title: title.filter(|_| self.is_untouched()).map(str::to_owned),
-            scene: self.history.now().clone(),
+            scene: self.scene().clone(),
             next,
             last,
         }
@@ -153,47 +212,60 @@ impl App {
             return;
         };
         let path = path_of(&export.path, export.figures, export.next);
-        let drawn = self.platform.draw(export.figure());
+        let drawn = self.platform.draw(StageFigure {
+            title: export.title.as_deref(),
+            scene: &export.scene,
+            position: export.next,
+            figures: export.figures,
+        });
         let written = drawn.and_then(|bytes| self.platform.write(&path, &bytes));
         self.notices.clear();
-        let notice = if written.is_ok() && export.next < export.last {
+        if written.is_ok() && export.next < export.last {
             export.next += 1;
             let message = Message::new("status-exporting")
                 .with("count", export.next)
                 .with("total", export.last + 1);
             self.exporting = Some(export);
             ctx.request_repaint();
-            Notice::passing(self.catalog().message(&message), now)
-        } else {
-            if written.is_err() {
-                // The path is still there to be mended.
-                let dialog = Dialog::Export(Target::new(export.path), export.figures);
-                self.shown.dialog = Some(dialog);
-            }
-            let said = ["status-exported", "status-export-failed"];
-            self.reported(&path, written, said, now)
-        };
-        self.notices.push(notice);
+            self.tell(&message, now);
+            return;
+        }
+        if written.is_err() {
+            let dialog = Dialog::Export(Target::new(export.path), export.figures);
+            self.shown.dialog = Some(dialog);
+        }
+        let keys = ["status-exported", "status-export-failed"];
+        self.report(&path, written, keys, now);
     }
 
-    fn reported(
-        &self,
+    /// Says what came of a file.
+    fn report(
+        &mut self,
         asked: &str,
         written: Result<String, Diagnostic>,
         [done, failed]: [&'static str; 2],
         now: f64,
-    ) -> Notice {
-        let catalog = Catalog::of(self.settings.lang);
+    ) {
         match written {
-            Ok(path) => {
-                Notice::passing(catalog.message(&Message::new(done).with("path", path)), now)
-            }
+            Ok(path) => self.tell(&Message::new(done).with("path", path), now),
             Err(reason) => {
-                let reason = Message::new("error-at")
-                    .with("place", asked.to_owned())
-                    .with("problem", reason);
-                Notice::problem(catalog.message(&Message::new(failed).with("reason", reason)))
+                let at = Message::new("error-at").with("place", asked.to_owned());
+                let message = Message::new(failed).with("reason", at.with("problem", reason));
+                self.complain(self.catalog().message(&message));
             }
         }
     }
+}
+
+/// Why a file cannot be read, the system is asked again: egui has its answer in English only.
+#[cfg(not(target_arch = "wasm32"))]
+fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+    let read = |_| std::fs::read(file.path()).map_err(Diagnostic::from);
+    file.bytes().or_else(read)
+}
+
+/// A browser hands files over later; the page will do that in its own way.
+#[cfg(target_arch = "wasm32")]
+fn bytes_of(_file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+    Err(crate::text::SystemError::of_kind(std::io::ErrorKind::Unsupported).into())
 }

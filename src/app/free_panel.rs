@@ -13,8 +13,7 @@ use crate::{
 
 use super::{App, Command, menus::asked_of};
 
-/// Draws the panel that stands where the course does.
-pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     let margin = Margin::symmetric(8, 0);
     Frame::new().inner_margin(margin).show(ui, |ui| {
@@ -29,12 +28,12 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: 
                 .message(&Message::new("free-back").with("lesson", title));
             let back = Button::new(RichText::new(back).color(look.theme.accent)).frame(false);
             if ui.add(back.truncate()).clicked() {
-                commands.push(Command::Free);
+                app.push(Command::Free);
             }
         }
         rule(ui, look);
         let panel = panel_of(panels, app.scene());
-        commands.extend(
+        app.push_all(
             panel
                 .and_then(|panel| panel.menu(ui, look, app.scene()))
                 .map(asked_of),
@@ -47,17 +46,17 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: 
         .auto_shrink(false)
         .show(ui, |ui| {
             Frame::new().inner_margin(margin).show(ui, |ui| {
-                let lab = app.scene().document().lab().id();
-                let lessons = app.bookmark.lessons().iter().enumerate();
+                let lab = app.scene().document().lab().id;
+                let lessons = app.bookmark.course.lessons.iter().enumerate();
                 for (i, lesson) in lessons.filter(|(_, lesson)| lesson.lab == lab) {
-                    of_lesson(app, ui, (i, lesson), commands);
+                    of_lesson(app, ui, (i, lesson));
                 }
             });
         });
 }
 
 /// The scenes of a lesson, each once, under the title of the step that shows it first.
-fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson), commands: &mut Vec<Command>) {
+fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson)) {
     let text = lesson.text(app.settings.lang);
     let title = format!("{} · {}", i + 1, text.title);
     menu_button(ui, title, |ui| {
@@ -68,8 +67,8 @@ fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson), commands: &m
             }
             shown.push(&step.scene);
             if ui.button(&title.title).clicked() {
-                commands.push(Command::Edit(Edit::Replace((*step.scene).clone()), None));
-                commands.push(Command::First);
+                app.push(Command::Edit(Edit::Replace((*step.scene).clone()), None));
+                app.push(Command::First);
                 ui.close();
             }
         }

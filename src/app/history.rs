@@ -1,15 +1,12 @@
 //! The document and its past: every change can be undone, a whole gesture at once.
 
-/// Changes kept at most.
 const MAX_UNDO: usize = 100;
-/// Changes kept at least, however large the document.
 const MIN_UNDO: usize = 4;
 /// Units of documents (segments, say) kept at most for undo: some hundred megabytes.
 const MAX_KEPT_UNITS: usize = 4_000_000;
 /// Key presses of the same kind that follow each other within this time are undone together.
 const PAUSE_SECS: f64 = 1.0;
 
-/// Which changes belong together.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UndoGroup {
     /// A drag of this handle, until the pointer lets go.
@@ -20,7 +17,6 @@ pub enum UndoGroup {
     Number(usize),
 }
 
-/// The document as it is now, with what can be undone and done again.
 #[derive(Clone, Debug)]
 pub struct History<S> {
     now: S,
@@ -31,7 +27,6 @@ pub struct History<S> {
 }
 
 impl<S: Clone + PartialEq> History<S> {
-    /// A document without a past.
     pub const fn new(now: S) -> Self {
         Self {
             now,
@@ -42,7 +37,6 @@ impl<S: Clone + PartialEq> History<S> {
         }
     }
 
-    /// As it is.
     pub const fn now(&self) -> &S {
         &self.now
     }
@@ -87,7 +81,6 @@ impl<S: Clone + PartialEq> History<S> {
         Ok(true)
     }
 
-    /// Another one in its place.
     pub fn replace(&mut self, now: S) {
         if now != self.now {
             self.past.push(std::mem::replace(&mut self.now, now));
@@ -96,27 +89,22 @@ impl<S: Clone + PartialEq> History<S> {
         }
     }
 
-    /// Is something being dragged?
     pub const fn is_in_gesture(&self) -> bool {
         matches!(self.open, Some((UndoGroup::Drag(_), _)))
     }
 
-    /// The pointer has let go: what comes next is another change.
     pub const fn end_gesture(&mut self) {
         self.open = None;
     }
 
-    /// Is there something to undo?
     pub const fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
-    /// Is there something to redo?
     pub const fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }
 
-    /// Takes the last change back.
     pub fn undo(&mut self) {
         if let Some(before) = self.past.pop() {
             self.future.push(std::mem::replace(&mut self.now, before));
@@ -124,7 +112,6 @@ impl<S: Clone + PartialEq> History<S> {
         }
     }
 
-    /// Makes the change again that was taken back last.
     pub fn redo(&mut self) {
         if let Some(after) = self.future.pop() {
             self.past.push(std::mem::replace(&mut self.now, after));

@@ -6,7 +6,7 @@ use egui::{
 
 use crate::{
     figure::{CodeLinks, Frame, Link, Run, Watch, unseen},
-    labs::MethodCard,
+    labs::{CodeLine, MethodCard},
     lesson::CodeView,
     paint::theme,
     widgets::{
@@ -20,81 +20,66 @@ use super::{App, Command, bars::step_text, stage_state::StageState, typing::told
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
 const CODE_LEAST: f32 = 96.0;
-/// The watch table has room for so many points at least.
 const WATCH_LEAST: f32 = 78.0;
 
 /// Draws the panel. The room of its scroll bar is kept, also where there is none.
-pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let room = ui.available_height();
     let width = ui.available_width() - ui.spacing().scroll.allocated_width();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(width);
-        content(app, ui, state, room, commands);
+        content(app, ui, state, room);
     });
 }
 
 /// What the panel is about: the method that was clicked last, where two stand side by side.
-#[derive(Clone, Copy)]
 struct Inspected<'a> {
-    column: usize,
-    run: &'a dyn Run,
+    /// The column and its run.
+    of: (usize, &'a dyn Run),
     frame: &'a Frame,
-    /// The number of the step.
     moment: usize,
 }
 
 impl<'a> Inspected<'a> {
     fn of(app: &'a App, clicked: usize) -> Option<Self> {
-        let frames = app.playback.frames();
+        let frames = &app.playback.frames;
         let column = clicked.min(frames.len().saturating_sub(1));
         Some(Self {
-            column,
-            run: app.playback.runs().nth(column)?,
+            of: (column, app.playback.runs().nth(column)?),
             frame: frames.get(column)?,
             moment: app.playback.steps().get(column)?[0],
         })
     }
 }
 
-/// All that the panel holds, in a room of this height where that can be.
-pub fn content(
-    app: &App,
-    ui: &mut Ui,
-    state: &mut StageState,
-    room: f32,
-    commands: &mut Vec<Command>,
-) {
+pub fn content(app: &App, ui: &mut Ui, state: &mut StageState, room: f32) {
     let Some(inspected) = Inspected::of(app, state.inspected) else {
         return;
     };
-    let Inspected {
-        column, run, frame, ..
-    } = inspected;
+    let (column, _) = inspected.of;
     let look = app.look();
     let top = ui.cursor().top();
-    if app.playback.frames().len() > 1 {
+    if app.playback.frames.len() > 1 {
         methods(app, ui, column, &mut state.inspected);
     }
-    code_heading(app, ui, commands);
-    let scalars = unseen(&frame.watch);
-    let table = state
-        .watch
-        .of(app.on_stage(), ui, (column, run), &scalars)
-        .height();
+    code_heading(app, ui);
+    let scalars = unseen(&inspected.frame.watch);
+    let rows = state.watch.of(app.on_stage(), ui, inspected.of, &scalars);
+    let table = rows.height;
     let lines = lines(app, column);
     let code = Pseudocode::new(ui, look, (&lines, app.shown.code), CODE_PART * room);
     // What stands below keeps its place: rows that are too many are scrolled by themselves.
     let id = Id::unique("inspector without its rows");
     let fixed: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let [code_most, watch_most] = shares(room - fixed, [code.height(), table]);
-    let in_code = pseudocode(app, ui, state, (&code, code_most), inspected);
-    let in_table = watched(app, ui, state, (&scalars, watch_most), inspected, commands);
+    let in_code = pseudocode(app, ui, state, (&code, code_most), &inspected);
+    let in_table = watched(app, ui, state, (&scalars, watch_most), &inspected);
     rule(ui, look);
-    costs(app, ui, column, commands);
-    verdict(app, ui, state, commands);
-    if let Some(of_all) = state.all_costs[column].get(app.on_stage(), ui, 0.0, || {
-        app.scene().document().cost_of_all(column)
-    }) {
+    costs(app, ui, column);
+    verdict(app, ui, state);
+    let cost_of_all = || app.scene().document().cost_of_all(column);
+    let of_all = state.all_costs[column].get(app.on_stage(), ui, 0.0, cost_of_all);
+    if let Some(of_all) = of_all {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -114,17 +99,12 @@ fn pseudocode(
     ui: &mut Ui,
     state: &mut StageState,
     (code, most): (&Pseudocode<'_>, f32),
-    inspected: Inspected<'_>,
+    inspected: &Inspected<'_>,
 ) -> Option<Link> {
-    let Inspected {
-        column,
-        run,
-        frame,
-        moment,
-    } = inspected;
+    let (of, frame, moment) = (inspected.of, inspected.frame, inspected.moment);
     let is_now = |link| frame.focus().any(|about| about == link);
     let mut lit = match state.lit {
-        Some(link) => code_links(app, ui, state, (column, run)).lines(link),
+        Some(link) => code_links(app, ui, state, of).lines(link),
         None => Vec::new(),
     };
     lit.extend(frame.code_line.filter(|_| state.lit.is_some_and(is_now)));
@@ -143,28 +123,21 @@ fn pseudocode(
     if let Some(link) = now.filter(|_| frame.code_line == Some(line)) {
         return Some(link);
     }
-    let links = code_links(app, ui, state, (column, run));
+    let links = code_links(app, ui, state, of);
     links.of_line(line, moment)
 }
 
-/// The table of values that stand in no view; what the row under the pointer is about.
 fn watched(
     app: &App,
     ui: &mut Ui,
     state: &mut StageState,
     (scalars, most): (&Watch, f32),
-    inspected: Inspected<'_>,
-    commands: &mut Vec<Command>,
+    inspected: &Inspected<'_>,
 ) -> Option<Link> {
-    let Inspected {
-        column,
-        run,
-        frame,
-        moment,
-    } = inspected;
+    let (of, frame, moment) = (inspected.of, inspected.frame, inspected.moment);
     let (look, lit) = (app.look(), state.lit);
-    let room = state.watch.of(app.on_stage(), ui, (column, run), scalars);
-    if room.height() <= 0.0 {
+    let room = state.watch.of(app.on_stage(), ui, of, scalars);
+    if room.height <= 0.0 {
         return None;
     }
     rule(ui, look);
@@ -179,13 +152,13 @@ fn watched(
         room: (room, most),
         moment,
         lit,
-        is_typed: &|link| told_of(app.scene(), app.bookmark.step(), scalars, link).is_some(),
+        is_typed: &|link| told_of(app, scalars, link).is_some(),
     };
     let shown = ui.scope(|ui| watch(ui, look, &table)).inner;
     if let Some((link, at)) = shown.clicked
-        && let Some(handle) = told_of(app.scene(), app.bookmark.step(), scalars, link)
+        && let Some(handle) = told_of(app, scalars, link)
     {
-        commands.push(Command::TypeAt(handle, at));
+        app.push(Command::TypeAt(handle, at));
     }
     shown.pointed
 }
@@ -199,7 +172,6 @@ fn shares(left: f32, [code, table]: [f32; 2]) -> [f32; 2] {
     [code, (left - code).max(WATCH_LEAST.min(table))]
 }
 
-/// The methods that stand side by side, each with its step: which of them the panel is about.
 fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     let look = app.look();
     let cards = app.scene().document().methods();
@@ -210,12 +182,11 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.label(RichText::new(&step).small().color(look.theme.soft));
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let text = RichText::new(&name);
                     let text = if is_current {
-                        RichText::new(&name)
-                            .text_style(theme::strong())
-                            .color(look.theme.ink)
+                        text.text_style(theme::strong()).color(look.theme.ink)
                     } else {
-                        RichText::new(&name).color(look.theme.accent)
+                        text.color(look.theme.accent)
                     };
                     let response = ui.add(Button::new(text).frame(false).truncate());
                     response.widget_info(|| {
@@ -232,48 +203,42 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     rule(ui, look);
 }
 
-/// The heading, and how the pseudocode is shown: beside it where there is room for both, below it in large type.
-fn code_heading(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn code_heading(app: &App, ui: &mut Ui) {
     let look = app.look();
-    let switch = |ui: &mut Ui, commands: &mut Vec<Command>| {
+    let switch = |ui: &mut Ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            commands.extend(code_view_switch(ui, look, app.shown.code).map(Command::Code));
+            app.push_all(code_view_switch(ui, look, app.shown.code).map(Command::Code));
         });
     };
     ui.horizontal(|ui| {
         section(ui, look, &look.say("panel-pseudocode"));
         if look.theme.text_scale <= 1.0 {
-            switch(ui, commands);
+            switch(ui);
         }
     });
     if look.theme.text_scale > 1.0 {
-        ui.horizontal(|ui| switch(ui, commands));
+        ui.horizontal(|ui| switch(ui));
     }
 }
 
 fn lines(app: &App, column: usize) -> Vec<CodeText> {
     let methods = app.scene().document().methods();
     let code = methods.get(column).map_or(&[][..], |card| card.code);
-    let line = |line: &crate::labs::CodeLine| CodeText {
+    let has_words = app.shown.code == CodeView::Words;
+    let line = |line: &CodeLine| CodeText {
         depth: line.depth,
-        text: app.look().say(if app.shown.code == CodeView::Words {
-            line.words
-        } else {
-            line.code
-        }),
+        text: app
+            .look()
+            .say(if has_words { line.words } else { line.code }),
     };
     code.iter().map(line).collect()
 }
 
-/// Why what was clicked was kept or dropped, and the way to the step that says so.
-fn verdict(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
     let look = app.look();
-    let about = state.asked;
-    let verdict =
-        about.and_then(|about| state.verdicts.of(app.on_stage(), ui, (app.scene(), about)));
-    let Some(verdict) = verdict else {
-        return;
-    };
+    let Some(about) = state.asked else { return };
+    let verdict = (state.verdicts).of(app.on_stage(), ui, (app.scene(), about));
+    let Some(verdict) = verdict else { return };
     rule(ui, look);
     section(ui, look, &look.say("verdict-title"));
     ui.label(caption_text(look.catalog, &verdict.why));
@@ -282,13 +247,13 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Co
     }
     if verdict.step.is_some() {
         let text = RichText::new(look.say("verdict-go")).color(look.theme.accent);
-        if ui.add(egui::Button::new(text).frame(false)).clicked() {
-            commands.push(Command::Verdict);
+        if ui.add(Button::new(text).frame(false)).clicked() {
+            app.push(Command::Verdict);
         }
     }
 }
 
-fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
+fn costs(app: &App, ui: &mut Ui, column: usize) {
     let look = app.look();
     ui.horizontal(|ui| {
         section(ui, look, &look.say("cost-title"));
@@ -296,8 +261,8 @@ fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
             let measure = RichText::new(look.say("cost-measure"));
             let measure = measure.small().color(look.theme.accent);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if ui.add(egui::Button::new(measure).frame(false)).clicked() {
-                    commands.push(Command::Measure(true));
+                if ui.add(Button::new(measure).frame(false)).clicked() {
+                    app.push(Command::Measure(true));
                 }
             });
         }
@@ -307,21 +272,18 @@ fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
         return;
     };
     // Beside another method, both at this step; alone, with what brute force does in all.
-    let mut others = costs
-        .iter()
-        .zip(app.scene().document().methods())
-        .enumerate();
+    let methods = app.scene().document().methods();
+    let mut others = costs.iter().zip(methods).enumerate();
     let beside = others.find(|(i, _)| *i != column);
     let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
-        let (method, counts) = app.playback.baseline()?;
+        let (method, counts) = app.playback.baseline?;
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);
     let name = |method: &MethodCard| look.say(method.name_key);
-    let other_name = compared
-        .map(|(_, _, method)| name(method))
-        .unwrap_or_default();
+    let other_name = compared.map(|(.., method)| name(method));
+    let other_name = other_name.unwrap_or_default();
     let shown = Cost {
         now,
         compared: compared.map(|(counts, _, _)| (counts, &*other_name)),
@@ -330,7 +292,6 @@ fn costs(app: &App, ui: &mut Ui, column: usize, commands: &mut Vec<Command>) {
     ui.scope(|ui| cost(ui, look, &shown));
 }
 
-/// What the lines of a method's pseudocode are about: found when it is first asked for.
 fn code_links<'a>(
     app: &App,
     ui: &Ui,

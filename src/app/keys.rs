@@ -4,7 +4,6 @@ use egui::{Context, Event, FocusDirection, Id, Key, Modifiers};
 
 use super::command::{BINDINGS, Binding, Command};
 
-/// What the keyboard is doing when a key is pressed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Focus {
     /// Nothing, or the stage, has the focus: every key is a command.
@@ -18,7 +17,6 @@ pub enum Focus {
 }
 
 impl Focus {
-    /// What has the focus now; `stages` and `handles` are the ids of what stands on the stage.
     pub fn now(ctx: &Context, stages: &[Id], handles: &[Id]) -> Self {
         if ctx.text_edit_focused() {
             return Self::Text;
@@ -48,7 +46,6 @@ impl Focus {
     }
 }
 
-/// Takes the presses out of the input that are commands, in their order.
 pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
     let mut commands = Vec::new();
     ctx.input_mut(|input| {
@@ -64,11 +61,11 @@ pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
                 return true;
             };
             let binding = binding(*key, *modifiers).filter(|_| !focus.takes(*key, *modifiers));
-            let Some(binding) = binding else {
+            let Some((.., command, _)) = binding else {
                 return true;
             };
-            if !repeat || binding.repeats {
-                commands.push(binding.command.clone());
+            if !repeat || command.repeats() {
+                commands.push(command.clone());
             }
             // egui closes its own popups with Escape, too.
             *key == Key::Escape
@@ -97,19 +94,15 @@ pub fn tab_to(ctx: &Context, first: Option<Id>) {
 }
 
 fn binding(key: Key, modifiers: Modifiers) -> Option<&'static Binding> {
-    let matches = |(wanted, k): &(Modifiers, Key)| {
+    let is_it = |(wanted, k, ..): &&Binding| {
         // These two are written with Shift on some keyboards and without on others.
-        let shift_is_free = matches!(k, Key::Questionmark | Key::Plus);
-        let shift = if shift_is_free {
-            wanted.shift
-        } else {
-            modifiers.shift
+        let shift = match k {
+            Key::Questionmark | Key::Plus => wanted.shift,
+            _ => modifiers.shift,
         };
         *k == key && Modifiers { shift, ..modifiers }.matches_exact(*wanted)
     };
-    BINDINGS
-        .iter()
-        .find(|binding| binding.keys.iter().any(matches))
+    BINDINGS.iter().find(is_it)
 }
 
 #[cfg(test)]
@@ -118,7 +111,10 @@ mod tests {
 
     #[test]
     fn no_key_means_two_things() {
-        let all: Vec<_> = BINDINGS.iter().flat_map(|binding| binding.keys).collect();
+        let all: Vec<_> = BINDINGS
+            .iter()
+            .map(|&(held, key, ..)| (held, key))
+            .collect();
         for (i, a) in all.iter().enumerate() {
             assert!(all[..i].iter().all(|b| a != b), "{a:?} is bound twice");
         }
@@ -126,18 +122,16 @@ mod tests {
 
     #[test]
     fn shift_tells_shortcuts_apart_but_not_signs() {
-        let help = |key, modifiers| binding(key, modifiers).map(|b| b.help);
+        let help = |key, modifiers| binding(key, modifiers).map(|binding| binding.3);
         let ctrl = Modifiers::CTRL | Modifiers::COMMAND;
-        assert_eq!(help(Key::Z, ctrl), Some("action-undo"));
-        assert_eq!(help(Key::Z, ctrl | Modifiers::SHIFT), Some("action-redo"));
-        assert_eq!(
-            help(Key::Questionmark, Modifiers::SHIFT),
-            Some("action-help")
-        );
-        assert_eq!(
-            help(Key::Questionmark, Modifiers::NONE),
-            Some("action-help")
-        );
-        assert_eq!(help(Key::R, Modifiers::SHIFT), None);
+        for (key, modifiers, expected) in [
+            (Key::Z, ctrl, Some("action-undo")),
+            (Key::Z, ctrl | Modifiers::SHIFT, Some("action-redo")),
+            (Key::Questionmark, Modifiers::SHIFT, Some("action-help")),
+            (Key::Questionmark, Modifiers::NONE, Some("action-help")),
+            (Key::R, Modifiers::SHIFT, None),
+        ] {
+            assert_eq!(help(key, modifiers), expected);
+        }
     }
 }

@@ -17,133 +17,127 @@ use super::{
 };
 
 /// The menus of the bar, from right to left.
-pub fn in_a_row(
-    app: &App,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
+pub fn in_a_row(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     if ui.button(look.say("action-present")).clicked() {
-        commands.push(Command::Present);
+        app.push(Command::Present);
     }
-    menu_button(ui, look.say("settings-theme"), |ui| {
-        commands.extend(theme_menu(ui, look).map(Command::Theme));
-    });
-    menu_button(ui, app.settings.lang.native_name(), |ui| {
-        commands.extend(language_menu(ui, app.settings.lang).map(Command::Language));
-    });
+    theme_and_language(app, ui);
     menu_button(ui, look.say("panel-scene"), |ui| {
-        scene(app, ui, panels, commands);
+        scene(app, ui, panels);
     });
 }
 
-/// Everything that the wide bar holds, and all else that a narrow window has no room for, behind one button.
-pub fn behind_one_button(
-    app: &App,
-    ui: &mut Ui,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
+pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     Popup::menu(&button).style(menu_style).show(|ui| {
         for panel in &*panels {
             let lab = panel.lab();
             let is_open = app.scene().document().lab() == lab;
-            if ui.radio(is_open, look.say(lab.name_key())).clicked() && !is_open {
-                commands.push(Command::Lab(lab.id()));
+            if ui.radio(is_open, look.say(lab.name_key)).clicked() && !is_open {
+                app.push(Command::Lab(lab.id));
                 ui.close();
             }
         }
         ui.separator();
         menu_button(ui, look.say("panel-scene"), |ui| {
-            scene(app, ui, panels, commands);
+            scene(app, ui, panels);
         });
-        menu_button(ui, look.say("settings-theme"), |ui| {
-            commands.extend(theme_menu(ui, look).map(Command::Theme));
-        });
-        menu_button(ui, app.settings.lang.native_name(), |ui| {
-            commands.extend(language_menu(ui, app.settings.lang).map(Command::Language));
-        });
+        theme_and_language(app, ui);
         if !transport_has_room(ui.ctx().content_rect().width() - 2.0 * f32::from(BESIDE_TRANSPORT))
         {
-            let speed = app.playback.transport().speed();
-            commands.extend(speed_menu(ui, look, speed).map(Command::Speed));
+            let speed = app.playback.transport.speed();
+            app.push_all(speed_menu(ui, look, speed).map(Command::Speed));
         }
         if ui.button(look.say("action-present")).clicked() {
-            commands.push(Command::Present);
+            app.push(Command::Present);
         }
     });
 }
 
-/// What can be done to the scene, and with it.
-fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
+fn theme_and_language(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    menu_button(ui, look.say("settings-theme"), |ui| {
+        app.push_all(theme_menu(ui, look).map(Command::Theme));
+    });
+    menu_button(ui, app.settings.lang.native_name(), |ui| {
+        app.push_all(language_menu(ui, app.settings.lang).map(Command::Language));
+    });
+}
+
+fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     if !has_compare_in_the_bar(ui.ctx()) {
         menu_button(ui, look.say("cost-compare"), |ui| {
             let edit = compare_choices(ui, look, app.scene());
-            commands.extend(edit.map(|edit| Command::Edit(edit, None)));
+            app.push_all(edit.map(|edit| Command::Edit(edit, None)));
         });
     }
     let panel = panel_of(panels, app.scene());
     let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
-    commands.extend(asked.map(asked_of));
+    app.push_all(asked.map(asked_of));
     let here = app.scene().document().lab();
     for lab in panels
         .iter()
         .map(|panel| panel.lab())
         .filter(|&lab| lab != here)
     {
-        let says = Message::new("scene-adopt").with("lab", Value::Term(lab.name_key()));
-        if lab.adopt(app.scene()).is_some() && ui.button(look.catalog.message(&says)).clicked() {
-            commands.push(Command::Adopt(lab.id()));
+        let says = Message::new("scene-adopt").with("lab", Value::Term(lab.name_key));
+        if (lab.adopt)(app.scene()).is_some() && ui.button(look.catalog.message(&says)).clicked() {
+            app.push(Command::Adopt(lab.id));
             ui.close();
         }
     }
     let mut snap = app.settings.snap;
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
-        commands.push(Command::Snap(snap));
+        app.push(Command::Snap(snap));
     }
     ui.separator();
-    changes(app, ui, commands);
+    changes(app, ui);
     ui.separator();
-    files(app, ui, commands);
+    files(app, ui);
     let measure = Command::Measure(true);
-    action(ui, look, ("cost-measure", "Ctrl+M"), app.shown.measures)
-        .then(|| commands.push(measure));
-    action(ui, look, ("action-help", "?"), true).then(|| commands.push(Command::Help));
+    action(ui, look, ("cost-measure", "Ctrl+M"), app.shown.measures).then(|| app.push(measure));
+    action(ui, look, ("action-help", "?"), true).then(|| app.push(Command::Help));
 }
 
-/// A row of the menu, with the keys that do the same; was it clicked?
 fn action(ui: &mut Ui, look: Look<'_>, (key, keys): (&str, &str), enabled: bool) -> bool {
     let keys = RichText::new(keys).color(look.theme.soft);
     let button = Button::new(look.say(key)).right_text(keys);
     ui.add_enabled(enabled, button).clicked()
 }
 
-/// What was done and can be taken back; other scenes; the view.
-fn changes(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
-    let [can_undo, can_redo] = app.can_travel();
-    let free = if app.bookmark.free().is_some() {
+fn changes(app: &App, ui: &mut Ui) {
+    let free = if app.bookmark.free.is_some() {
         "action-course"
     } else {
         "action-free"
     };
     let rows = [
-        ("action-undo", "Ctrl+Z", can_undo, Command::Undo),
-        ("action-redo", "Ctrl+Shift+Z", can_redo, Command::Redo),
+        (
+            "action-undo",
+            "Ctrl+Z",
+            app.history.can_undo(),
+            Command::Undo,
+        ),
+        (
+            "action-redo",
+            "Ctrl+Shift+Z",
+            app.history.can_redo(),
+            Command::Redo,
+        ),
         ("action-reset", "R", true, Command::Reset),
         (free, "F8", true, Command::Free),
         ("action-reset-view", "0", true, Command::FitView),
     ];
     for (key, keys, enabled, command) in rows {
-        action(ui, app.look(), (key, keys), enabled).then(|| commands.push(command));
+        action(ui, app.look(), (key, keys), enabled).then(|| app.push(command));
     }
 }
 
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
-fn files(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
+fn files(app: &App, ui: &mut Ui) {
     let path = |of| app.platform.has_dialogs().then_some(Command::TypePath(of));
     let rows = [
         ("action-open", "Ctrl+O", Some(Command::OpenFile)),
@@ -156,12 +150,11 @@ fn files(app: &App, ui: &mut Ui, commands: &mut Vec<Command>) {
         if let Some(command) = command
             && action(ui, app.look(), (key, keys), true)
         {
-            commands.push(command);
+            app.push(command);
         }
     }
 }
 
-/// What a lab's menu asked for.
 pub fn asked_of(asked: PanelAsk) -> Command {
     match asked {
         PanelAsk::Edit(edit) => Command::Edit(edit, None),

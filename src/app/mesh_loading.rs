@@ -27,19 +27,13 @@ const MAX_MESH_BYTES: u64 = 128 << 20;
 /// Read in pieces of this size, after each of which it may be given up.
 const PIECE_BYTES: u64 = 1 << 20;
 
-/// Why a mesh cannot be had.
 enum Unread {
-    /// The file cannot be read.
     File(Diagnostic),
-    /// It holds no mesh.
     Mesh(Vec<Problem>),
 }
 
 /// A mesh, and what it is painted with.
-struct ReadMesh {
-    obj: ObjFile,
-    picture: Option<Picture>,
-}
+type ReadMesh = (ObjFile, Option<Picture>);
 
 /// A mesh on its way. Dropped, it is given up.
 pub struct MeshLoading {
@@ -49,7 +43,6 @@ pub struct MeshLoading {
 }
 
 impl MeshLoading {
-    /// Begins to read a file; the context is woken when that is done.
     fn start(path: &str, ctx: &Context) -> Self {
         let (said, read) = mpsc::channel();
         let is_wanted = Arc::new(AtomicBool::new(true));
@@ -61,24 +54,7 @@ impl MeshLoading {
         let (path, ctx) = (path.to_owned(), ctx.clone());
         thread::spawn(move || {
             let is_wanted = || is_wanted.load(Ordering::Relaxed);
-            let read = match bytes_of(Path::new(&path), &is_wanted) {
-                Ok(bytes) => read_obj_while(&path, &bytes, &is_wanted)
-                    .map(|obj| {
-                        let beside = |name: &str| {
-                            bytes_of(&Path::new(&path).with_file_name(name), &is_wanted).ok()
-                        };
-                        let material = obj.material.as_ref();
-                        ReadMesh {
-                            picture: material.and_then(|it| picture_of(it, &beside)),
-                            obj: ObjFile {
-                                mesh: obj.mesh.fitted(),
-                                ..obj
-                            },
-                        }
-                    })
-                    .map_err(Unread::Mesh),
-                Err(reason) => Err(Unread::File(reason)),
-            };
+            let read = read_mesh(&path, &is_wanted);
             // Nobody listens where it has been given up.
             if said.send(read).is_ok() {
                 ctx.request_repaint();
@@ -87,7 +63,6 @@ impl MeshLoading {
         loading
     }
 
-    /// What came of it, once it is known.
     fn answer(&self) -> Option<Result<ReadMesh, Unread>> {
         match self.read.try_recv() {
             Ok(read) => Some(read),
@@ -107,7 +82,16 @@ impl Drop for MeshLoading {
     }
 }
 
-/// Is it a mesh, by the ending of its name?
+fn read_mesh(path: &str, is_wanted: &dyn Fn() -> bool) -> Result<ReadMesh, Unread> {
+    let bytes = bytes_of(Path::new(path), is_wanted).map_err(Unread::File)?;
+    let obj = read_obj_while(path, &bytes, is_wanted).map_err(Unread::Mesh)?;
+    let beside = |name: &str| bytes_of(&Path::new(path).with_file_name(name), is_wanted).ok();
+    let material = obj.material.as_ref();
+    let picture = material.and_then(|it| picture_of(it, &beside));
+    let mesh = obj.mesh.fitted();
+    Ok((ObjFile { mesh, ..obj }, picture))
+}
+
 pub fn is_mesh(path: &Path) -> bool {
     let ending = path.extension();
     ending.is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
@@ -137,19 +121,14 @@ fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagno
     }
 }
 
-/// Is it what may come along with a mesh: its material, its texture?
 pub fn is_of_a_mesh(path: &Path) -> bool {
     const ENDINGS: [&str; 4] = ["mtl", "png", "jpg", "jpeg"];
     let ending = path.extension();
-    ending.is_some_and(|ending| {
-        ENDINGS
-            .iter()
-            .any(|known| ending.eq_ignore_ascii_case(known))
-    })
+    let is_it = |known: &&str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(known));
+    ENDINGS.iter().any(is_it)
 }
 
 impl App {
-    /// Begins to read a mesh, which will be an object of a scene.
     pub(super) fn load_mesh(&mut self, path: &str, ctx: &Context) {
         self.loading.push(MeshLoading::start(path, ctx));
         self.notices.clear();
@@ -160,37 +139,33 @@ impl App {
         let paths: Vec<&str> = self.loading.iter().map(|mesh| mesh.path.as_str()).collect();
         if !paths.is_empty() {
             let message = Message::new("status-mesh-reading").with("path", paths.join(", "));
-            let text = self.catalog().message(&message);
-            self.notices.push(Notice::lasting(text));
+            self.notify(Notice {
+                text: self.catalog().message(&message),
+                is_problem: false,
+                until: None,
+            });
         }
     }
 
-    /// Gives up the meshes that are being read; was there one?
+    /// Was there one to give up?
     pub(super) fn give_meshes_up(&mut self, now: f64) -> bool {
-        let paths: Vec<String> = self
-            .loading
-            .drain(..)
-            .map(|mesh| mesh.path.clone())
-            .collect();
-        if paths.is_empty() {
+        let meshes = std::mem::take(&mut self.loading);
+        if meshes.is_empty() {
             return false;
         }
+        let paths: Vec<&str> = meshes.iter().map(|mesh| mesh.path.as_str()).collect();
         let message = Message::new("status-mesh-given-up").with("path", paths.join(", "));
         self.notices.clear();
-        let text = self.catalog().message(&message);
-        self.notices.push(Notice::passing(text, now));
+        self.tell(&message, now);
         true
     }
 
-    /// Puts each mesh that has been read into the free scene of the lab that shows meshes; where there is none, all stays as
-    /// it was.
     pub(super) fn take_meshes(&mut self, now: f64) {
-        let answered = |mesh: &MeshLoading| Some((mesh.path.clone(), mesh.answer()?));
         let mut found = Vec::new();
         self.loading.retain(|mesh| {
-            let answer = answered(mesh);
+            let answer = mesh.answer();
             let is_waiting = answer.is_none();
-            found.extend(answer);
+            found.extend(answer.map(|answer| (mesh.path.clone(), answer)));
             is_waiting
         });
         if found.is_empty() {
@@ -199,7 +174,7 @@ impl App {
         self.notices.clear();
         for (path, read) in found {
             match read {
-                Ok(read) => self.add_mesh(&path, &read, now),
+                Ok(read) => self.add_mesh(&path, read, now),
                 Err(Unread::File(reason)) => self.report_unread(&path, reason),
                 Err(Unread::Mesh(problems)) => self.report_unfit(&problems),
             }
@@ -207,8 +182,7 @@ impl App {
         self.say_what_is_loading();
     }
 
-    fn add_mesh(&mut self, path: &str, read: &ReadMesh, now: f64) {
-        let ReadMesh { obj: read, picture } = read;
+    fn add_mesh(&mut self, path: &str, (read, picture): ReadMesh, now: f64) {
         let name = Path::new(path).file_stem().unwrap_or_default();
         let name = name.display().to_string();
         // Into the open lab's scene, if that shows meshes.
@@ -235,12 +209,10 @@ impl App {
             said.push(Message::new("status-mesh-plain").with("library", library.clone()));
         }
         if !read.warnings.is_empty() {
-            let text = self.listing(&read.warnings);
-            self.notices.push(Notice::problem(text));
+            self.complain(self.listing(&read.warnings));
         }
         for message in said {
-            let text = self.catalog().message(&message);
-            self.notices.push(Notice::passing(text, now));
+            self.tell(&message, now);
         }
     }
 }

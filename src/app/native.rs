@@ -15,14 +15,11 @@ const SETTINGS_KEY: &str = "settings";
 const DEFAULT_SIZE: [f32; 2] = [1280.0, 720.0];
 const LEAST_SIZE: [f32; 2] = [320.0, 240.0];
 
-/// What the window is opened on.
 #[derive(Default)]
 pub struct Opening {
     /// A lesson folder, read again whenever it changes; else the embedded course.
     pub folder: Option<Folder>,
-    /// A file and its scene, instead of what was open last.
     pub scene: Option<(String, SceneFile)>,
-    /// The path of a mesh, which is read while the window is there.
     pub mesh: Option<String>,
 }
 
@@ -81,7 +78,7 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
         app.load_mesh(&path, ctx);
     }
     if let Some(folder) = opening.folder {
-        app.report(&loaded.unwrap_or_default().problems);
+        app.report_errors(loaded.unwrap_or_default().problems);
         app.watch(folder, ctx.clone());
     }
     app

@@ -17,21 +17,28 @@ use crate::{
 
 use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice};
 
-/// Width of the list of keys at text scale 1, where there is room.
 const WIDTH: f32 = 528.0;
+/// Keys that are no commands.
+const OTHER_KEYS: [(&str, &str); 6] = [
+    ("Tab", "help-tab"),
+    ("↑ ↓ ← →", "help-nudge"),
+    (".  ,", "help-deeper"),
+    ("X  Y  Z", "help-axis"),
+    ("Shift  Alt", "help-alt"),
+    ("Enter", "help-verdict"),
+];
 
-/// Draws whatever is open.
-pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>], commands: &mut Vec<Command>) {
-    let (ctx, look) = (ui.ctx(), app.look());
-    if !app.notices.shown().is_empty() {
-        notices(ctx, look, app.notices.shown(), commands);
+pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>]) {
+    let ctx = ui.ctx();
+    if !app.notices.is_empty() {
+        notices(app, ctx);
     }
     if app.shown.is_measuring {
-        measure(app, ctx, panels, commands);
+        measure(app, ctx, panels);
     }
     match app.shown.dialog.as_ref() {
-        Some(Dialog::Help) => help(ctx, look, commands),
-        Some(dialog) => path_dialog(app, ctx, dialog, commands),
+        Some(Dialog::Help) => help(app, ctx),
+        Some(dialog) => path_dialog(app, ctx, dialog),
         None => {}
     }
 }
@@ -45,7 +52,8 @@ fn modal(id: &str, look: Look<'_>) -> Modal {
     Modal::new(Id::unique(id)).frame(frame)
 }
 
-fn notices(ctx: &Context, look: Look<'_>, notices: &[Notice], commands: &mut Vec<Command>) {
+fn notices(app: &App, ctx: &Context) {
+    let (look, notices) = (app.look(), &app.notices);
     let width = (ctx.content_rect().width() - 32.0).clamp(64.0, 880.0);
     let height = 0.6 * ctx.content_rect().height();
     let area = Area::new(Id::unique("notices"))
@@ -84,7 +92,7 @@ fn notices(ctx: &Context, look: Look<'_>, notices: &[Notice], commands: &mut Vec
                         });
                     });
                 if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
-                    commands.push(Command::Dismiss);
+                    app.push(Command::Dismiss);
                 }
             });
         });
@@ -103,11 +111,12 @@ fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
     }
 }
 
-fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
+fn help(app: &App, ctx: &Context) {
+    let look = app.look();
     let response = modal("help", look).show(ctx, |ui| {
         let height = ctx.content_rect().height() - 120.0;
         ui.set_max_width(WIDTH * look.theme.text_scale);
-        heading(ui, look, "help-title", commands);
+        heading(app, ui, "help-title");
         ScrollArea::vertical()
             .max_height(height.max(60.0))
             .min_scrolled_height(height.max(60.0))
@@ -117,19 +126,8 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
                     .spacing(vec2(24.0, 2.0))
                     .min_row_height(0.0)
                     .show(ui, |ui| {
-                        for (keys, help) in lines(ctx) {
-                            ui.label(RichText::new(keys).monospace().color(look.theme.ink));
-                            ui.label(RichText::new(look.say(help)).color(look.theme.soft));
-                            ui.end_row();
-                        }
-                        for (keys, help) in [
-                            ("Tab", "help-tab"),
-                            ("↑ ↓ ← →", "help-nudge"),
-                            (".  ,", "help-deeper"),
-                            ("X  Y  Z", "help-axis"),
-                            ("Shift  Alt", "help-alt"),
-                            ("Enter", "help-verdict"),
-                        ] {
+                        let others = OTHER_KEYS.map(|(keys, help)| (keys.to_owned(), help));
+                        for (keys, help) in lines(ctx).into_iter().chain(others) {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
                             ui.label(RichText::new(look.say(help)).color(look.theme.soft));
                             ui.end_row();
@@ -143,18 +141,19 @@ fn help(ctx: &Context, look: Look<'_>, commands: &mut Vec<Command>) {
             });
     });
     if response.should_close() {
-        commands.push(Command::Show(None));
+        app.push(Command::Show(None));
     }
 }
 
-fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) {
+fn heading(app: &App, ui: &mut Ui, key: &str) {
+    let look = app.look();
     let size = vec2(
         ui.available_width().min(WIDTH * look.theme.text_scale),
         32.0,
     );
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
-            commands.push(Command::Show(None));
+            app.push(Command::Show(None));
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             ui.label(RichText::new(look.say(key)).heading());
@@ -162,18 +161,14 @@ fn heading(ui: &mut Ui, look: Look<'_>, key: &str, commands: &mut Vec<Command>) 
     });
 }
 
-/// The table of keys, one line for each thing that is done.
 fn lines(ctx: &Context) -> Vec<(String, &'static str)> {
     let mut lines: Vec<(String, &'static str)> = Vec::new();
-    for binding in &BINDINGS {
-        let keys = binding.keys.iter().filter(|(_, key)| *key != Key::Equals);
-        let keys: Vec<String> = keys
-            .map(|&(modifiers, key)| written(ctx, modifiers, key))
-            .collect();
-        let keys = keys.join("  ");
+    let shown = BINDINGS.iter().filter(|(_, key, ..)| *key != Key::Equals);
+    for &(modifiers, key, _, help) in shown {
+        let key = written(ctx, modifiers, key);
         match lines.last_mut() {
-            Some((known, help)) if *help == binding.help => *known = format!("{known}  {keys}"),
-            _ => lines.push((keys, binding.help)),
+            Some((known, of)) if *of == help => *known = format!("{known}  {key}"),
+            _ => lines.push((key, help)),
         }
     }
     lines
@@ -192,7 +187,7 @@ fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
     format!("{}{sign}", whole.trim_end_matches('A'))
 }
 
-fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Command>) {
+fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
     let look = app.look();
     let mut changed = dialog.clone();
     let (key, action, target, figures) = match &mut changed {
@@ -208,7 +203,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Com
     };
     let response = modal("path", look).show(ctx, |ui| {
         ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
-        heading(ui, look, key, commands);
+        heading(app, ui, key);
         ui.add_space(8.0);
         if let Some(figures) = figures {
             choices(ui, look, figures);
@@ -225,13 +220,13 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Com
             let go = egui::Button::new(text).fill(look.theme.accent);
             let ready = !target.path.trim().is_empty();
             if (ui.add_enabled(ready, go).clicked() || entered) && ready {
-                commands.push(Command::Confirm);
+                app.push(Command::Confirm);
             }
             if app.platform.has_dialogs() && ui.button(look.say("action-browse")).clicked() {
-                commands.push(Command::Browse);
+                app.push(Command::Browse);
             }
             if ui.button(look.say("action-cancel")).clicked() {
-                commands.push(Command::Show(None));
+                app.push(Command::Show(None));
             }
         });
     });
@@ -240,13 +235,14 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog, commands: &mut Vec<Com
             target.replaces = false;
         }
         // Before a press of the button, so that it does what is chosen now.
-        commands.insert(0, Command::Show(Some(changed)));
+        app.commands
+            .borrow_mut()
+            .insert(0, Command::Show(Some(changed)));
     } else if response.should_close() {
-        commands.push(Command::Show(None));
+        app.push(Command::Show(None));
     }
 }
 
-/// Where the path is typed; was Enter pressed in it?
 fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
     let label = ui.label(RichText::new(look.say("save-path")).color(look.theme.soft));
     let field = TextEdit::singleline(&mut target.path)
@@ -272,7 +268,6 @@ fn select_name(ctx: &Context, field: Id, path: &str) {
     state.store(ctx, field);
 }
 
-/// What an author would set: size, theme, language, this step or all.
 fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
     let named = |ui: &mut Ui, key: &str, row: &mut dyn FnMut(&mut Ui)| {
         ui.label(RichText::new(look.say(key)).color(look.theme.soft));
@@ -307,12 +302,7 @@ fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
         });
 }
 
-fn measure(
-    app: &App,
-    ctx: &Context,
-    panels: &mut [Box<dyn LabPanel>],
-    commands: &mut Vec<Command>,
-) {
+fn measure(app: &App, ctx: &Context, panels: &mut [Box<dyn LabPanel>]) {
     let (look, scene) = (app.look(), app.scene());
     let Some(bench) = panel_of(panels, scene).and_then(|panel| panel.bench()) else {
         return;
@@ -326,6 +316,6 @@ fn measure(
             .inner
     });
     if !response.inner || response.should_close() {
-        commands.push(Command::Measure(false));
+        app.push(Command::Measure(false));
     }
 }

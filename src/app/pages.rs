@@ -1,10 +1,8 @@
 //! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
 
-use egui::Context;
-
 use crate::{
     figure::Moment,
-    labs::{Edit, Lab, Scene},
+    labs::{Edit, Scene},
     lesson::{Block, CodeView, LessonStep},
 };
 
@@ -13,7 +11,6 @@ use super::{
     bookmark::Bookmark,
     desk::{Page, StoredWork, Work},
     history::History,
-    notice::Notice,
     playback::Playback,
     room::{CoursePart, Room},
     stage_state::StageState,
@@ -35,20 +32,19 @@ impl App {
         if let (Some(page), Some(work)) = (page, before)
             && (is_changed || work.history.can_undo() || work.history.can_redo())
         {
-            self.desk.put(page, Work { is_changed, ..work });
+            self.desk.works.insert(page, Work { is_changed, ..work });
         }
     }
 
     /// Is the scene the reader's own, or changed by the reader?
     fn is_the_readers(&self) -> bool {
-        self.bookmark.free().is_some() || !self.is_untouched()
+        self.bookmark.free.is_some() || !self.is_untouched()
     }
 
     /// Shows the open page as it was left, else as it is at first; what was shown before.
     pub(super) fn enter(&mut self) -> Option<Work> {
-        let speed = self.settings.speed;
         let page = self.bookmark.page();
-        let work = page.as_ref().and_then(|page| self.desk.take(page));
+        let work = page.as_ref().and_then(|page| self.desk.works.remove(page));
         let at_first = |(scene, position)| Work {
             history: History::new(scene),
             position,
@@ -58,19 +54,16 @@ impl App {
         let work = work.or_else(|| self.own().map(at_first));
         let before = work.map(|work| self.show(work));
         (self.shown.lists_lessons, self.shown.is_answered) = (false, false);
-        self.shown.code = self
-            .bookmark
-            .step()
-            .map_or(CodeView::Full, |step| step.code);
-        if let Some(problem) = self.bookmark.step().and_then(LessonStep::problem) {
-            let text = self.listing(&[problem]);
-            self.notices.push(Notice::problem(text));
+        let step = self.bookmark.step();
+        self.shown.code = step.map_or(CodeView::Full, |step| step.code);
+        if let Some(problem) = step.and_then(LessonStep::problem) {
+            self.complain(self.listing(&[problem]));
         }
         if let Some(page) = page {
-            let lab = self.history.now().document().lab();
-            self.desk.opened(lab.id(), page);
+            let lab = self.scene().document().lab();
+            self.desk.last.insert(lab.id.to_owned(), page);
         }
-        self.playback.transport_mut().set_speed(speed);
+        self.playback.transport.set_speed(self.settings.speed);
         before
     }
 
@@ -80,7 +73,7 @@ impl App {
         let before = std::mem::replace(&mut self.playback, Playback::record(scene, work.position));
         self.stage = StageState::new(scene);
         Work {
-            position: before.transport().position(),
+            position: before.transport.position(),
             history: std::mem::replace(&mut self.history, work.history),
             file: std::mem::replace(&mut self.file, work.file),
             ..work
@@ -89,8 +82,8 @@ impl App {
 
     /// The open page's own scene, and where its run stands at first.
     pub(super) fn own(&self) -> Option<(Scene, usize)> {
-        if let Some(lab) = self.bookmark.free() {
-            return Some((lab.first_scene(), 0));
+        if let Some(lab) = self.bookmark.free {
+            return Some(((lab.first_scene)(), 0));
         }
         let step = self.bookmark.step()?;
         // The end of two runs side by side is that of the longer one.
@@ -103,7 +96,7 @@ impl App {
 
     /// Has the text of the open step an answer?
     pub(super) fn has_answer(&self) -> bool {
-        let [_, step_idx] = self.bookmark.indices();
+        let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());
         let text = step.and_then(|lesson| lesson.text(self.settings.lang).steps.get(step_idx));
         let mut blocks = text.iter().flat_map(|step| &step.body);
@@ -111,16 +104,14 @@ impl App {
     }
 
     /// The next step of the lesson, or the one before; where a question is to be read, first its answer.
-    pub(super) fn turn_page(&mut self, ctx: &Context, forward: bool) {
-        self.shown.size = ctx.content_rect().size();
+    pub(super) fn turn_page(&mut self, forward: bool) {
         let is_read = match self.room() {
             Room::Course => true,
             Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
             Room::Inspector => false,
         };
         let is_hidden = self.has_answer() && !self.shown.is_answered;
-        let is_asked = is_read && !self.is_presenting() && is_hidden;
-        if forward && is_asked {
+        if forward && is_read && !self.is_presenting() && is_hidden {
             self.shown.is_answered = true;
         } else {
             self.turn_to(|bookmark| bookmark.go(forward));
@@ -130,7 +121,7 @@ impl App {
     /// A lab where it was left; at first its first lesson, or its free scene where the course has none.
     pub(super) fn open_lab(&mut self, id: &str) {
         let Some(lab) = self.kit.lab(id) else { return };
-        let last = self.desk.last(id).cloned();
+        let last = self.desk.last.get(id).cloned();
         self.turn_to(|bookmark| {
             last.is_some_and(|page| bookmark.open_page(&page, |_| Some(lab)))
                 || bookmark.open_lab(id)
@@ -141,7 +132,7 @@ impl App {
     /// Opens the scene as another lab's own, on the page of its free scene.
     pub(super) fn adopt(&mut self, id: &str, now: f64) {
         let lab = self.kit.lab(id);
-        let adopted = lab.and_then(|lab| Some((lab, lab.adopt(self.history.now())?)));
+        let adopted = lab.and_then(|lab| Some((lab, (lab.adopt)(self.scene())?)));
         if let Some((lab, scene)) = adopted {
             self.turn_to(|bookmark| bookmark.open_free(lab));
             self.edit(Edit::Replace(scene), None, now);
@@ -150,46 +141,38 @@ impl App {
 
     /// From the course to the lab's free scene, or back.
     pub(super) fn toggle_free(&mut self) {
-        let lab = self.history.now().document().lab();
-        self.turn_to(|bookmark| {
-            if bookmark.free().is_some() {
-                bookmark.close_free()
-            } else {
-                bookmark.open_free(lab)
-            }
+        let lab = self.scene().document().lab();
+        self.turn_to(|bookmark| match bookmark.free {
+            Some(_) => bookmark.open(bookmark.at),
+            None => bookmark.open_free(lab),
         });
     }
 
     /// The scene and its moment, as a file spells them.
     pub(super) fn as_file(&self) -> String {
         let at = self.playback.main().moment(self.position());
-        self.kit.formats.write(self.history.now(), &at)
+        self.kit.formats.write(self.scene(), &at)
     }
 
-    /// All work, as it outlives the window.
     pub(super) fn stored_works(&self) -> Vec<StoredWork> {
+        let page = self.bookmark.page().filter(|_| self.is_the_readers());
+        let open = (page.iter()).map(|page| (page, self.scene(), self.position(), &self.file));
+        let changed = self.desk.works.iter().filter(|(_, work)| work.is_changed);
+        let changed =
+            changed.map(|(page, work)| (page, work.history.now(), work.position, &work.file));
         let mut room = MOST_STORED;
-        let mut store = |page: &Page, scene: &Scene, position: usize, file: &Option<String>| {
-            room = room.checked_sub(scene.document().size())?;
-            Some(StoredWork {
-                page: page.clone(),
-                scene: self.kit.formats.write(scene, &Moment::Start),
-                position,
-                file: file.clone(),
-            })
-        };
-        let page = self.bookmark.page();
-        let open = page.filter(|_| self.is_the_readers()).and_then(|page| {
-            let position = self.playback.transport().position();
-            store(&page, self.history.now(), position, &self.file)
-        });
-        let mut stored: Vec<StoredWork> = open.into_iter().collect();
-        for (page, work) in self.desk.works() {
-            if work.is_changed {
-                stored.extend(store(page, work.history.now(), work.position, &work.file));
-            }
-        }
-        stored
+        let stored = open
+            .chain(changed)
+            .filter_map(|(page, scene, position, file)| {
+                room = room.checked_sub(scene.document().size())?;
+                Some(StoredWork {
+                    page: page.clone(),
+                    scene: self.kit.formats.write(scene, &Moment::Start),
+                    position,
+                    file: file.clone(),
+                })
+            });
+        stored.collect()
     }
 
     /// Lays out what was kept from the last time: one step of undo away from each page's own scene. What cannot be read
@@ -201,7 +184,7 @@ impl App {
             };
             let scene = read.scene;
             let own = match &work.page {
-                Page::Free(id) => self.kit.lab(id).map(Lab::first_scene),
+                Page::Free(id) => self.kit.lab(id).map(|lab| (lab.first_scene)()),
                 Page::Step(lesson, step) => {
                     let step = self.bookmark.step_of(lesson, step);
                     step.map(|step| (*step.scene).clone())
@@ -213,21 +196,13 @@ impl App {
             let is_changed = matches!(work.page, Page::Free(_)) || own != scene;
             let mut history = History::new(own);
             history.replace(scene);
-            let StoredWork {
-                page,
-                position,
-                file,
-                ..
-            } = work;
-            self.desk.put(
-                page,
-                Work {
-                    history,
-                    position,
-                    file,
-                    is_changed,
-                },
-            );
+            let laid_out = Work {
+                history,
+                position: work.position,
+                file: work.file,
+                is_changed,
+            };
+            self.desk.works.insert(work.page, laid_out);
         }
     }
 }

@@ -15,28 +15,21 @@ use crate::{
 use super::chooser::Chooser;
 use super::dialog::{Answer, Figures, Question};
 
-/// A figure to be exported: what the stage shows.
 #[derive(Clone, Copy, Debug)]
 pub struct StageFigure<'a> {
     /// The idea in words, where the scene is a lesson's.
     pub title: Option<&'a str>,
-    /// What is clipped.
     pub scene: &'a Scene,
-    /// Where its run stands.
     pub position: usize,
-    /// How it looks.
     pub figures: Figures,
 }
 
-/// Files, as far as there are any.
 pub trait Platform {
     /// Where a file of this name would be put, to be shown and changed before it is written.
     fn suggest(&self, name: &str) -> String;
 
-    /// Is there a file at this path?
     fn exists(&self, path: &str) -> bool;
 
-    /// May the system have dialogs in which a file is chosen?
     fn has_dialogs(&self) -> bool {
         false
     }
@@ -74,7 +67,6 @@ pub trait Platform {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
 
-/// Why nothing can be written there.
 const NO_FILES: SystemError = SystemError::of_kind(io::ErrorKind::Unsupported);
 
 impl Platform for NoFiles {
@@ -95,7 +87,6 @@ impl Platform for NoFiles {
     }
 }
 
-/// A desktop with files.
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Default)]
 pub struct Desktop {
@@ -105,7 +96,6 @@ pub struct Desktop {
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Desktop {
-    /// With the dialogs of the system, where it has any: else every path is typed.
     pub fn with_dialogs() -> Self {
         Self {
             chooser: Some(Chooser::default()),
@@ -162,13 +152,15 @@ impl Platform for Desktop {
             title: picture.title,
             scene: picture.scene,
             step: picture.position,
-            lang,
-            theme,
-            size_px,
-            among: if all {
-                export::Steps::All
-            } else {
-                export::Steps::Figures
+            options: export::Options {
+                size_px,
+                theme,
+                lang,
+                steps: if all {
+                    export::Steps::All
+                } else {
+                    export::Steps::Figures
+                },
             },
         };
         Ok(studio.draw(&figure).to_png())

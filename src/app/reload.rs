@@ -14,12 +14,11 @@ use crate::{
     text::Message,
 };
 
-use super::{App, bookmark::Bookmark, notice::Notice};
+use super::{App, bookmark::Bookmark};
 
 /// Editors write a file in several strokes: wait until they are done.
 const SETTLE: Duration = Duration::from_millis(150);
 
-/// A folder under observation.
 pub struct Reload {
     folder: Folder,
     changed: Receiver<()>,
@@ -29,8 +28,8 @@ pub struct Reload {
 
 impl Reload {
     /// Watches a folder; every change wakes the window.
-    pub fn new(folder: Folder, ctx: Context) -> Self {
-        let (sender, receiver) = channel();
+    fn new(folder: Folder, ctx: Context) -> Self {
+        let (sender, changed) = channel();
         let (raw_sender, raw) = channel::<()>();
         let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
             if event.is_ok_and(|event| !event.kind.is_access()) {
@@ -58,27 +57,15 @@ impl Reload {
         });
         Self {
             folder,
-            changed: receiver,
+            changed,
             watcher,
         }
-    }
-
-    /// Watches the folder anew: a watch ends with the folder that it was set on.
-    fn rearm(&mut self) {
-        if let Some(watcher) = &mut self.watcher {
-            // Where it is gone, the parent's watch tells when it is back.
-            let _ = watcher.watch(self.folder.root(), RecursiveMode::Recursive);
-        }
-    }
-
-    fn has_changed(&self) -> bool {
-        self.changed.try_iter().count() > 0
     }
 }
 
 impl App {
     /// Reads this folder again whenever it changes.
-    pub fn watch(&mut self, folder: Folder, ctx: Context) {
+    pub(super) fn watch(&mut self, folder: Folder, ctx: Context) {
         self.reload = Some(Reload::new(folder, ctx));
     }
 
@@ -88,32 +75,38 @@ impl App {
         let Loaded { course, problems } = Course::check_with(&folder, self.kit.formats);
         self.notices.clear();
         if course.lessons.is_empty() {
-            let kept = self.catalog().term("status-kept");
-            let text = format!("{}\n{kept}", self.listing(&problems));
-            self.notices.push(Notice::problem(text));
+            self.report_unfit(&problems);
             return;
         }
         let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
         self.turn_to(|bookmark| {
-            *bookmark = Bookmark::new(course);
+            *bookmark = Bookmark {
+                course,
+                ..Bookmark::default()
+            };
             true
         });
         if self.bookmark.page() == page && was_untouched {
             self.enter();
         }
-        self.report(&problems);
+        self.report_errors(problems);
         self.watch(folder, ctx.clone());
     }
 
     pub(super) fn take_changed_course(&mut self, now: f64) {
-        let changed = self.reload.as_ref().filter(|reload| reload.has_changed());
-        if let Some(folder) = changed.map(|reload| reload.folder.clone()) {
-            if let Some(reload) = &mut self.reload {
-                reload.rearm();
-            }
-            let path = folder.root().display().to_string();
-            self.take_course(&path, Course::check_with(&folder, self.kit.formats), now);
+        let Some(reload) = &mut self.reload else {
+            return;
+        };
+        if reload.changed.try_iter().count() == 0 {
+            return;
         }
+        let folder = reload.folder.clone();
+        if let Some(watcher) = &mut reload.watcher {
+            // A watch ends with the folder that it was set on; where it is gone, the parent's watch tells when it is back.
+            let _ = watcher.watch(folder.root(), RecursiveMode::Recursive);
+        }
+        let path = folder.root().display().to_string();
+        self.take_course(&path, Course::check_with(&folder, self.kit.formats), now);
     }
 
     /// Takes over what was read of a course; of broken lessons, the last good version stays.
@@ -121,27 +114,20 @@ impl App {
         let was_untouched = self.is_untouched();
         let before = self.bookmark.step().cloned();
         let is_gone = loaded.course.lessons.is_empty();
-        let errors: Vec<_> = loaded
-            .problems
-            .into_iter()
-            .filter(|p| p.severity == Severity::Error)
-            .collect();
-        let path = path.to_owned();
-        let was_broken = self.notices.shown().iter().any(|notice| notice.is_problem);
+        let errors = errors(loaded.problems);
+        let was_broken = self.notices.iter().any(|notice| notice.is_problem);
         let mut is_another = false;
         if !is_gone {
-            let merged = merged(self.bookmark.lessons(), loaded.course.lessons, |lesson| {
-                let of_lesson = |file: &str| {
-                    Path::new(file)
-                        .iter()
-                        .any(|part| part == lesson.id.as_str())
-                };
-                errors.iter().any(|problem| of_lesson(&problem.file))
+            let old = &self.bookmark.course.lessons;
+            let merged = merged(old, loaded.course.lessons, |lesson| {
+                let is_its = |part| part == lesson.id.as_str();
+                let mut files = errors.iter().map(|problem| Path::new(&problem.file));
+                files.any(|file| file.iter().any(is_its))
             });
-            is_another = merged != self.bookmark.lessons();
+            is_another = merged != *old;
             self.bookmark.replace(Course { lessons: merged });
-            if self.bookmark.step() != before.as_ref() {
-                self.course_changed(was_untouched);
+            if self.bookmark.step() != before.as_ref() && was_untouched {
+                self.enter();
             }
         }
         let is_good = errors.is_empty() && !is_gone;
@@ -150,47 +136,33 @@ impl App {
             return;
         }
         self.notices.clear();
-        let catalog = self.catalog();
         if is_good {
-            let text = catalog.message(&Message::new("status-reloaded").with("path", path));
-            self.notices.push(Notice::passing(text, now));
+            let message = Message::new("status-reloaded").with("path", path.to_owned());
+            self.tell(&message, now);
         } else {
-            let text = format!(
-                "{}\n{}",
-                self.listing(&errors),
-                catalog.term("status-last-good")
-            );
-            self.notices.push(Notice::problem(text));
-        }
-    }
-
-    /// After another version of the course has been read.
-    fn course_changed(&mut self, was_untouched: bool) {
-        if was_untouched {
-            self.enter();
+            let kept = self.catalog().term("status-last-good");
+            self.complain(format!("{}\n{kept}", self.listing(&errors)));
         }
     }
 
     /// Shows what is wrong with a course that has just been opened.
-    pub(super) fn report(&mut self, problems: &[Problem]) {
-        let errors: Vec<Problem> = problems
-            .iter()
-            .filter(|p| p.severity == Severity::Error)
-            .cloned()
-            .collect();
+    pub(super) fn report_errors(&mut self, problems: Vec<Problem>) {
+        let errors = errors(problems);
         if !errors.is_empty() {
-            self.notices.push(Notice::problem(self.listing(&errors)));
+            self.complain(self.listing(&errors));
         }
     }
 }
 
+fn errors(mut problems: Vec<Problem>) -> Vec<Problem> {
+    problems.retain(|problem| problem.severity == Severity::Error);
+    problems
+}
+
 /// The new lessons, and the old ones that are broken now, in the order of their ids.
 fn merged(old: &[Lesson], new: Vec<Lesson>, is_broken: impl Fn(&Lesson) -> bool) -> Vec<Lesson> {
-    let kept = old
-        .iter()
-        .filter(|lesson| is_broken(lesson) && new.iter().all(|n| n.id != lesson.id))
-        .cloned();
-    let mut lessons: Vec<Lesson> = kept.collect();
+    let is_kept = |old: &&Lesson| is_broken(old) && new.iter().all(|new| new.id != old.id);
+    let mut lessons: Vec<Lesson> = old.iter().filter(is_kept).cloned().collect();
     lessons.extend(new);
     lessons.sort_by(|a, b| a.id.cmp(&b.id));
     lessons

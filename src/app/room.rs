@@ -1,67 +1,109 @@
-//! What a narrow window shows of itself.
+//! What the window shows of itself: a narrow one has room for one place, a low one for less of each.
 
-use egui::Vec2;
+use crate::{
+    paint::Theme,
+    text::Catalog,
+    widgets::{Look, transport_width},
+};
 
-use crate::{paint::Theme, widgets::transport_width};
+use super::{App, run_room::OnStage};
 
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;
+/// A window that is less high than this, in points, is low.
+const LOW: f32 = 420.0;
+/// Widths of the side panels: they leave the stage 60 % of 1280.
+pub const COURSE: f32 = 216.0;
+pub const INSPECTOR: f32 = 296.0;
+/// Of the window's width the stage keeps three fifths.
+const BESIDE: f32 = 0.4;
+pub const BESIDE_TRANSPORT: i8 = 4;
 
 /// The one place that a narrow window has room for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Room {
-    /// The stage.
+    #[default]
     Stage,
-    /// The course.
     Course,
-    /// The inspector.
     Inspector,
 }
 
 impl Room {
-    /// Opens a place, or the stage where it is open already.
     pub fn toggled(self, to: Self) -> Self {
         if self == to { Self::Stage } else { to }
     }
 }
 
-/// Is a window of this size narrow?
-pub fn is_narrow(size: Vec2) -> bool {
-    size.x < NARROW
-}
-
-/// Widths of the side panels: they leave the stage 60 % of 1280.
-pub const COURSE: f32 = 216.0;
-/// See above.
-pub const INSPECTOR: f32 = 296.0;
-/// Of the window's width the stage keeps three fifths.
-const BESIDE: f32 = 0.4;
-
 /// How much of the course stands beside the stage.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CoursePart {
-    /// Nothing.
     Hidden,
-    /// The numbers of the lesson's steps.
     Strip,
-    /// All of it.
     Whole,
 }
 
-/// Do the panels, as wide as this theme's text wants them, leave the stage too little of such a window?
-pub fn wants_strip(theme: &Theme, width: f32) -> bool {
-    (COURSE + INSPECTOR) * panel_scale(theme) > BESIDE * width
-}
-
-/// Larger text wants wider panels.
 pub fn panel_scale(theme: &Theme) -> f32 {
     theme.text_scale.sqrt()
 }
 
-/// White space beside the transport of a narrow window.
-pub const BESIDE_TRANSPORT: i8 = 4;
-
-/// Is there room in `width` for the transport, a timeline and what stands after it?
 pub fn transport_has_room(width: f32) -> bool {
     width > transport_width() + 260.0
+}
+
+impl App {
+    pub(super) fn catalog(&self) -> &'static Catalog {
+        Catalog::of(self.settings.lang)
+    }
+
+    pub(super) fn look(&self) -> Look<'static> {
+        Look {
+            theme: Theme::of(self.settings.theme),
+            catalog: self.catalog(),
+        }
+    }
+
+    pub(super) fn on_stage(&self) -> OnStage<'_> {
+        (&self.playback, self.look())
+    }
+
+    pub(super) const fn is_presenting(&self) -> bool {
+        self.shown.presenting.is_some()
+    }
+
+    pub(super) fn is_narrow(&self) -> bool {
+        self.shown.size.x < NARROW
+    }
+
+    pub(super) fn is_low(&self) -> bool {
+        self.shown.size.y < LOW
+    }
+
+    pub(super) fn room(&self) -> Room {
+        if self.is_narrow() {
+            self.shown.room
+        } else {
+            Room::Stage
+        }
+    }
+
+    /// Do the panels, as wide as this theme's text wants them, leave the stage too little?
+    pub(super) fn has_strip(&self) -> bool {
+        let width = (COURSE + INSPECTOR) * panel_scale(self.look().theme);
+        width > BESIDE * self.shown.size.x
+    }
+
+    pub(super) fn course_part(&self) -> CoursePart {
+        let is_strip = self.has_strip() && !self.shown.unfolded;
+        match (self.settings.course, is_strip) {
+            (false, _) => CoursePart::Hidden,
+            (true, true) => CoursePart::Strip,
+            (true, false) => CoursePart::Whole,
+        }
+    }
+
+    pub(super) fn measures(&self) -> bool {
+        let lab = self.scene().document().lab();
+        let mut panels = self.kit.panels.iter();
+        panels.any(|panel| panel.lab() == lab && panel.measures())
+    }
 }

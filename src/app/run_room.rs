@@ -13,10 +13,8 @@ use crate::{
 
 use super::playback::Playback;
 
-/// The runs on stage, and how they are shown.
 pub type OnStage<'a> = (&'a Playback, Look<'a>);
 
-/// What was found, and for what.
 pub struct RunRoom<T> {
     known: Option<(Asked, T)>,
 }
@@ -27,7 +25,6 @@ impl<T> Default for RunRoom<T> {
     }
 }
 
-/// What it depends on.
 #[derive(Clone, Copy, PartialEq)]
 struct Asked {
     recording: u64,
@@ -47,7 +44,7 @@ impl<T> RunRoom<T> {
         find: impl FnOnce() -> T,
     ) -> &mut T {
         let asked = Asked {
-            recording: playback.recording(),
+            recording: playback.recording,
             width,
             lang: look.catalog.lang(),
             theme: look.theme.kind,
@@ -63,7 +60,6 @@ impl<T> RunRoom<T> {
     }
 }
 
-/// The room of each method's table.
 #[derive(Default)]
 pub struct WatchRooms([RunRoom<WatchRoom>; 2]);
 
@@ -90,7 +86,6 @@ impl WatchRooms {
     }
 }
 
-/// Why what was clicked was kept or dropped.
 #[derive(Default)]
 pub struct Verdicts {
     about: Option<Link>,
@@ -98,7 +93,6 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    /// Of what is asked about in the scene on stage.
     pub fn of(
         &mut self,
         on_stage: OnStage<'_>,

@@ -11,29 +11,20 @@ use super::{
     dialog::Figures,
 };
 
-/// Choices that outlive the window.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
-    /// What is spoken.
     pub lang: Lang,
-    /// How it looks.
     pub theme: ThemeKind,
-    /// Is the course shown?
     pub course: bool,
-    /// Is the inspector shown?
     pub inspector: bool,
-    /// Do handles keep to the grid?
     pub snap: bool,
     /// Steps a second.
     pub speed: f32,
-    /// How figures were exported last.
     pub figures: Option<Figures>,
-    /// The page that was open.
     pub page: Option<Page>,
     /// The page of each lab that was open last, by the lab's id.
     pub labs: BTreeMap<String, Page>,
-    /// What was done on the pages.
     pub works: Vec<StoredWork>,
 }
 
@@ -64,7 +55,6 @@ impl Settings {
         }
     }
 
-    /// As on a first start, in the system's language.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn of_system() -> Self {
         // As gettext reads them.

@@ -23,11 +23,8 @@ use crate::{
     },
 };
 
-use super::{
-    App, Command, clicks, room::CoursePart, sketch, stage_state::StageState, typing::told_of,
-};
+use super::{App, Command, clicks, room::CoursePart, stage_state::StageState, typing::told_of};
 
-/// What can be taken hold of.
 struct Hands<'a> {
     handles: &'a [Handle],
     locks: &'a [Lock],
@@ -35,9 +32,7 @@ struct Hands<'a> {
     focused: Option<Handle>,
 }
 
-/// White space beside words, and around what stands beside the drawing.
 const INDENT: f32 = 24.0;
-/// That of the stage; the method's name has room for two lines.
 const SPACING: Spacing = Spacing {
     margin: 0.0,
     gutter: 0.0,
@@ -56,10 +51,9 @@ fn title(app: &App) -> Option<&str> {
     (!is_said && !app.is_low() && app.is_untouched()).then_some(title)
 }
 
-/// Draws the stage into all the room there is.
-pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<Command>) {
+pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let rect = ui.max_rect();
-    let frames = app.playback.frames();
+    let frames = &app.playback.frames;
     let methods = app.scene().document().methods();
     // A place that is clicked while an outline is drawn is a point of it.
     let is_drawing = state.sketch.is_some();
@@ -80,7 +74,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
         look: app.look(),
         spacing: &SPACING,
         methods: &methods,
-        difference: app.playback.difference(),
+        difference: app.playback.difference,
     };
     let layout = lay_out(app, ui, state, (rect, &composition));
     let columns = frames.iter().zip(&methods).zip(&layout.columns);
@@ -97,7 +91,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(whole.intersect(ui.clip_rect()));
             let drawing = state.drawing(frame);
-            let shown = column.show(app, ui, state, frame, drawing, commands);
+            let shown = column.show(app, ui, state, frame, drawing);
             state.focused = state
                 .focused
                 .or(shown.focused.and_then(|i| handles.get(i).copied()));
@@ -105,16 +99,11 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
                 state.inspected = i;
             }
             match &state.sketch {
-                Some(drawn) => sketch::ask(app, ui, &shown, drawn, commands),
-                None => clicks::ask(
-                    app,
-                    ui,
-                    &shown,
-                    drawing,
-                    (hands.handles, hands.locks),
-                    state,
-                    commands,
-                ),
+                Some(drawn) => clicks::ask_of_sketch(app, ui, &shown, drawn),
+                None => {
+                    let hands = (hands.handles, hands.locks);
+                    clicks::ask(app, ui, &shown, drawing, hands, state);
+                }
             }
         });
         if i > 0 {
@@ -124,7 +113,6 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, commands: &mut Vec<C
     }
 }
 
-/// Finds where everything stands, and draws what stands over all columns.
 fn lay_out(
     app: &App,
     ui: &Ui,
@@ -139,13 +127,12 @@ fn lay_out(
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];
-    let layout = composition.lay_out(ui, rect, title(app), heights, app.playback.needs());
+    let layout = composition.lay_out(ui, rect, title(app), heights, &app.playback.needs);
     let views = layout.columns.iter().flat_map(|column| &column.views);
     state.places = views.copied().collect();
     layout
 }
 
-/// One method's part of the stage.
 struct Column<'a> {
     index: usize,
     places: &'a ColumnLayout,
@@ -162,30 +149,27 @@ impl Column<'_> {
         state: &mut StageState,
         frame: &Frame,
         drawing: (ViewId, Lens),
-        commands: &mut Vec<Command>,
     ) -> CanvasShown {
         let hint = state.sketch.as_ref().map(Sketch::hint);
-        let late = || (app.playback.is_late()).then(|| Message::new("run-later"));
+        let late = || (app.playback.is_late).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
         let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
-        let mut shown = self.canvas(app, ui, state, (frame, drawing), said, (rect, commands));
+        let mut shown = self.canvas(app, ui, state, (frame, drawing), said, rect);
         let column = (self.index, self.places);
         // The transport says the moment.
         let words = (said, None);
         let composition = self.composition;
         let pointed = composition.beside_the_drawing(ui, column, &frame.views, words, state.lit);
-        if let Some(handle) =
-            pointed.and_then(|link| told_of(app.scene(), app.bookmark.step(), &frame.watch, link))
-        {
+        let is_clicked = ui.input(|input| input.pointer.primary_clicked());
+        if let Some(handle) = pointed.and_then(|link| told_of(app, &frame.watch, link)) {
             ui.set_cursor_icon(CursorIcon::Text);
             let click = |input: &InputState| input.pointer.interact_pos();
-            let is_clicked = ui.input(|input| input.pointer.primary_clicked());
             let at = ui.input(click).filter(|_| is_clicked);
-            commands.extend(at.map(|at| Command::TypeAt(handle, at)));
+            app.push_all(at.map(|at| Command::TypeAt(handle, at)));
         }
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
-        if pixel.is_some() && ui.input(|input| input.pointer.primary_clicked()) {
+        if pixel.is_some() && is_clicked {
             let click = Click {
                 at: [0.0; 3],
                 place: [0.0; 3],
@@ -196,8 +180,8 @@ impl Column<'_> {
                 locks: self.hands.locks,
             };
             let change = app.scene().document().click(&click);
-            commands.extend(change.map(|change| Command::Edit(Edit::Own(change), None)));
-            commands.push(Command::Ask(pixel));
+            app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
+            app.push(Command::Ask(pixel));
         }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         // A click in an inset is a click on what is seen there.
@@ -270,7 +254,7 @@ impl Column<'_> {
         state: &mut StageState,
         (frame, drawing): (&Frame, (ViewId, Lens)),
         said: &Caption,
-        (rect, commands): (Rect, &mut Vec<Command>),
+        rect: Rect,
     ) -> CanvasShown {
         let look = app.look();
         let space = frame.space();
@@ -320,13 +304,13 @@ impl Column<'_> {
         let ids = spots.iter().map(|spot| id.with(spot.index));
         state.handle_ids.extend(ids);
         if let Some(drawn) = &state.sketch {
-            sketch::draw(app, ui, &viewport, drawn);
+            clicks::draw_sketch(app, ui, &viewport, drawn);
         }
         if self.index == 0 && app.playback.main().is_refused() && state.sketch.is_none() {
-            ways_out(app, ui, state, rect, commands);
+            ways_out(app, ui, state, rect);
         }
         if state.is_moved(drawing.0) {
-            fit(app, ui, rect, commands);
+            fit(app, ui, rect);
         }
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.saw(drawing.0, shown.viewport);
@@ -334,8 +318,7 @@ impl Column<'_> {
     }
 }
 
-/// The way back to the whole scene, in sight while the view is elsewhere.
-fn fit(app: &App, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) {
+fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     let look = app.look();
     let text = RichText::new(look.say("action-fit")).color(look.theme.accent);
     let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
@@ -345,32 +328,25 @@ fn fit(app: &App, ui: &mut Ui, rect: Rect, commands: &mut Vec<Command>) {
         .on_hover_text(look.say("action-reset-view"))
         .clicked()
     {
-        commands.push(Command::FitView);
+        app.push(Command::FitView);
     }
 }
 
-/// What can be done with a scene that its method cannot take.
-fn ways_out(
-    app: &App,
-    ui: &mut Ui,
-    state: &mut StageState,
-    rect: Rect,
-    commands: &mut Vec<Command>,
-) {
+fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) {
     let look = app.look();
     let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         ui.horizontal_wrapped(|ui| {
-            let mut way = |ui: &mut Ui, words: String, command: Command| {
+            let way = |ui: &mut Ui, words: String, command: Command| {
                 let text = RichText::new(words).color(look.theme.accent);
                 if ui
                     .add(Button::new(text).fill(look.theme.background))
                     .clicked()
                 {
-                    commands.push(command);
+                    app.push(command);
                 }
             };
-            if app.can_travel()[0] {
+            if app.history.can_undo() {
                 way(ui, look.say("action-undo"), Command::Undo);
             }
             for card in state.ways_out(app.scene(), app.history.revision()) {

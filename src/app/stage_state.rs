@@ -14,7 +14,6 @@ use crate::{
 };
 
 use super::{
-    Command,
     history::History,
     playback::Playback,
     run_room::{RunRoom, Verdicts, WatchRooms},
@@ -32,43 +31,27 @@ pub struct StageState {
     homes: BTreeMap<ViewId, Orbit>,
     /// What was to be seen when the scene was opened: dragging a handle does not move the view.
     bounds: [[f64; 2]; 2],
-    /// What stands out.
     pub lit: Option<Link>,
-    /// What the pointer is on, on the stage and in the inspector.
     pub pointed_on_stage: Option<Link>,
-    /// See above.
     pub pointed_in_inspector: Option<Link>,
-    /// Widgets that are stages, and those that are handles.
     pub canvas_ids: Vec<Id>,
-    /// See above.
     pub handle_ids: Vec<Id>,
-    /// The handle that had the keyboard's focus in the last frame.
     pub focused: Option<Handle>,
     /// The vertex that was clicked or dragged last: what Insert and Delete are about.
     pub selected: Option<Handle>,
     /// What was clicked last, to be told why it was kept or dropped.
     pub asked: Option<Link>,
-    /// Half an outline, while one is drawn.
     pub sketch: Option<Sketch>,
     /// The methods that can take a refused scene, and the revision of it.
     ways_out: Option<(u64, Vec<&'static MethodCard>)>,
-    /// A place that is being typed.
     pub typing: Option<Typing>,
-    /// The height that the runs' captions take.
     pub captions: RunRoom<f32>,
-    /// The room that is kept for the watch tables.
     pub watch: WatchRooms,
-    /// What the lines of each method's pseudocode are about.
     pub code_links: [RunRoom<CodeLinks>; 2],
-    /// What each method does for all that its run is one of, in a sentence.
     pub all_costs: [RunRoom<Option<Message>>; 2],
-    /// Why what is looked at was kept or dropped.
     pub verdicts: Verdicts,
-    /// Of two methods side by side, the one that the inspector is about.
     pub inspected: usize,
-    /// The drawing that was shown last, and its lens.
     drawn: Option<(ViewId, Lens)>,
-    /// As they were drawn last.
     seen: BTreeMap<ViewId, Viewport>,
     /// Where the views of the stage stood last, column by column.
     pub places: Vec<(ViewId, Slot)>,
@@ -91,7 +74,6 @@ struct Layers {
 }
 
 impl StageState {
-    /// A stage that shows all of a scene.
     pub fn new(scene: &Scene) -> Self {
         Self {
             bounds: scene.document().bounds(),
@@ -99,43 +81,32 @@ impl StageState {
         }
     }
 
-    /// Shows all of a scene.
     pub fn fit(&mut self, scene: &Scene) {
         self.moved.clear();
         self.turned.clear();
         self.bounds = scene.document().bounds();
     }
 
-    /// What keys are about.
     pub fn chosen(&self) -> Option<Handle> {
         self.focused.or(self.selected)
     }
 
-    /// Looks elsewhere.
-    pub fn look(&mut self, ctx: &Context, scene: &Scene, command: &Command) {
-        match *command {
-            Command::View(id, pan_zoom) => self.move_to(id, pan_zoom),
-            Command::Turn(id, eye) => self.turn(id, eye),
-            Command::FitView => self.fit(scene),
-            Command::Zoom(factor) => {
-                let pointer = ctx.input(|input| input.pointer.hover_pos());
-                let under =
-                    |(_, seen): &(_, &Viewport)| pointer.is_some_and(|at| seen.rect.contains(at));
-                let pointed = self.seen.iter().find(under);
-                if let Some((id, Lens::Eye(eye))) = self.drawn {
-                    self.turn(id, eye.zoomed(factor));
-                } else if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
-                    let around = pointer.filter(|_| pointed.is_some());
-                    let around = around.unwrap_or_else(|| seen.rect.center());
-                    let zoomed = PanZoom::of(seen).zoomed(seen.rect, factor, around);
-                    self.move_to(id, zoomed);
-                }
-            }
-            _ => {}
+    /// Nearer, or from farther away: about the pointer where that is on a view.
+    pub fn zoom(&mut self, ctx: &Context, factor: f64) {
+        let pointer = ctx.input(|input| input.pointer.hover_pos());
+        let under = |(_, seen): &(_, &Viewport)| pointer.is_some_and(|at| seen.rect.contains(at));
+        let pointed = self.seen.iter().find(under);
+        if let Some((id, Lens::Eye(eye))) = self.drawn {
+            self.turn(id, eye.zoomed(factor));
+        } else if let Some((&id, seen)) = pointed.or_else(|| self.seen.iter().next()) {
+            let around = pointer.filter(|_| pointed.is_some());
+            let around = around.unwrap_or_else(|| seen.rect.center());
+            let zoomed = PanZoom::of(seen).zoomed(seen.rect, factor, around);
+            self.move_to(id, zoomed);
         }
     }
 
-    fn turn(&mut self, id: ViewId, now: Orbit) {
+    pub fn turn(&mut self, id: ViewId, now: Orbit) {
         let Some(&home) = self.homes.get(&id) else {
             return;
         };
@@ -143,7 +114,6 @@ impl StageState {
         self.turned.push(Turned { id, home, now });
     }
 
-    /// Where the eye of a view was turned to, from where the view has it.
     fn turned(&self, id: ViewId) -> Option<Orbit> {
         let home = *self.homes.get(&id)?;
         let mut turned = self.turned.iter();
@@ -152,26 +122,24 @@ impl StageState {
     }
 
     /// As far as the scene stays to be found again.
-    fn move_to(&mut self, id: ViewId, to: PanZoom) {
+    pub fn move_to(&mut self, id: ViewId, to: PanZoom) {
         let seen = self.seen.get(&id);
         let bounded = seen.map(|seen| to.bounded(&Viewport::fit(seen.rect, self.bounds)));
         self.moved.insert(id, bounded.unwrap_or(to));
     }
 
-    /// The right methods that can take the scene.
     pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &[&'static MethodCard] {
         let known = self.ways_out.take();
         let known = known.filter(|(of, _)| *of == revision);
         let (_, ways) = self.ways_out.insert(known.unwrap_or_else(|| {
             let document = scene.document();
-            let methods = document.lab().methods().into_iter();
+            let methods = (document.lab().methods)().into_iter();
             let able = methods.filter(|card| !card.is_faulty && document.takes(card.id));
             (revision, able.collect())
         }));
         ways
     }
 
-    /// Is a view moved away from the whole scene?
     pub fn is_moved(&self, id: ViewId) -> bool {
         self.moved.contains_key(&id) || self.turned(id).is_some()
     }
@@ -189,19 +157,16 @@ impl StageState {
         }
     }
 
-    /// Where a point of the world stood on the drawing that was shown last.
     pub fn on_screen(&self, world: [f64; 3]) -> Option<Pos2> {
         let (id, lens) = self.drawn?;
         let seen = self.seen.get(&id)?;
         Some(seen.to_screen(lens.drawing_from_world(world)?))
     }
 
-    /// Is the drawing that was shown last one of the plane?
     pub fn is_flat(&self) -> bool {
         self.drawn.is_none_or(|(_, lens)| lens == Lens::Plane)
     }
 
-    /// A step's drawing by name, and what it is seen through.
     pub fn drawing(&mut self, frame: &Frame) -> (ViewId, Lens) {
         let drawing = match frame.views.first() {
             Some(View {
@@ -223,12 +188,10 @@ impl StageState {
         drawing
     }
 
-    /// Remembers what part of the world a view showed.
     pub fn saw(&mut self, id: ViewId, viewport: Viewport) {
         self.seen.insert(id, viewport);
     }
 
-    /// What part of the world a view shows in `rect`.
     pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {
         let bounds = match lens {
             Lens::Plane => self.bounds,
@@ -238,14 +201,13 @@ impl StageState {
         moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))
     }
 
-    /// What is drawn in a column: the backdrop, and this step's marks over it.
     pub fn marks(
         &mut self,
         column: usize,
         (history, playback): (&History<Scene>, &Playback),
         frame: &Frame,
     ) -> Cow<'_, [Mark]> {
-        let transport = playback.transport();
+        let transport = &playback.transport;
         let document = history.now().document();
         let step = transport.position();
         let methods = document.methods();
@@ -265,7 +227,7 @@ impl StageState {
                 marks,
             });
         }
-        let is_bare = self.sketch.is_some() || playback.is_late();
+        let is_bare = self.sketch.is_some() || playback.is_late;
         let layers = &mut self.layers[column];
         if is_bare {
             return Cow::Borrowed(&layers.marks[..layers.n_under]);

@@ -4,42 +4,29 @@ use egui::{Area, Context, Frame, Id, Key, Order, Pos2, RichText, TextEdit, vec2}
 
 use crate::{
     figure::{Link, Watch},
-    labs::{Handle, Lock, Motion, Scene},
-    lesson::LessonStep,
-    text::Value,
-    widgets::Look,
+    labs::{Edit, Handle, Lock, Motion, place_of, written},
+    text::{Diagnostic, Value},
 };
 
-use super::Command;
+use super::{App, Command};
 
-/// A place while it is typed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Typing {
-    /// Whose.
     pub handle: Handle,
-    /// Where on the screen, if it is not at the handle.
     pub at: Option<Pos2>,
-    /// So far.
     pub text: String,
-    /// Why it cannot lie there.
     pub problem: Option<String>,
 }
 
 /// Does the lesson hold it in place?
-pub fn is_held(step: Option<&LessonStep>, scene: &Scene, handle: Handle) -> bool {
+fn is_held(app: &App, handle: Handle) -> bool {
+    let (scene, step) = (app.scene(), app.bookmark.step());
     let locks = step.map(|step| step.locks_in(scene, &scene.document().handles()));
     locks.is_some_and(|locks| Lock::any_holds(locks, handle))
 }
 
-/// The handle of which the rows under a link tell: whose place they show, or the side that they are about. None that the
-/// lesson holds.
-pub fn told_of(
-    scene: &Scene,
-    step: Option<&LessonStep>,
-    watch: &Watch,
-    link: Link,
-) -> Option<Handle> {
-    let document = scene.document();
+pub fn told_of(app: &App, watch: &Watch, link: Link) -> Option<Handle> {
+    let document = app.scene().document();
     let rows = watch.iter().flat_map(|section| &section.rows);
     let rows = rows.filter(|row| row.link == Some(link));
     let places = rows.flat_map(|row| row.cells.iter().flatten());
@@ -57,16 +44,12 @@ pub fn told_of(
             .is_some_and(|at| places.contains(&at)),
     };
     let handle = document.handles().into_iter().find(is_told)?;
-    (!is_held(step, scene, handle)).then_some(handle)
+    (!is_held(app, handle)).then_some(handle)
 }
 
 /// The field beside the handle at `at`. Enter applies it; Escape, or a click elsewhere, leaves it.
-pub fn show(
-    ctx: &Context,
-    look: Look<'_>,
-    (typing, at): (&mut Typing, Pos2),
-    commands: &mut Vec<Command>,
-) {
+pub fn show(app: &App, ctx: &Context, (typing, at): (&mut Typing, Pos2)) {
+    let look = app.look();
     let id = Id::unique("typed place");
     let frame = Frame::popup(&ctx.global_style()).fill(look.theme.background);
     let area = Area::new(id.with("area"))
@@ -89,12 +72,45 @@ pub fn show(
                 ui.label(RichText::new(problem).color(look.theme.signal_text));
             }
             if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
-                commands.push(Command::Typed);
+                app.push(Command::Typed);
             } else if field.clicked_elsewhere() {
-                commands.push(Command::Type(None));
+                app.push(Command::Type(None));
             } else if !field.has_focus() {
                 field.request_focus();
             }
         });
     });
+}
+
+impl App {
+    pub(super) fn start_typing(&mut self, handle: Option<Handle>, at: Option<Pos2>) {
+        let handle = handle.filter(|&handle| !is_held(self, handle));
+        self.stage.typing = handle.and_then(|handle| {
+            let place = self.scene().document().position(handle)?;
+            Some(Typing {
+                handle,
+                at,
+                text: written(handle, place, self.stage.is_flat()),
+                problem: None,
+            })
+        });
+    }
+
+    pub(super) fn apply_typed(&mut self, now: f64) {
+        let Some(mut typing) = self.stage.typing.take() else {
+            return;
+        };
+        let from = self.history.now().document().position(typing.handle);
+        let is_flat = self.stage.is_flat();
+        let placed = from.map(|from| place_of(typing.handle, from, is_flat, &typing.text));
+        let done = match placed {
+            Some(Ok(to)) => self.change(Edit::Drag(typing.handle, to), None, now),
+            Some(Err(problem)) => Err(problem),
+            None => Ok(()),
+        };
+        if let Err(Diagnostic { message, .. }) = done {
+            typing.problem = Some(self.catalog().message(&message));
+            self.stage.typing = Some(typing);
+        }
+    }
 }

@@ -9,7 +9,6 @@ use super::App;
 /// In a presentation, a pointer that has rested for so long is hidden, in seconds.
 const IDLE_SECS: f32 = 3.0;
 
-/// What a presentation comes back to.
 #[derive(Clone, Copy, Debug)]
 pub struct Before {
     theme: ThemeKind,
@@ -17,7 +16,6 @@ pub struct Before {
 }
 
 impl App {
-    /// Enters the presentation, or leaves it.
     pub(super) fn present(&mut self, ctx: &Context) {
         if self.leave_presentation(ctx) {
             return;
@@ -29,7 +27,6 @@ impl App {
         ctx.send_viewport_cmd(ViewportCommand::Fullscreen(true));
     }
 
-    /// Leaves it, if it is open: all is as it was before.
     pub(super) fn leave_presentation(&mut self, ctx: &Context) -> bool {
         let Some(before) = self.shown.presenting.take() else {
             return false;
@@ -39,7 +36,6 @@ impl App {
         true
     }
 
-    /// The theme for a lecture hall, or the one that was there before.
     pub(super) fn toggle_projector(&mut self) {
         let before = self.lasting_theme();
         let is_on = self.settings.theme == ThemeKind::Projector;
@@ -50,7 +46,6 @@ impl App {
         };
     }
 
-    /// The theme that stays when the presentation is over.
     pub(super) fn lasting_theme(&self) -> ThemeKind {
         let before = self.shown.presenting;
         before.map_or(self.settings.theme, |before| before.theme)
@@ -87,7 +82,6 @@ impl App {
         self.shown.theme = Some(kind);
     }
 
-    /// The window's title names the file that its scene is of.
     pub(super) fn name_window(&mut self, ctx: &Context) {
         let file = self.file.as_deref().map(std::path::Path::new);
         let name = file.and_then(|path| path.file_name()?.to_str());

@@ -119,12 +119,10 @@ impl<'a> Fields<'a> {
         found.ok_or_else(|| missing(&path(self.within, part.name())))
     }
 
-    /// Is this part of the case given?
     pub(super) fn has<T>(&self, part: &Part<T>) -> bool {
         self.node(part.name()).is_some()
     }
 
-    /// A list in which each entry is such a part, where it is given.
     pub(super) fn each<T>(
         &self,
         name: &'static str,
@@ -144,7 +142,6 @@ impl<'a> Fields<'a> {
         Refusal::of(&path(self.within, part.name()), fault.into())
     }
 
-    /// What the case gives, for people.
     pub(super) fn told(&self) -> Vec<Given> {
         let told = self.takes.iter().flat_map(|field| {
             let node = self.node(field.name);
@@ -154,7 +151,6 @@ impl<'a> Fields<'a> {
         told.collect()
     }
 
-    /// All that is given, in the order of the description.
     pub(super) fn all(&self) -> Result<Got, Refusal> {
         let given = self.takes.iter().filter_map(|field| {
             let node = self.node(field.name)?;
@@ -171,7 +167,6 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Where a field stands: of the case, or of an object in it.
 const fn path<'p>(within: Option<&'p Path<'p>>, name: &'p str) -> Path<'p> {
     match within {
         Some(object) => Path::Member(object, name),
@@ -179,7 +174,6 @@ const fn path<'p>(within: Option<&'p Path<'p>>, name: &'p str) -> Path<'p> {
     }
 }
 
-/// A field that must be there and is not.
 pub(super) fn missing(place: &Path<'_>) -> Refusal {
     let problem = Message::new("case-missing-field").with("name", place.to_string());
     Refusal::at(Code::MissingField, place, problem)
@@ -199,13 +193,11 @@ fn quoted<'f>(fields: impl Iterator<Item = &'f Field>) -> String {
 }
 
 impl Node<'_> {
-    /// What the value means as this part of a case.
     pub(super) fn make<T>(&self, part: &Part<T>, detail: Detail) -> Result<T, Refusal> {
         let got = self.got(part.optional.shape, detail)?;
         (part.make)(&got).map_err(|fault| Refusal::of(&self.path, fault))
     }
 
-    /// The value, once it has this shape.
     pub(super) fn got(&self, shape: &Shape, detail: Detail) -> Result<Got, Refusal> {
         match shape {
             Shape::Number => self.number().map(Got::Number),

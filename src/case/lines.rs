@@ -1,16 +1,18 @@
 //! The lines lab's cases: a segment against a window, or against a convex polygon.
 
 use crate::{
-    algo::line::{BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl, Visible},
+    algo::line::{BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl},
     geom::{ConvexPolygon, GeomError, Segment, Window},
     input::{BIT_ORDER, CONVEX_CLIP, Dim, Field, Given, Part, Shape, WINDOW},
     labs::lines::{LineTelling, Method, Scene},
     text::{Formula, Message, Value},
 };
 
-use super::{Code, Fields, Refusal, Solve, Solver};
+use super::{
+    Code, Refusal, Solve, Solver,
+    solver::{Reading, Verdict},
+};
 
-/// The lab's methods.
 pub(super) static SOLVERS: [Solver; 5] = [
     Solver::of::<BruteForce>(),
     Solver::of::<CohenSutherland>(),
@@ -46,8 +48,7 @@ impl<A: LineTelling> Solve for A {
         (false, false) => &IN_WINDOW,
     };
     const OUTPUT: &'static [Field] = &VISIBLE;
-
-    fn read(fields: &Fields<'_>) -> Result<A::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (window, clip) = (fields.get(&WINDOW)?, fields.get(&CONVEX_CLIP)?);
         let segment = fields.need(&SEGMENT)?;
         let bit_order = fields.get(&BIT_ORDER)?.unwrap_or_default();
@@ -63,19 +64,16 @@ impl<A: LineTelling> Solve for A {
         let mut scene = Scene::new(method, window, vec![segment]).map_err(|_| impossible())?;
         (scene.clip, scene.bit_order) = (clip, bit_order);
         Ok(A::input(&scene, segment))
-    }
-
-    fn verdict(visible: &Visible) -> Message {
-        match *visible {
-            None => Message::new("case-invisible"),
-            Some(Segment { p1, p2 }) if p1 == p2 => {
-                Message::new("case-touch").with("at", p1.to_array())
-            }
-            Some(Segment { p1, p2 }) => Message::new("case-visible")
-                .with("p1", p1.to_array())
-                .with("p2", p2.to_array()),
+    };
+    const VERDICT: Verdict<Self> = |visible| match *visible {
+        None => Message::new("case-invisible"),
+        Some(Segment { p1, p2 }) if p1 == p2 => {
+            Message::new("case-touch").with("at", p1.to_array())
         }
-    }
+        Some(Segment { p1, p2 }) => Message::new("case-visible")
+            .with("p1", p1.to_array())
+            .with("p2", p2.to_array()),
+    };
 }
 
 fn bounds(clip: &ConvexPolygon) -> Result<Window, GeomError> {

@@ -2,7 +2,7 @@
 //! this module with a different reader and writer.
 //!
 //! ```text
-//! line ──json──► fields ──Solve::read──► Solvable ──► answer   as JSON
+//! line ──json──► fields ──Solve::READ──► Solvable ──► answer   as JSON
 //!   │               │                        └──────► report   as text or Markdown, for people
 //!   └───────────────┴── Refusal: code, path, sentence
 //! ```
@@ -32,12 +32,10 @@
     clippy::return_self_not_must_use
 )]
 
-mod answer;
 mod fields;
 mod frustum;
 mod line;
 mod lines;
-mod path;
 mod polygons;
 mod raw;
 mod read;
@@ -51,12 +49,11 @@ mod surfaces;
 
 pub use fields::Fields;
 pub use line::{CaseLine, CaseLines, MAX_LINE_BYTES};
-pub use path::Path;
 pub use raw::Id;
 pub use read::{Case, Refused, read};
-pub use refusal::{Code, Refusal};
+pub use refusal::{Code, Path, Refusal};
 pub use report::Refusing;
-pub use solver::{Solvable, Solve, Solver, Solvers};
+pub use solver::{Reading, Solvable, Solve, Solver, Solvers, Verdict};
 pub use stream::{Tally, TraceError, trace};
 pub use style::{Detail, Format, Style};
 

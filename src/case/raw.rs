@@ -33,7 +33,6 @@ pub struct Node<'a> {
 }
 
 impl<'a> Node<'a> {
-    /// A number of an `f64`.
     pub(super) fn number(&self) -> Result<f64, Refusal> {
         let text = self.raw.get();
         if kind(text) != "json-number" {
@@ -85,7 +84,6 @@ impl<'a> Node<'a> {
         Ok(())
     }
 
-    /// A list of whole numbers.
     pub(super) fn wholes(&self, dims: &[Dim], detail: Detail) -> Result<Got, Refusal> {
         let mut rounded = Vec::new();
         self.numbers(dims, detail, &mut rounded)?;
@@ -104,12 +102,10 @@ impl<'a> Node<'a> {
         wholes.collect::<Result<_, _>>().map(Got::Wholes)
     }
 
-    /// A text.
     pub(super) fn text(&self) -> Result<String, Refusal> {
         serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type("json-text"))
     }
 
-    /// One of several words.
     pub(super) fn word(&self, words: &[&str]) -> Result<Got, Refusal> {
         let text = self.text()?;
         if words.contains(&&*text) {
@@ -122,12 +118,10 @@ impl<'a> Node<'a> {
         Err(Refusal::at(Code::WrongType, &self.path, problem))
     }
 
-    /// An object's fields.
     pub(super) fn pairs(&self) -> Result<Pairs<'a>, Refusal> {
         serde_json::from_str(self.raw.get()).map_err(|_| self.wrong_type("json-object"))
     }
 
-    /// The entries of a list, each with its place.
     pub(super) fn entries(
         &self,
         expected: &'static str,
@@ -185,7 +179,6 @@ impl<'de: 'a, 'a> Deserialize<'de> for Pairs<'a> {
 }
 
 impl<'a> Pairs<'a> {
-    /// The value of this field, where it is given.
     pub fn get(&self, name: &str) -> Option<&'a RawValue> {
         let found = self.0.iter().find(|(given, _)| given == name);
         found.map(|(_, raw)| *raw)

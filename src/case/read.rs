@@ -1,10 +1,12 @@
-//! From a line to a problem.
+//! From a line to a problem, and to its answer as a line of JSON.
 
-use serde_json::value::RawValue;
+use serde::Serialize;
+use serde_json::{Value as Json, json, value::RawValue};
 
 use crate::{
     input::Given,
     text::{Message, Value},
+    trace::Counts,
 };
 
 use super::{
@@ -66,7 +68,7 @@ fn read_into(
     }
     read_id?;
     let (solver, fields) = fields(solvers, &pairs, detail)?;
-    Ok((solver, solver.read(&fields)?))
+    Ok((solver, (solver.read)(&fields)?))
 }
 
 /// What a case gives, for people; nothing of one that is refused.
@@ -82,7 +84,7 @@ fn fields<'a>(
     detail: Detail,
 ) -> Result<(&'static Solver, Fields<'a>), Refusal> {
     let solver = algorithm(solvers, pairs.get("algorithm"))?;
-    let fields = Fields::check(solver.name_key(), solver.fields(), pairs, detail)?;
+    let fields = Fields::check(solver.card.name_key, solver.fields, pairs, detail)?;
     Ok((solver, fields))
 }
 
@@ -125,10 +127,60 @@ fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver
     let raw = raw.ok_or_else(|| missing(&path))?;
     let name = Node { path, raw }.text()?;
     solvers.by_id(&name).ok_or_else(|| {
-        let known: Vec<&str> = solvers.iter().map(Solver::id).collect();
+        let known: Vec<&str> = solvers.iter().map(|solver| solver.card.id).collect();
         let problem = Message::new("case-unknown-algorithm")
             .with("name", short(&name))
             .with("expected", known.join(", "));
         Refusal::at(Code::UnknownAlgorithm, &path, problem)
     })
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    id: &'a Id,
+    algorithm: &'static str,
+    output: Json,
+    counts: Counts,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    events: Option<Vec<Json>>,
+}
+
+#[derive(Serialize)]
+struct RefusedAnswer<'a> {
+    id: &'a Id,
+    error: Json,
+}
+
+impl Case {
+    /// Its answer, without a line break.
+    pub(super) fn write_json(&self, detail: Detail, out: &mut Vec<u8>) -> serde_json::Result<()> {
+        let (output, counts, events) = if detail == Detail::Steps {
+            let run = self.problem.run();
+            let n_steps = run.n_steps();
+            let events = (1..=n_steps).map(|step| run.event_json(step)).collect();
+            let output = self.problem.output_of(&*run);
+            (output, run.counts_at(n_steps), Some(events))
+        } else {
+            let (output, counts) = self.problem.cost();
+            (output, counts, None)
+        };
+        let answer = Answer {
+            id: &self.id,
+            algorithm: self.solver.card.id,
+            output,
+            counts,
+            events,
+        };
+        serde_json::to_writer(out, &answer)
+    }
+}
+
+impl Refused {
+    /// Its answer, without a line break.
+    pub(super) fn write_json(&self, out: &mut Vec<u8>) -> serde_json::Result<()> {
+        let Refusal { code, field, .. } = &self.refusal;
+        let error = json!({ "code": code.id(), "field": field, "message": self.refusal.message() });
+        let id = &self.id;
+        serde_json::to_writer(out, &RefusedAnswer { id, error })
+    }
 }

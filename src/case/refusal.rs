@@ -1,11 +1,32 @@
 //! Why a case is refused.
 
+use std::fmt;
+
 use crate::{
     input::{At, Fault},
     text::{Catalog, Lang, Message},
 };
 
-use super::Path;
+/// A place in a case: `segment`, `clip[1][0]`, `frustum.near`.
+#[derive(Clone, Copy, Debug)]
+pub enum Path<'a> {
+    /// A field of the case.
+    Field(&'a str),
+    /// An element of a list, from 0.
+    Index(&'a Path<'a>, usize),
+    /// A field of an object inside.
+    Member(&'a Path<'a>, &'a str),
+}
+
+impl fmt::Display for Path<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Field(name) => f.write_str(name),
+            Self::Index(list, i) => write!(f, "{list}[{i}]"),
+            Self::Member(object, name) => write!(f, "{object}.{name}"),
+        }
+    }
+}
 
 /// The stable codes of the command line's JSON.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -37,43 +58,26 @@ pub enum Code {
 }
 
 impl Code {
-    const ALL: [Self; 12] = [
-        Self::BadJson,
-        Self::UnknownAlgorithm,
-        Self::UnknownField,
-        Self::MissingField,
-        Self::WrongType,
-        Self::WrongLength,
-        Self::NotFinite,
-        Self::EmptyWindow,
-        Self::NotConvex,
-        Self::SelfIntersecting,
-        Self::Degenerate,
-        Self::TooLarge,
+    /// Every code as JSON spells it, in the order of the variants.
+    pub(super) const IDS: [(Self, &'static str); 12] = [
+        (Self::BadJson, "bad-json"),
+        (Self::UnknownAlgorithm, "unknown-algorithm"),
+        (Self::UnknownField, "unknown-field"),
+        (Self::MissingField, "missing-field"),
+        (Self::WrongType, "wrong-type"),
+        (Self::WrongLength, "wrong-length"),
+        (Self::NotFinite, "not-finite"),
+        (Self::EmptyWindow, "empty-window"),
+        (Self::NotConvex, "not-convex"),
+        (Self::SelfIntersecting, "self-intersecting"),
+        (Self::Degenerate, "degenerate"),
+        (Self::TooLarge, "too-large"),
     ];
-
-    /// Every code, as JSON spells it.
-    pub(super) fn ids() -> [&'static str; 12] {
-        Self::ALL.map(Self::id)
-    }
 
     /// As JSON spells it.
     #[must_use]
     pub const fn id(self) -> &'static str {
-        match self {
-            Self::BadJson => "bad-json",
-            Self::UnknownAlgorithm => "unknown-algorithm",
-            Self::UnknownField => "unknown-field",
-            Self::MissingField => "missing-field",
-            Self::WrongType => "wrong-type",
-            Self::WrongLength => "wrong-length",
-            Self::NotFinite => "not-finite",
-            Self::EmptyWindow => "empty-window",
-            Self::NotConvex => "not-convex",
-            Self::SelfIntersecting => "self-intersecting",
-            Self::Degenerate => "degenerate",
-            Self::TooLarge => "too-large",
-        }
+        Self::IDS[self as usize].1
     }
 }
 
@@ -113,8 +117,8 @@ impl Refusal {
     /// below its maximum, the value as a whole.
     #[must_use]
     pub(super) fn of(value: &Path<'_>, Fault { at, what }: Fault) -> Self {
-        let codes = Code::ALL.into_iter().find(|code| code.id() == what.code);
-        let code = codes.unwrap_or(Code::Degenerate);
+        let known = Code::IDS.into_iter().find(|(_, id)| *id == what.code);
+        let code = known.map_or(Code::Degenerate, |(code, _)| code);
         let problem = what.message;
         match at {
             At::Entry(i) if code != Code::EmptyWindow => {

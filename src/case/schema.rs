@@ -16,11 +16,11 @@ impl Solvers {
     pub fn schema(self) -> Json {
         let schemas = |solver: &Solver| {
             let schemas = json!({ "case": of_cases(solver), "answer": of_answers(solver) });
-            (solver.id().to_owned(), schemas)
+            (solver.card.id.to_owned(), schemas)
         };
         let algorithms: Map<String, Json> = self.iter().map(schemas).collect();
         let error = [
-            ("code", json!({ "enum": Code::ids() })),
+            ("code", json!({ "enum": Code::IDS.map(|(_, id)| id) })),
             ("field", of_shape(&Shape::Text)),
             ("message", of_shape(&Shape::Text)),
         ];
@@ -50,10 +50,10 @@ fn of_object<const N: usize>(
 }
 
 fn of_cases(solver: &Solver) -> Json {
-    let mut schema = of_fields(solver.fields());
+    let mut schema = of_fields(solver.fields);
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     schema["properties"]["id"] = json!({});
-    schema["properties"]["algorithm"] = json!({ "const": solver.id() });
+    schema["properties"]["algorithm"] = json!({ "const": solver.card.id });
     if let Some(required) = schema["required"].as_array_mut() {
         required.push("algorithm".into());
     }
@@ -75,8 +75,8 @@ fn of_answers(solver: &Solver) -> Json {
     });
     let properties = [
         ("id", json!({})),
-        ("algorithm", json!({ "const": solver.id() })),
-        ("output", of_fields(solver.output())),
+        ("algorithm", json!({ "const": solver.card.id })),
+        ("output", of_fields(solver.output)),
         ("counts", of_fields(&COUNTS)),
         ("events", json!({ "type": "array", "items": event })),
     ];

@@ -9,10 +9,15 @@ use crate::{
     input::Field,
     labs::{Answer, MethodCard, recorded::Recorded, telling::Telling},
     text::Message,
-    trace::{Counted, Counts, Listening, Told, held_after, silent},
+    trace::{Counted, Counts, Listening, Method, Told, held_after, silent},
 };
 
 use super::{Code, Detail, Fields, Path, Refusal};
+
+/// Makes an algorithm's input of checked fields, or refuses the first whose value means nothing.
+pub type Reading<A> = fn(&Fields<'_>) -> Result<<A as Method>::Input, Refusal>;
+/// Tells an algorithm's answer in one sentence.
+pub type Verdict<A> = fn(&<A as Method>::Output) -> Message;
 
 /// An algorithm that a case can name: what it reads, and how its answer is told.
 pub trait Solve: Telling {
@@ -23,15 +28,10 @@ pub trait Solve: Telling {
     /// The field by which a case is refused whose report would have more steps than [`Detail::MOST_STEPS`]; `None` where
     /// the limits on the fields' sizes are enough.
     const LONG_BY: Option<&'static str> = None;
-
-    /// Its input from checked fields.
-    ///
-    /// # Errors
-    /// The first field whose value is refused.
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal>;
-
+    /// Its input.
+    const READ: Reading<Self>;
     /// Its answer in one sentence.
-    fn verdict(output: &Self::Output) -> Message;
+    const VERDICT: Verdict<Self>;
 
     /// The answer's `output`, from that of its run.
     #[must_use]
@@ -42,10 +42,13 @@ pub trait Solve: Telling {
 
 /// An algorithm that a case can name, with its type erased.
 pub struct Solver {
-    card: MethodCard,
-    fields: &'static [Field],
-    output: &'static [Field],
-    read: ReadProblem,
+    /// Its names and its source.
+    pub card: MethodCard,
+    /// [`Solve::FIELDS`].
+    pub fields: &'static [Field],
+    /// [`Solve::OUTPUT`].
+    pub output: &'static [Field],
+    pub(super) read: ReadProblem,
 }
 
 type ReadProblem = fn(&Fields<'_>) -> Result<Box<dyn Solvable>, Refusal>;
@@ -60,49 +63,6 @@ impl Solver {
             output: A::OUTPUT,
             read: read_problem::<A>,
         }
-    }
-
-    /// The same, with problems that are read in another way: where a field asks for another type.
-    pub(super) const fn reading(self, read: ReadProblem) -> Self {
-        Self { read, ..self }
-    }
-
-    /// As the command line and JSON spell it.
-    #[must_use]
-    pub const fn id(&self) -> &'static str {
-        self.card.id
-    }
-
-    /// Catalogue key of its name.
-    #[must_use]
-    pub const fn name_key(&self) -> &'static str {
-        self.card.name_key
-    }
-
-    /// Author and year.
-    #[must_use]
-    pub const fn source(&self) -> &'static str {
-        self.card.source
-    }
-
-    /// What a case gives besides `id` and `algorithm`, in the order in which it is checked.
-    #[must_use]
-    pub const fn fields(&self) -> &'static [Field] {
-        self.fields
-    }
-
-    /// What the answer's `output` holds.
-    #[must_use]
-    pub const fn output(&self) -> &'static [Field] {
-        self.output
-    }
-
-    /// The problem that checked fields describe.
-    ///
-    /// # Errors
-    /// The first field whose value is refused.
-    pub fn read(&self, fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
-        (self.read)(fields)
     }
 }
 
@@ -125,7 +85,7 @@ impl Solvers {
     /// The one of this name.
     #[must_use]
     pub fn by_id(self, id: &str) -> Option<&'static Solver> {
-        self.iter().find(|solver| solver.id() == id)
+        self.iter().find(|solver| solver.card.id == id)
     }
 }
 
@@ -143,13 +103,12 @@ pub trait Solvable {
     fn verdict(&self) -> Message;
 }
 
-/// The problem that fields describe for this algorithm.
 pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
-    let input = A::read(fields)?;
+    let input = A::READ(fields)?;
     if let Some(field) = A::LONG_BY {
         check_steps::<A>(&input, field, fields.detail())?;
     }
-    Ok(Box::new(SolvableOf::<A>(input)))
+    Ok(Box::new(Problem::<A>(input)))
 }
 
 /// Refuses a report of too many steps.
@@ -178,22 +137,16 @@ fn check_steps<A: Solve>(
     Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem))
 }
 
-struct SolvableOf<A: Solve>(A::Input);
+struct Problem<A: Solve>(A::Input);
 
-impl<A: Solve> SolvableOf<A> {
-    fn told(&self, output: &A::Output) -> Json {
-        A::told_output(&self.0, output.json())
-    }
-}
-
-impl<A: Solve> Solvable for SolvableOf<A> {
+impl<A: Solve> Solvable for Problem<A> {
     fn output(&self) -> Json {
-        self.told(&silent::<A>(&self.0))
+        A::told_output(&self.0, silent::<A>(&self.0).json())
     }
 
     fn cost(&self) -> (Json, Counts) {
         let (held, counts) = Counts::of(|| held_after::<A, Counted>(&self.0));
-        (self.told(&A::output(held)), counts)
+        (A::told_output(&self.0, A::output(held).json()), counts)
     }
 
     fn run(&self) -> Box<dyn Run> {
@@ -205,6 +158,6 @@ impl<A: Solve> Solvable for SolvableOf<A> {
     }
 
     fn verdict(&self) -> Message {
-        A::verdict(&silent::<A>(&self.0))
+        A::VERDICT(&silent::<A>(&self.0))
     }
 }

@@ -10,7 +10,7 @@ use crate::{input::Given, text::Catalog};
 use super::{
     Case, CaseLines, Format, Refused, Refusing, Solvers, Style,
     read::{read, told},
-    report,
+    report::Report,
 };
 
 /// Written in pieces of this size: large enough that calls into the system cost nothing.
@@ -99,23 +99,15 @@ fn write_answer(
     style: Style,
     out: &mut Vec<u8>,
 ) -> io::Result<()> {
-    let Style {
-        format,
-        detail,
-        lang,
-    } = style;
-    let report = match format {
-        Format::Json => {
-            match case {
-                Ok(case) => case.write_json(detail, out)?,
-                Err(refused) => refused.write_json(out)?,
-            }
-            out.push(b'\n');
-            return Ok(());
-        }
-        Format::Text => report::text(number, case, &told(), detail, Catalog::of(lang)),
-        Format::Markdown => report::markdown(number, case, &told(), detail, Catalog::of(lang)),
-    };
-    out.extend_from_slice(report.as_bytes());
+    let report = || Report::new(number, case, &told(), style.detail, Catalog::of(style.lang));
+    match (style.format, case) {
+        (Format::Json, Ok(case)) => case.write_json(style.detail, out)?,
+        (Format::Json, Err(refused)) => refused.write_json(out)?,
+        (Format::Text, _) => out.extend_from_slice(report().text().as_bytes()),
+        (Format::Markdown, _) => out.extend_from_slice(report().markdown().as_bytes()),
+    }
+    if style.format == Format::Json {
+        out.push(b'\n');
+    }
     Ok(())
 }

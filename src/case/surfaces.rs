@@ -4,16 +4,20 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::surface::{
-        Bsp, BspChoice, BspInput, BspOutput, BspTooLarge, DepthBuffer, DepthBufferInput,
-        DepthBufferOutput, Occlusion, OcclusionInput, OcclusionOutput, Painter, PainterAnswer,
-        PainterOutput, Picture, RayCasting, RayCastingInput, RayCastingOutput, Surfaces,
+        Bsp, BspChoice, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Occlusion,
+        OcclusionInput, Painter, PainterAnswer, Picture, RayCasting, RayCastingInput, Surfaces,
+        Viewport,
     },
+    geom::ViewVolume,
     input::{CULL, Dim, FRUSTUM, Fault, Field, Given, Got, Part, SIZE, Shape},
     labs::surfaces::with_occluders,
     text::{Formula, Message, Value},
 };
 
-use super::{Code, Detail, Fields, Refusal, Solve, Solver};
+use super::{
+    Code, Detail, Fields, Refusal, Solve, Solver,
+    solver::{Reading, Verdict},
+};
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
@@ -34,7 +38,6 @@ const TRIANGLES: Part<Vec<Triangle>> = Part::new("triangles", &TRIANGLES_SHAPE, 
 })
 .told(|got| vec![triangles_told("object-triangles", got.rows().as_chunks().0)]);
 
-/// Triangles that belong together, in view space.
 const OBJECTS: Part<Vec<Vec<Triangle>>> =
     Part::new("objects", &Shape::List(&TRIANGLES_SHAPE), |got| {
         let object = |got: &Got| got.rows().as_chunks().0.to_vec();
@@ -45,7 +48,6 @@ const OBJECTS: Part<Vec<Vec<Triangle>>> =
         got.list().iter().map(object).collect()
     });
 
-/// Each with its id.
 fn triangles_told(name_key: &'static str, triangles: &[Triangle]) -> Given {
     let triangle = |(id, &[a, b, c]): (usize, &Triangle)| {
         let formula = Formula::default().sym(format!("{id}: "));
@@ -68,69 +70,63 @@ const SEEN: [Field; 2] = [
     Field::required("depth", &Shape::List(&Shape::OrNull(&Shape::Number))),
 ];
 
-/// What is seen, by whom, and with how many pixels.
 fn surfaces(fields: &Fields<'_>) -> Result<Surfaces, Refusal> {
-    let on_raster = raster(fields)?;
+    let raster = raster(fields)?;
     let triangles = fields.need(&TRIANGLES)?;
-    on_raster(triangles, fields.get(&CULL)?.unwrap_or(false))
-        .ok_or_else(|| too_many_triangles(fields, &TRIANGLES))
+    let culls_backs = fields.get(&CULL)?.unwrap_or(false);
+    on_raster(fields, raster, &TRIANGLES, (triangles, culls_backs))
+}
+
+fn too_large<T>(fields: &Fields<'_>, part: &Part<T>, problem: Message) -> Refusal {
+    fields.refuse(part, Fault::new(Code::TooLarge.id(), problem))
 }
 
 /// The raster and the volume that triangles are put on.
-fn raster(
-    fields: &Fields<'_>,
-) -> Result<impl FnOnce(Vec<Triangle>, bool) -> Option<Surfaces>, Refusal> {
+fn raster(fields: &Fields<'_>) -> Result<(Viewport, ViewVolume), Refusal> {
     let viewport = fields.need(&SIZE)?;
     let n_pixels: usize = viewport.size().map(|side| side as usize).iter().product();
     if n_pixels > fields.detail().limit(Detail::MOST_STEPS) {
         let problem = Message::new("case-too-many-raster-pixels")
             .with("found", n_pixels)
             .with("max", Detail::MOST_STEPS);
-        return Err(fields.refuse(&SIZE, Fault::new(Code::TooLarge.id(), problem)));
+        return Err(too_large(fields, &SIZE, problem));
     }
-    let volume = fields.need(&FRUSTUM)?;
-    Ok(
-        move |triangles, culls_backs| {
-            Surfaces::new(viewport.size(), volume, triangles, culls_backs)
-        },
-    )
+    Ok((viewport, fields.need(&FRUSTUM)?))
 }
 
 /// Sides and numbers have been looked at: what makes no surfaces can only be too many triangles, more than a line holds.
-fn too_many_triangles<T>(fields: &Fields<'_>, part: &Part<T>) -> Refusal {
-    let problem = Message::new("case-too-many-steps")
-        .with("found", Surfaces::MOST_TRIANGLES)
-        .with("max", Detail::MOST_STEPS);
-    fields.refuse(part, Fault::new(Code::TooLarge.id(), problem))
+fn on_raster<T>(
+    fields: &Fields<'_>,
+    (viewport, volume): (Viewport, ViewVolume),
+    part: &Part<T>,
+    (triangles, culls_backs): (Vec<Triangle>, bool),
+) -> Result<Surfaces, Refusal> {
+    let surfaces = Surfaces::new(viewport.size(), volume, triangles, culls_backs);
+    surfaces.ok_or_else(|| {
+        let problem = Message::new("case-too-many-steps")
+            .with("found", Surfaces::MOST_TRIANGLES)
+            .with("max", Detail::MOST_STEPS);
+        too_large(fields, part, problem)
+    })
 }
 
 impl Solve for DepthBuffer {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &SEEN;
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        Ok(DepthBufferInput::new(surfaces(fields)?))
-    }
-
-    fn verdict(output: &DepthBufferOutput) -> Message {
-        seen(&output.picture)
-    }
+    const READ: Reading<Self> = |fields| Ok(DepthBufferInput::new(surfaces(fields)?));
+    const VERDICT: Verdict<Self> = |output| seen(&output.picture);
 }
 
 impl Solve for RayCasting {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &SEEN;
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (surfaces, pixel) = (surfaces(fields)?, None);
         Ok(RayCastingInput { surfaces, pixel })
-    }
-
-    fn verdict(output: &RayCastingOutput) -> Message {
-        seen(&output.picture)
-    }
+    };
+    const VERDICT: Verdict<Self> = |output| seen(&output.picture);
 }
 
 impl Solve for Painter {
@@ -141,64 +137,52 @@ impl Solve for Painter {
         Field::choice("cycle", &Shape::COUNTS),
     ];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        surfaces(fields)
-    }
-
-    fn verdict(output: &PainterOutput) -> Message {
-        match &output.answer {
-            PainterAnswer::Order { order, .. } => {
-                Message::new("case-painted").with("ids", listed(order))
-            }
-            PainterAnswer::Cycle { cycle } => {
-                Message::new("case-painter-cycle").with("ids", listed(cycle))
-            }
+    const READ: Reading<Self> = surfaces;
+    const VERDICT: Verdict<Self> = |output| match &output.answer {
+        PainterAnswer::Order { order, .. } => {
+            Message::new("case-painted").with("ids", listed(order))
         }
-    }
+        PainterAnswer::Cycle { cycle } => {
+            Message::new("case-painter-cycle").with("ids", listed(cycle))
+        }
+    };
 }
 
 impl Solve for Bsp {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &[IDS, Field::required("n_pieces", &Shape::COUNT)];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let input = BspInput::new(surfaces(fields)?, BspChoice::First);
-        let input = input.map_err(|BspTooLarge| {
+        input.map_err(|BspTooLarge| {
             let problem = Message::new("case-bsp-too-large")
                 .with("pieces", BspTooLarge::MOST_PIECES)
                 .with("questions", BspTooLarge::MOST_QUESTIONS);
-            fields.refuse(&TRIANGLES, Fault::new(Code::TooLarge.id(), problem))
-        })?;
-        Ok(input)
-    }
-
-    fn verdict(output: &BspOutput) -> Message {
+            too_large(fields, &TRIANGLES, problem)
+        })
+    };
+    const VERDICT: Verdict<Self> = |output| {
         with_seen(Message::new("case-bsp-pieces"), &output.picture).with("pieces", output.n_pieces)
-    }
+    };
 }
 
 impl Solve for Occlusion {
     const FIELDS: &'static [Field] = &[SIZE.required(), FRUSTUM.required(), OBJECTS.required()];
     const OUTPUT: &'static [Field] = &[IDS, Field::required("skipped", &Shape::COUNTS)];
     const LONG_BY: Option<&'static str> = Some(OBJECTS.name());
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        let on_raster = raster(fields)?;
+    const READ: Reading<Self> = |fields| {
+        let raster = raster(fields)?;
         let objects = fields.need(&OBJECTS)?;
         let counts: Vec<usize> = objects.iter().map(Vec::len).collect();
-        let surfaces = on_raster(objects.concat(), false)
-            .ok_or_else(|| too_many_triangles(fields, &OBJECTS))?;
+        let surfaces = on_raster(fields, raster, &OBJECTS, (objects.concat(), false))?;
         let objects = with_occluders(&surfaces, counts.into_iter());
         Ok(OcclusionInput { surfaces, objects })
-    }
-
-    fn verdict(output: &OcclusionOutput) -> Message {
+    };
+    const VERDICT: Verdict<Self> = |output| {
         with_seen(Message::new("case-occlusion"), &output.picture)
             .with("skipped", output.skipped.len())
             .with("objects", output.drawn.len() + output.skipped.len())
-    }
+    };
 
     /// The objects seen instead of their triangles, and those that were skipped.
     fn told_output(input: &Self::Input, of_run: Json) -> Json {
@@ -220,7 +204,6 @@ fn seen(picture: &Picture) -> Message {
     with_seen(Message::new("case-surfaces-seen"), picture)
 }
 
-/// How many pixels show a surface.
 fn with_seen(message: Message, picture: &Picture) -> Message {
     let ids = picture.ids();
     let n_seen = ids.iter().filter(|id| **id != Picture::BACKGROUND);

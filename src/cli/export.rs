@@ -7,17 +7,20 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 
-use egui::vec2;
-
 use crate::{
     app::{App, Page, Settings},
-    export::{self, Failure, Job, Options, Source, jobs, jobs_of_file, run},
+    export::{Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Diagnostic, Lang, Message},
 };
 
-use super::{Outcome, Progress, lang_parser, lessons::choose, say, usage::Expected};
+use super::{
+    Outcome, Progress, lang_parser,
+    lessons::{choose, is_error},
+    say,
+    usage::Expected,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,7 +31,6 @@ Examples:
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
 
-/// What it accepts.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -61,32 +63,12 @@ pub(super) struct Args {
     pub window: bool,
 }
 
-/// A file format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(super) enum Format {
     /// Pixels
     Png,
 }
 
-/// Which steps become files.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub(super) enum Steps {
-    /// Those that lessons name
-    Figures,
-    /// Every one
-    All,
-}
-
-impl From<Steps> for export::Steps {
-    fn from(steps: Steps) -> Self {
-        match steps {
-            Steps::Figures => Self::Figures,
-            Steps::All => Self::All,
-        }
-    }
-}
-
-/// Reads a theme's id.
 fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
     PossibleValuesParser::new(ThemeKind::ALL.map(ThemeKind::id))
         .try_map(|id| id.parse::<ThemeKind>())
@@ -94,12 +76,7 @@ fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
 
 /// Width and height in pixels at scale 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Size {
-    /// Across.
-    pub width: u32,
-    /// Down.
-    pub height: u32,
-}
+pub(super) struct Size([u32; 2]);
 
 impl FromStr for Size {
     type Err = Expected;
@@ -114,10 +91,7 @@ impl FromStr for Size {
             Ok(side @ 64..=MAX_SIDE) => Ok(side),
             _ => Err(expected()),
         };
-        Ok(Self {
-            width: side(width)?,
-            height: side(height)?,
-        })
+        Ok(Self([side(width)?, side(height)?]))
     }
 }
 
@@ -131,18 +105,17 @@ fn scale(text: &str) -> Result<f32, Expected> {
     }
 }
 
-/// Draws the figures; names on standard error whatever could not be read or written.
 pub(super) fn export(args: &Args) -> Outcome {
     let chosen = choose(&args.lessons, Course::load);
-    let read = chosen.report_errors(args.lang);
+    let read = chosen.report(args.lang, is_error);
     if chosen.is_empty() {
         return read;
     }
     let options = Options {
-        size_px: [args.size.width, args.size.height].map(|side| (side as f32 * args.scale) as u32),
+        size_px: args.size.0.map(|side| (side as f32 * args.scale) as u32),
         theme: args.theme,
         lang: args.lang,
-        steps: args.steps.into(),
+        steps: args.steps,
     };
     if let Err(error) = fs::create_dir_all(&args.out) {
         say(args.lang, &failed(args.out.display().to_string(), error));
@@ -150,25 +123,21 @@ pub(super) fn export(args: &Args) -> Outcome {
     }
     let mut jobs = jobs(&chosen.lessons, options.steps);
     for (name, scene) in &chosen.scenes {
-        jobs.extend(jobs_of_file(name, scene, options.steps));
+        jobs.extend(jobs_of(Source::File(scene), name, options.steps));
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
     };
     let mut progress = Progress::new(jobs.len() as u64);
-    let failures = run(
-        &jobs,
-        options.theme,
-        &args.out,
-        |job, studio| {
-            if args.window {
-                window_png(job, &course, studio.table(), args)
-            } else {
-                job.png(studio, &options)
-            }
-        },
-        || progress.advance(1),
-    );
+    let png = |job: &Job<'_>, studio: &mut Studio| {
+        if args.window {
+            window_png(job, &course, studio.table(), args)
+        } else {
+            job.png(studio, &options)
+        }
+    };
+    let done = || progress.advance(1);
+    let failures = run(&jobs, options.theme, &args.out, png, done);
     drop(progress);
     let n_drawn = jobs.len() - failures.len();
     for Failure { path, error } in failures {
@@ -185,14 +154,12 @@ pub(super) fn export(args: &Args) -> Outcome {
     }
 }
 
-/// What could not be written, and why.
 fn failed(path: String, error: io::Error) -> Message {
     let reason = Message::new("error-at").with("place", path);
     let reason = reason.with("problem", Diagnostic::from(error));
     Message::new("status-export-failed").with("reason", reason)
 }
 
-/// The whole window, standing at the picture's step.
 fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args) -> Vec<u8> {
     let settings = Settings {
         lang: args.lang,
@@ -203,12 +170,11 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
         },
         ..Settings::default()
     };
-    let size = vec2(args.size.width as f32, args.size.height as f32);
+    let size: egui::Vec2 = args.size.0.map(|side| side as f32).into();
     let mut app = App::new(course.clone(), settings);
     if let Source::File(file) = job.source {
         app = app.with_scene(&job.path, file.clone());
     }
     app.seek(job.position);
-    let image = table.draw(size, args.scale, |ui| app.ui(ui));
-    image.to_png()
+    table.draw(size, args.scale, |ui| app.ui(ui)).to_png()
 }

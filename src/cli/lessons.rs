@@ -1,4 +1,4 @@
-//! The lessons and scene files that a command names.
+//! The lessons and scene files that a command names, and `clipscope check`: are they in order?
 
 use std::{
     fs,
@@ -12,12 +12,13 @@ use crate::{
     text::{Catalog, Diagnostic, Lang, Message},
 };
 
-use super::{Outcome, say, say::say_text};
+use super::{
+    Outcome, lang_parser, say,
+    say::{print, say_text},
+};
 
-/// The lessons that were asked for, and what is wrong with them.
 #[derive(Default)]
 pub(super) struct Chosen {
-    /// Those in order.
     pub lessons: Vec<Lesson>,
     /// The scenes of files, each with its name without the ending.
     pub scenes: Vec<(String, SceneFile)>,
@@ -52,8 +53,8 @@ pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> C
         match name.to_str().and_then(|id| course.lesson(id)) {
             Some(lesson) => chosen.lessons.push(lesson.clone()),
             None => {
-                let message = Message::new("cli-no-lesson").with("name", shown(name));
-                chosen.unread.push(message);
+                let message = Message::new("cli-no-lesson");
+                chosen.unread.push(message.with("name", shown(name)));
             }
         }
     }
@@ -61,7 +62,6 @@ pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> C
 }
 
 impl Chosen {
-    /// Is nothing in order?
     pub const fn is_empty(&self) -> bool {
         self.lessons.is_empty() && self.scenes.is_empty()
     }
@@ -80,17 +80,8 @@ impl Chosen {
         }
     }
 
-    /// Names on standard error whatever is wrong.
-    pub fn report(&self, lang: Lang) -> Outcome {
-        self.name(lang, |_| true)
-    }
-
-    /// Names on standard error which lessons are left out.
-    pub fn report_errors(&self, lang: Lang) -> Outcome {
-        self.name(lang, is_error)
-    }
-
-    fn name(&self, lang: Lang, is_told: fn(&Problem) -> bool) -> Outcome {
+    /// Names on standard error what is wrong.
+    pub fn report(&self, lang: Lang, is_told: fn(&Problem) -> bool) -> Outcome {
         for problem in self.problems.iter().filter(|problem| is_told(problem)) {
             say_text(&problem.render(Catalog::of(lang)));
         }
@@ -109,10 +100,49 @@ impl Chosen {
     }
 }
 
-fn is_error(problem: &Problem) -> bool {
+pub(super) fn is_error(problem: &Problem) -> bool {
     problem.severity == Severity::Error
 }
 
 fn shown(path: &Path) -> String {
     path.display().to_string()
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  clipscope check                          the embedded course
+  clipscope check my-course/01-outcodes    one lesson
+  clipscope check my-course                every lesson of a folder
+  clipscope check scene.toml               a scene file";
+
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// Lesson folders, folders of lessons, scene files, or lessons of the embedded course by name
+    #[arg(value_name = "LESSON")]
+    lessons: Vec<PathBuf>,
+    /// Language of messages
+    #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
+    lang: Lang,
+}
+
+pub(super) fn check(args: &Args) -> Outcome {
+    let chosen = choose(&args.lessons, Course::check);
+    let outcome = chosen.report(args.lang, |_| true);
+    let counts = [
+        ("cli-checked", chosen.lessons.len()),
+        ("cli-checked-scenes", chosen.scenes.len()),
+    ];
+    let mut sum = String::new();
+    for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+        sum += &Catalog::of(args.lang).message(&Message::new(key).with("count", count));
+        sum += "\n";
+    }
+    if sum.is_empty() {
+        return outcome;
+    }
+    match print(&sum, args.lang) {
+        Outcome::Done => outcome,
+        failed => failed,
+    }
 }

@@ -12,7 +12,11 @@ use crate::{
     text::{Catalog, Lang, Message},
 };
 
-use super::{Outcome, lang_parser, lessons::choose, say::print};
+use super::{
+    Outcome, lang_parser,
+    lessons::{choose, is_error},
+    say::print,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -20,7 +24,6 @@ Examples:
   clipscope list my-course
   clipscope list --format json | jq '.algorithms[].id'";
 
-/// What it accepts.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -43,11 +46,10 @@ enum Format {
     Json,
 }
 
-/// Lists everything.
 pub(super) fn list(args: &Args) -> Outcome {
     let catalog = Catalog::of(args.lang);
     let chosen = choose(&args.lessons, Course::load);
-    let outcome = chosen.report_errors(args.lang);
+    let outcome = chosen.report(args.lang, is_error);
     let text = match args.format {
         Format::Text => as_text(&chosen.lessons, catalog),
         Format::Json => format!("{:#}\n", as_json(&chosen.lessons, catalog)),
@@ -73,8 +75,8 @@ fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
     }
     lines.extend([String::new(), catalog.term("list-algorithms")]);
     for solver in Solvers::standard().iter() {
-        let name = catalog.term(solver.name_key());
-        lines.push(format!("  {:<28}{name}", solver.id()));
+        let name = catalog.term(solver.card.name_key);
+        lines.push(format!("  {:<28}{name}", solver.card.id));
         lines.push(format!("    {:<26}{}", "", fields_text(solver)));
     }
     lines.join("\n") + "\n"
@@ -84,7 +86,7 @@ fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
 fn fields_text(solver: &Solver) -> String {
     let mut parts: Vec<String> = Vec::new();
     let mut choosing = false;
-    for field in solver.fields() {
+    for field in solver.fields {
         match (field.need, parts.last_mut()) {
             (Presence::Choice, Some(part)) if choosing => {
                 *part = format!("{part} | {}", field.name);
@@ -99,46 +101,39 @@ fn fields_text(solver: &Solver) -> String {
 
 fn as_json(lessons: &[Lesson], catalog: &Catalog) -> Json {
     let lessons: Vec<Json> = lessons.iter().map(|l| lesson_json(l, catalog)).collect();
-    let algorithms: Vec<Json> = Solvers::standard()
-        .iter()
-        .map(|s| solver_json(s, catalog))
-        .collect();
+    let solvers = Solvers::standard().iter();
+    let algorithms: Vec<Json> = solvers.map(|s| solver_json(s, catalog)).collect();
     json!({ "lessons": lessons, "algorithms": algorithms })
 }
 
 fn lesson_json(lesson: &Lesson, catalog: &Catalog) -> Json {
     let text = lesson.text(catalog.lang());
-    let steps: Vec<Json> = lesson
-        .steps
-        .iter()
-        .zip(&text.steps)
-        .map(|(step, words)| {
-            json!({
-                "id": step.id,
-                "title": words.title,
-                "moment": step.moment.to_string(),
-                "figure": step.figure,
-            })
+    let steps = lesson.steps.iter().zip(&text.steps).map(|(step, words)| {
+        json!({
+            "id": step.id,
+            "title": words.title,
+            "moment": step.moment.to_string(),
+            "figure": step.figure,
         })
-        .collect();
+    });
     json!({
         "id": lesson.id,
         "title": text.title,
         "lab": lesson.lab,
         "source": lesson.source,
-        "steps": steps,
+        "steps": steps.collect::<Vec<_>>(),
     })
 }
 
 fn solver_json(solver: &Solver, catalog: &Catalog) -> Json {
     let names = |need| -> Vec<&str> {
-        let of_need = solver.fields().iter().filter(|f| f.need == need);
+        let of_need = solver.fields.iter().filter(|f| f.need == need);
         of_need.map(|f| f.name).collect()
     };
     json!({
-        "id": solver.id(),
-        "name": catalog.term(solver.name_key()),
-        "source": solver.source(),
+        "id": solver.card.id,
+        "name": catalog.term(solver.card.name_key),
+        "source": solver.card.source,
         "fields": {
             "required": names(Presence::Required),
             "one_of": names(Presence::Choice),

@@ -3,29 +3,32 @@
 //! Results go to standard output, messages to standard error. Exit status: 0 done, 1 some of the input was
 //! refused (each refusal named), 2 wrong usage or nothing could be read.
 
-mod check;
 mod export;
 mod lessons;
 mod list;
-mod open;
-mod progress;
 mod say;
 mod trace;
 mod usage;
 
-use std::{env, path::PathBuf, process::ExitCode};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 use clap::{
     Parser, Subcommand,
     builder::{PossibleValuesParser, TypedValueParser},
 };
 
-use crate::text::Lang;
+use crate::{
+    app::{Opening, Settings, is_mesh, run_native},
+    lesson::{Folder, Problem, SceneFormats},
+    text::{Catalog, Diagnostic, Lang, Message},
+};
 
-pub use progress::Progress;
-pub use say::{Outcome, say};
+use say::{Outcome, Progress, say, say_text};
 
-/// What an invocation asks for.
 #[derive(Parser)]
 #[command(
     name = "clipscope",
@@ -64,20 +67,17 @@ enum Command {
     /// Run algorithms on cases, one JSON object a line, and print every step
     Trace(trace::Args),
     /// Validate lesson files: every mistake with file, line and column
-    Check(check::Args),
+    Check(lessons::Args),
     /// List lessons with their steps and figures, and the algorithms that `trace` knows
     List(list::Args),
 }
 
-/// Does what the command line asks for.
 pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            let args: Vec<String> = env::args_os()
-                .map(|arg| arg.to_string_lossy().into_owned())
-                .collect();
-            usage::explain(&error, &args);
+            let args = env::args_os().map(|arg| arg.to_string_lossy().into_owned());
+            usage::explain(&error, &args.collect::<Vec<_>>());
             return match error.exit_code() {
                 0 => Outcome::Done.into(),
                 _ => Outcome::Unusable.into(),
@@ -85,18 +85,67 @@ pub fn run() -> ExitCode {
         }
     };
     match cli.command {
-        None => open::open_app(None),
-        Some(Command::Open { path }) => open::open_app(Some(path)),
+        None => open_app(None),
+        Some(Command::Open { path }) => open_app(Some(path)),
         Some(Command::Export(args)) => export::export(&args).into(),
         Some(Command::Trace(args)) => trace::trace(&args).into(),
-        Some(Command::Check(args)) => check::check(&args).into(),
+        Some(Command::Check(args)) => lessons::check(&args).into(),
         Some(Command::List(args)) => list::list(&args).into(),
     }
 }
 
-/// Reads a language's id.
 fn lang_parser() -> impl TypedValueParser<Value = Lang> {
     PossibleValuesParser::new(Lang::ALL.map(Lang::id)).try_map(|id| id.parse::<Lang>())
+}
+
+/// Opens the app on a path, or on the embedded course. What goes wrong is said in the system's language.
+fn open_app(path: Option<PathBuf>) -> ExitCode {
+    let catalog = Catalog::of(Settings::of_system().lang);
+    let opened = path.map_or_else(|| Ok(Opening::default()), |path| opening(&path, catalog));
+    let ran =
+        opened.and_then(|opening| run_native(opening).map_err(|message| catalog.message(&message)));
+    match ran {
+        Ok(()) => Outcome::Done.into(),
+        Err(reason) => {
+            say_text(&reason);
+            Outcome::Unusable.into()
+        }
+    }
+}
+
+/// A folder is a course or a lesson; a file is a scene, or a mesh, which is read when the window is there.
+fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
+    if path.is_dir() {
+        return Ok(Opening {
+            folder: Some(Folder::new(path)),
+            ..Opening::default()
+        });
+    }
+    let name = path.display().to_string();
+    let unread = |error| {
+        let message = Message::new("status-open-failed")
+            .with("path", name.clone())
+            .with("reason", Diagnostic::from(error));
+        catalog.message(&message)
+    };
+    if is_mesh(path) {
+        fs::File::open(path).map_err(unread)?;
+        return Ok(Opening {
+            mesh: Some(name),
+            ..Opening::default()
+        });
+    }
+    let bytes = fs::read(path).map_err(unread)?;
+    let scene = SceneFormats::standard()
+        .read(&name, &bytes)
+        .map_err(|problems| {
+            let render = |problem: &Problem| problem.render(catalog);
+            problems.iter().map(render).collect::<Vec<_>>().join("\n")
+        })?;
+    Ok(Opening {
+        scene: Some((name, scene)),
+        ..Opening::default()
+    })
 }
 
 #[cfg(test)]

@@ -3,14 +3,15 @@
 use std::{
     io::{self, Write},
     process::ExitCode,
+    time::{Duration, Instant},
 };
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::text::{Catalog, Diagnostic, Lang, Message};
 
-/// How a command ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Outcome {
-    /// All of it.
     Done,
     /// Some of the input was refused; each refusal has been named.
     Refused,
@@ -33,7 +34,6 @@ pub fn say(lang: Lang, message: &Message) {
     say_text(&Catalog::of(lang).message(message));
 }
 
-/// Says a text on standard error, where there is one.
 pub(super) fn say_text(text: &str) {
     let _ = writeln!(io::stderr(), "{text}");
 }
@@ -55,4 +55,42 @@ pub(super) fn not_written(error: io::Error, lang: Lang) -> Outcome {
     let message = Message::new("trace-not-written").with("reason", Diagnostic::from(error));
     say(lang, &message);
     Outcome::Unusable
+}
+
+/// Shorter work shows no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How far a piece of work has come. Where standard error is no terminal, nothing is shown.
+pub struct Progress {
+    bar: ProgressBar,
+    started: Instant,
+    shown: bool,
+}
+
+impl Progress {
+    pub fn new(total: u64) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta}") {
+            bar.set_style(style);
+        }
+        Self {
+            bar,
+            started: Instant::now(),
+            shown: false,
+        }
+    }
+
+    pub fn advance(&mut self, n: u64) {
+        self.bar.inc(n);
+        if !self.shown && self.started.elapsed() > PATIENCE {
+            self.shown = true;
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
 }

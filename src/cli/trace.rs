@@ -31,7 +31,6 @@ error and the rest is carried on; exit status 1 tells that there was one."#;
 /// Refusals named on standard error; the answers name them all.
 const MAX_NAMED: usize = 10;
 
-/// What it accepts.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -62,7 +61,6 @@ enum Format {
     Markdown,
 }
 
-/// Answers the cases.
 pub(super) fn trace(args: &Args) -> Outcome {
     let lang = args.lang;
     if args.schema {
@@ -80,24 +78,44 @@ pub(super) fn trace(args: &Args) -> Outcome {
         Ok(source) => source,
         Err(error) => return unreadable(error),
     };
-    let mut named = Named {
-        lang,
-        sentences: Vec::new(),
+    // Kept until the end, so that they do not stand between the answers on a terminal.
+    let mut refusals = Vec::new();
+    let name = |refusing: Refusing<'_>| {
+        if refusals.len() < MAX_NAMED {
+            refusals.push(refusing.sentence(Catalog::of(lang)));
+        }
     };
-    let result = case::trace(
-        Solvers::standard(),
-        source,
-        io::stdout().lock(),
-        style(args),
-        |refusing| {
-            named.hear(refusing);
-        },
-    );
-    match result {
-        Ok(tally) => named.sum_up(tally),
+    let out = io::stdout().lock();
+    match case::trace(Solvers::standard(), source, out, style(args), name) {
+        Ok(tally) => sum_up(tally, &refusals, lang),
         Err(TraceError::Read(error)) => unreadable(error),
         Err(TraceError::Write(error)) => not_written(error, lang),
     }
+}
+
+fn sum_up(tally: Tally, refusals: &[String], lang: Lang) -> Outcome {
+    if tally == Tally::default() {
+        say(lang, &Message::new("cli-nothing"));
+        return Outcome::Unusable;
+    }
+    if tally.refused == 0 {
+        return Outcome::Done;
+    }
+    for sentence in refusals {
+        say_text(sentence);
+    }
+    if tally.refused > MAX_NAMED {
+        let more = tally.refused - MAX_NAMED;
+        say(
+            lang,
+            &Message::new("trace-more-refused").with("count", more),
+        );
+    }
+    say(
+        lang,
+        &Message::new("cli-refused").with("count", tally.refused),
+    );
+    Outcome::Refused
 }
 
 fn style(args: &Args) -> Style {
@@ -118,44 +136,6 @@ fn style(args: &Args) -> Style {
             Detail::Answers
         },
         lang: args.lang,
-    }
-}
-
-/// Refusals kept until the end, so that they do not stand between the answers on a terminal.
-struct Named {
-    lang: Lang,
-    sentences: Vec<String>,
-}
-
-impl Named {
-    fn hear(&mut self, refusing: Refusing<'_>) {
-        if self.sentences.len() < MAX_NAMED {
-            let sentence = refusing.sentence(Catalog::of(self.lang));
-            self.sentences.push(sentence);
-        }
-    }
-
-    fn sum_up(&self, tally: Tally) -> Outcome {
-        if tally == Tally::default() {
-            say(self.lang, &Message::new("cli-nothing"));
-            return Outcome::Unusable;
-        }
-        if tally.refused == 0 {
-            return Outcome::Done;
-        }
-        for sentence in &self.sentences {
-            say_text(sentence);
-        }
-        if tally.refused > MAX_NAMED {
-            let more = tally.refused - MAX_NAMED;
-            say(
-                self.lang,
-                &Message::new("trace-more-refused").with("count", more),
-            );
-        }
-        let sum = Message::new("cli-refused").with("count", tally.refused);
-        say(self.lang, &sum);
-        Outcome::Refused
     }
 }
 

@@ -59,40 +59,30 @@ fn rendered(diagnostic: &Diagnostic, catalog: &Catalog) -> String {
 /// None of what is no mistake, and of the few mistakes for which no command here has an argument.
 fn diagnostic(error: &clap::Error) -> Option<Diagnostic> {
     let part = |kind| error.get(kind).map(listed);
-    let arg = part(ContextKind::InvalidArg).unwrap_or_default();
+    let named = |key, kind| Message::new(key).with("name", part(kind).unwrap_or_default());
+    let of_arg = |key| named(key, ContextKind::InvalidArg);
     let value = part(ContextKind::InvalidValue).unwrap_or_default();
     let (message, meant) = match error.kind() {
         ErrorKind::InvalidSubcommand => (
-            Message::new("usage-no-such-command").with(
-                "name",
-                part(ContextKind::InvalidSubcommand).unwrap_or_default(),
-            ),
+            named("usage-no-such-command", ContextKind::InvalidSubcommand),
             ContextKind::SuggestedSubcommand,
         ),
-        ErrorKind::UnknownArgument => (
-            Message::new("usage-no-such-argument").with("name", arg),
-            ContextKind::SuggestedArg,
-        ),
-        ErrorKind::InvalidValue if value.is_empty() => (
-            Message::new("usage-value-missing").with("name", arg),
-            ContextKind::SuggestedValue,
-        ),
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => (
-            Message::new("usage-wrong-value")
-                .with("name", arg)
-                .with("value", value),
-            ContextKind::SuggestedValue,
-        ),
-        ErrorKind::MissingRequiredArgument => (
-            Message::new("usage-argument-missing").with("name", arg),
-            ContextKind::SuggestedArg,
-        ),
-        ErrorKind::ArgumentConflict => (
-            Message::new("usage-conflict")
-                .with("name", arg)
-                .with("other", part(ContextKind::PriorArg).unwrap_or_default()),
-            ContextKind::SuggestedArg,
-        ),
+        ErrorKind::UnknownArgument => (of_arg("usage-no-such-argument"), ContextKind::SuggestedArg),
+        ErrorKind::InvalidValue if value.is_empty() => {
+            (of_arg("usage-value-missing"), ContextKind::SuggestedValue)
+        }
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            let message = of_arg("usage-wrong-value").with("value", value);
+            (message, ContextKind::SuggestedValue)
+        }
+        ErrorKind::MissingRequiredArgument => {
+            (of_arg("usage-argument-missing"), ContextKind::SuggestedArg)
+        }
+        ErrorKind::ArgumentConflict => {
+            let other = part(ContextKind::PriorArg).unwrap_or_default();
+            let message = of_arg("usage-conflict").with("other", other);
+            (message, ContextKind::SuggestedArg)
+        }
         _ => return None,
     };
     let known = part(ContextKind::ValidValue).filter(|known| !known.is_empty());

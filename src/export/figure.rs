@@ -22,11 +22,8 @@ use crate::{
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 /// Where a view has no room, the page is enlarged by so much, and again, until all have: what is on it becomes smaller.
 const ENLARGED_BY: f32 = 0.1;
-/// So large it may become at most.
 const MOST_ENLARGED: f32 = 1.4;
-/// White space above and below.
 const MARGIN_PTS: f32 = 26.0;
-/// White space of a page.
 const SPACING: Spacing = Spacing {
     margin: 48.0,
     gutter: 40.0,
@@ -36,36 +33,36 @@ const SPACING: Spacing = Spacing {
     over_caption: 18.0,
     is_fixed: false,
 };
-/// Over a method's cost.
 const OVER_COST_PTS: f32 = 8.0;
 
-/// Which steps of the runs become pictures.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+/// Which steps of the runs become pictures. The words are those of the command line's help.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
 pub enum Steps {
-    /// The moments that lessons name as figures.
+    /// Those that lessons name
     #[default]
     Figures,
-    /// Every step of every such run.
+    /// Every one
     All,
 }
 
-/// What to draw, and how.
+/// How pictures are drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    pub size_px: [u32; 2],
+    pub theme: ThemeKind,
+    pub lang: Lang,
+    /// Which steps are drawn, so that a picture leaves room for what the others say.
+    pub steps: Steps,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// The idea in words, over everything.
     pub title: Option<&'a str>,
-    /// The document.
     pub scene: &'a Scene,
     /// Events folded so far.
     pub step: usize,
-    /// The language of the caption.
-    pub lang: Lang,
-    /// Colours and weights.
-    pub theme: ThemeKind,
-    /// Width and height in pixels.
-    pub size_px: [u32; 2],
-    /// Which other steps are drawn with it.
-    pub among: Steps,
+    pub options: Options,
 }
 
 /// Draws figures. One that has drawn others draws faster, and records the run of a scene once, however many of its steps
@@ -76,7 +73,6 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// One that has drawn nothing yet.
     pub fn new(theme: ThemeKind) -> Self {
         Self {
             table: Headless::new(theme),
@@ -89,7 +85,6 @@ impl Studio {
         &mut self.table
     }
 
-    /// Draws a figure.
     pub fn draw(&mut self, picture: &Picture<'_>) -> Image {
         self.drawn(picture).0
     }
@@ -138,16 +133,18 @@ impl Recorded {
     }
 }
 
-/// See [`Studio::drawn`].
 fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
-    table.set_theme(picture.theme);
-    let size = vec2(picture.size_px[0] as f32, picture.size_px[1] as f32);
+    table.set_theme(picture.options.theme);
+    let size = vec2(
+        picture.options.size_px[0] as f32,
+        picture.options.size_px[1] as f32,
+    );
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
     let page = Page {
         picture,
         look: Look {
-            theme: Theme::of(picture.theme),
-            catalog: Catalog::of(picture.lang),
+            theme: Theme::of(picture.options.theme),
+            catalog: Catalog::of(picture.options.lang),
         },
         recorded,
     };
@@ -166,7 +163,6 @@ fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (I
     }
 }
 
-/// One method at one step.
 struct Column {
     method: &'static MethodCard,
     frame: Frame,
@@ -254,7 +250,7 @@ impl Page<'_> {
         let height = |said: &mut dyn Iterator<Item = Caption>| {
             height_for_all(ui.painter(), self.look, said, width)
         };
-        match self.picture.among {
+        match self.picture.options.steps {
             Steps::Figures if columns.len() > 1 => {
                 height(&mut columns.iter().map(|column| column.frame.caption.clone()))
             }

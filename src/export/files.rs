@@ -8,11 +8,8 @@ use std::{
     sync::atomic::{AtomicU32, Ordering},
 };
 
-/// Writes a file through a neighbour that is renamed into place: what was there before stays until the
-/// new content is safe on the disk, and a failure leaves no half of it.
-///
-/// # Errors
-/// Whatever the file system says: a read-only folder, a full disk.
+// Through a neighbour that is renamed into place: what was there before stays until the new content is safe on the disk,
+// and a failure leaves no half of it.
 pub fn write_whole(path: &Path, content: &[u8]) -> io::Result<()> {
     static UNIQUE: AtomicU32 = AtomicU32::new(0);
     let folder = path.parent().unwrap_or(Path::new("."));

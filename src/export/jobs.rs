@@ -20,99 +20,73 @@ use crate::{
 };
 
 use super::{
-    figure::{Picture, Steps, Studio},
+    figure::{Options, Picture, Steps, Studio},
     files::write_whole,
 };
 
-/// How pictures are drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Width and height in pixels.
-    pub size_px: [u32; 2],
-    /// Colours and weights.
-    pub theme: ThemeKind,
-    /// The language of captions.
-    pub lang: Lang,
-    /// Which steps.
-    pub steps: Steps,
-}
-
-/// Whose scene a picture shows.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'a> {
-    /// A step's of a lesson.
     Step(&'a Lesson, &'a LessonStep),
-    /// A file's.
     File(&'a SceneFile),
 }
 
-/// One picture to be drawn.
 #[derive(Clone, Debug)]
 pub struct Job<'a> {
-    /// Whose scene it shows.
     pub source: Source<'a>,
-    /// Events folded so far.
     pub position: usize,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.
     pub path: String,
 }
 
-/// The pictures of these lessons, in the order of the course.
+impl<'a> Source<'a> {
+    pub fn scene(self) -> &'a Scene {
+        match self {
+            Self::Step(_, step) => &step.scene,
+            Self::File(file) => &file.scene,
+        }
+    }
+}
+
+/// In the order of the course.
 pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> Vec<Job<'a>> {
     let mut jobs = Vec::new();
     for lesson in lessons {
         for step in &lesson.steps {
-            let Some(figure) = &step.figure else { continue };
-            let job = |position, name: String| Job {
-                source: Source::Step(lesson, step),
-                position,
-                path: format!("{}/{name}.png", lesson.id),
-            };
-            match steps {
-                Steps::Figures => {
-                    let position = step.position();
-                    jobs.extend(position.map(|position| job(position, figure.clone())));
-                }
-                Steps::All => {
-                    let all = 0..=n_steps(&step.scene);
-                    jobs.extend(all.map(|k| job(k, format!("{figure}-{k:03}"))));
-                }
+            if let Some(figure) = &step.figure {
+                let stem = format!("{}/{figure}", lesson.id);
+                jobs.extend(jobs_of(Source::Step(lesson, step), &stem, steps));
             }
         }
     }
     jobs
 }
 
-/// The pictures of a scene file, under this name.
-pub fn jobs_of_file<'a>(name: &str, file: &'a SceneFile, steps: Steps) -> Vec<Job<'a>> {
+/// The pictures of one scene, of which the paths begin so.
+pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>> {
     let job = |position, path| Job {
-        source: Source::File(file),
+        source,
         position,
         path,
     };
+    let at_step = |k| job(k, format!("{stem}-{k:03}.png"));
     match steps {
-        Steps::Figures => vec![job(file.position, format!("{name}.png"))],
-        Steps::All => (0..=n_steps(&file.scene))
-            .map(|k| job(k, format!("{name}-{k:03}.png")))
-            .collect(),
+        Steps::Figures => {
+            let position = match source {
+                Source::Step(_, step) => step.position(),
+                Source::File(file) => Some(file.position),
+            };
+            let job = position.map(|position| job(position, format!("{stem}.png")));
+            job.into_iter().collect()
+        }
+        Steps::All => {
+            let runs = source.scene().document().record();
+            let n_steps = runs.first().map_or(0, |run| run.n_steps());
+            (0..=n_steps).map(at_step).collect()
+        }
     }
-}
-
-fn n_steps(scene: &Scene) -> usize {
-    let runs = scene.document().record();
-    runs.first().map_or(0, |run| run.n_steps())
 }
 
 impl Job<'_> {
-    /// The scene that it shows.
-    pub fn scene(&self) -> &Scene {
-        match self.source {
-            Source::Step(_, step) => &step.scene,
-            Source::File(file) => &file.scene,
-        }
-    }
-
-    /// The idea in words, where a lesson says it.
     pub fn title(&self, lang: Lang) -> Option<&str> {
         match self.source {
             Source::Step(lesson, step) => lesson.step_title(&step.id, lang),
@@ -120,16 +94,12 @@ impl Job<'_> {
         }
     }
 
-    /// The picture as PNG.
     pub fn png(&self, studio: &mut Studio, options: &Options) -> Vec<u8> {
         let picture = Picture {
             title: self.title(options.lang),
-            scene: self.scene(),
+            scene: self.source.scene(),
             step: self.position,
-            lang: options.lang,
-            theme: options.theme,
-            size_px: options.size_px,
-            among: options.steps,
+            options: *options,
         };
         studio.draw(&picture).to_png()
     }
@@ -143,12 +113,9 @@ impl Job<'_> {
     }
 }
 
-/// A picture that could not be written.
 #[derive(Debug)]
 pub struct Failure {
-    /// Where it should have been.
     pub path: String,
-    /// What the file system said.
     pub error: io::Error,
 }
 

@@ -5,6 +5,6 @@ mod figure;
 mod files;
 mod jobs;
 
-pub use figure::{Picture, Steps, Studio};
+pub use figure::{Options, Picture, Steps, Studio};
 pub use files::write_whole;
-pub use jobs::{Failure, Job, Options, Source, jobs, jobs_of_file, run};
+pub use jobs::{Failure, Job, Source, jobs, jobs_of, run};

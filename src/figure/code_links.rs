@@ -2,10 +2,8 @@
 
 use super::{extent::Asked, role::Link, run::Run};
 
-/// Of a run's steps so many are asked what they are about.
 const MOST_ASKED: usize = 128;
 
-/// What the lines of a run have been about.
 #[derive(Clone, Debug, Default)]
 pub struct CodeLinks(Vec<Visit>);
 
@@ -17,7 +15,6 @@ struct Visit {
 }
 
 impl CodeLinks {
-    /// Of a run; of a long one some steps are asked.
     pub fn of(run: &dyn Run) -> Self {
         let asked = Asked::of(run, MOST_ASKED);
         let mut visits = Vec::new();
@@ -41,7 +38,6 @@ impl CodeLinks {
         visit.links.first().copied()
     }
 
-    /// The lines that are about this at some step.
     pub fn lines(&self, link: Link) -> Vec<usize> {
         let visits = self.0.iter();
         let about = visits.filter(|visit| visit.links.contains(&link));

@@ -3,30 +3,25 @@
 use std::ops::ControlFlow;
 
 use super::{
-    frame::Caption,
+    frame::{Caption, Shown},
     graph::{Graph, Places, layers},
     lens::Lens,
-    lists::Lists,
     run::Run,
-    shown::Shown,
+    values::Lists,
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
 };
 
-/// Of a run's steps so many are asked what they show, the first and the last among them: a view that comes or grows is
-/// there at one of them, or has had its room from the start.
+/// Steps of a run that are asked what they show: a view that comes or grows is there at one of them.
 const MOST_ASKED: usize = 24;
-/// So many are asked what they say: a sentence costs less than what is shown.
 const MOST_SAID: usize = 200;
 /// A run of more steps is asked at its ends alone: its frames are large, and a drag has no time for them.
 const LONG: usize = 1024;
 /// Entries of a list beyond these are folded wherever it stands.
 const MOST_ENTRIES: usize = 16;
 
-/// What a drawing needs at least, and what is enough.
 const DRAWING: [[f32; 2]; 2] = [[22.0, 7.5], [30.0, 24.0]];
 
-/// Where a view stands in its column.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stand {
     /// On its left: takes whatever the others leave. A second drawing stands beside it.
@@ -35,11 +30,8 @@ pub enum Stand {
     Under,
     /// The same where the drawing is narrow, too: what is narrow itself.
     Foot,
-    /// A strip under all the rest, over the whole width: a row.
     Across,
-    /// The same over all the rest.
     Over,
-    /// Beside the drawing, from the same height.
     Beside,
     /// A small picture in the lower right corner of the drawing, whose natural width over height it keeps.
     Inset,
@@ -48,9 +40,7 @@ pub enum Stand {
 /// A view's wants: widths and heights, in ems of the text.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Need {
-    /// Whose.
     pub id: ViewId,
-    /// Where it stands.
     pub stand: Stand,
     /// Less than this is not worth drawing.
     pub least: [f32; 2],
@@ -59,7 +49,6 @@ pub struct Need {
 }
 
 impl View {
-    /// What this view wants at this step.
     pub fn need(&self) -> Need {
         let (stand, least, natural) = match &self.body {
             Body::Plane(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
@@ -98,11 +87,8 @@ impl View {
                     [columns.clamp(9.0, 21.0), rows.min(16.0)].map(|n| 0.9 * n);
                 let around = if raster.scale.is_some() { 4.4 } else { 2.2 };
                 let natural = [(3.0 * columns).max(8.0), 3.0 * rows + around];
-                (
-                    Stand::Drawing,
-                    [least_columns, least_rows + around],
-                    natural,
-                )
+                let least = [least_columns, least_rows + around];
+                (Stand::Drawing, least, natural)
             }
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
@@ -131,17 +117,14 @@ impl View {
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
                 let rows = products.products.len() as f32;
-                let [low, high] = match products.measured {
-                    Some(_) => [5.6, 11.5],
-                    None => [0.0, 0.0],
-                };
+                let is_measured = products.measured.is_some();
+                let [low, high] = if is_measured { [5.6, 11.5] } else { [0.0; 2] };
                 let least = [17.0, 3.7 * rows + low];
                 (Stand::Beside, least, [28.0, 9.5 * rows + high])
             }
         };
-        let id = self.id;
         Need {
-            id,
+            id: self.id,
             stand,
             least,
             natural,
@@ -149,7 +132,6 @@ impl View {
     }
 }
 
-/// A tree has its room from the start.
 fn graph_need(graph: &Graph) -> (Stand, [f32; 2], [f32; 2]) {
     match &graph.places {
         Places::Free(_) => (Stand::Foot, [12.0, 8.5], [f32::MAX, 13.0]),
@@ -173,10 +155,8 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
     // Of a long list four entries say little.
     let seen = if rows > 6.0 { 6.0 } else { rows.min(4.0) };
     let legend = if lists.legend.is_empty() { 0.0 } else { 1.0 };
-    let least = [
-        5.0 * n + 2.5 * (n - 1.0) + 2.0,
-        2.9 + 1.65 * seen + 1.4 * legend,
-    ];
+    let least_width = 5.0 * n + 2.5 * (n - 1.0) + 2.0;
+    let least = [least_width, 2.9 + 1.65 * seen + 1.4 * legend];
     let width = 6.5 * n + 4.5 * columns as f32 + 5.0 * (n - 1.0);
     let height = 3.5 + 2.0 * rows + 2.0 * legend;
     // Few entries may be larger than many.
@@ -184,8 +164,7 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
     (Stand::Beside, least, [grown * width, height])
 }
 
-/// What the views of a run want, in the order in which a step shows them: enough for every step, so that nothing moves
-/// from one to the next.
+/// What the views of a run want, in the order in which a step shows them: enough for every step.
 pub fn needs(run: &dyn Run) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
     ask(run, MOST_ASKED, |shown| {
@@ -200,21 +179,18 @@ pub fn needs(run: &dyn Run) -> Vec<Need> {
     needs
 }
 
-/// The sentences of a run, of a longer one some: so that each has the room of the highest.
 pub fn sentences(run: &dyn Run) -> Vec<Caption> {
     let mut said = Vec::new();
     ask(run, MOST_SAID, |shown| said.push(shown.caption()));
     said
 }
 
-/// What is watched in a run, of a longer one at some of its steps: so that the table has room for the longest.
 pub fn watches(run: &dyn Run) -> Vec<Watch> {
     let mut watched = Vec::new();
     ask(run, MOST_SAID, |shown| watched.push(unseen(&shown.watch())));
     watched
 }
 
-/// Shows `most` of a run's steps and the last, in one run.
 fn ask(run: &dyn Run, most: usize, mut look: impl FnMut(&dyn Shown)) {
     let asked = Asked::of(run, most);
     for from_to in asked.stretches() {
@@ -235,7 +211,6 @@ pub(super) struct Asked {
 }
 
 impl Asked {
-    /// About `most` steps of a run; of a long one its ends.
     pub(super) fn of(run: &dyn Run, most: usize) -> Self {
         let n_steps = run.n_steps();
         let n_asked = if n_steps > LONG { 1 } else { most };
@@ -243,12 +218,10 @@ impl Asked {
         Self { n_steps, stride }
     }
 
-    /// Is this step asked?
     pub(super) const fn holds(self, step: usize) -> bool {
         step == self.n_steps || step.is_multiple_of(self.stride)
     }
 
-    /// The stretches of steps to walk: between the ends of a long run nothing is asked.
     pub(super) fn stretches(self) -> Vec<[usize; 2]> {
         if self.stride < self.n_steps {
             vec![[0, self.n_steps]]

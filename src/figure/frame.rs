@@ -1,7 +1,7 @@
-//! Everything that one step shows.
+//! What a step of a run shows, whichever method it is of.
 
 use crate::{
-    text::{Formula, Message},
+    text::{Formula, Message, Value},
     trace::Counts,
 };
 
@@ -13,17 +13,13 @@ use super::{
     watch::Watch,
 };
 
-/// One sentence: the decision, then the arithmetic that led to it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Caption {
-    /// Set semibold.
     pub decision: Message,
-    /// Set after it, one after the other.
     pub arithmetic: Vec<Formula>,
 }
 
 impl Caption {
-    /// A decision without arithmetic yet.
     pub const fn new(decision: Message) -> Self {
         Self {
             decision,
@@ -31,30 +27,23 @@ impl Caption {
         }
     }
 
-    /// With one more formula.
     pub fn so(mut self, formula: Formula) -> Self {
         self.arithmetic.push(formula);
         self
     }
 }
 
-/// The display list of one step.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frame {
     /// From left to right, the drawing first; what stands beside it has the same places at every step of a run.
     pub views: Vec<View>,
-    /// This step's sentence.
     pub caption: Caption,
-    /// Index into the method's pseudocode.
     pub code_line: Option<usize>,
-    /// The values that are alive.
     pub watch: Watch,
-    /// Operations done so far.
     pub counts: Counts,
 }
 
 impl Frame {
-    /// The marks of the drawing in the plane; none where there is no such view.
     pub fn marks(&self) -> &[Mark] {
         let plane = self.views.iter().find_map(|view| match &view.body {
             Body::Plane(marks) if view.id == ViewId::PLANE => Some(&marks[..]),
@@ -63,27 +52,11 @@ impl Frame {
         plane.unwrap_or_default()
     }
 
-    /// The space that is the drawing, where it is one.
     pub fn space(&self) -> Option<&Space> {
-        self.views.first().and_then(|view| match &view.body {
-            Body::Space(space) => Some(space),
-            Body::Plane(_)
-            | Body::Raster(_)
-            | Body::Bits(_)
-            | Body::Table(_)
-            | Body::Lists(_)
-            | Body::Products(_)
-            | Body::NumberLine(_)
-            | Body::Clippers(_)
-            | Body::Gauges(_)
-            | Body::Ribbon(_)
-            | Body::Screens(_)
-            | Body::Multiples(_)
-            | Body::Matrix(_)
-            | Body::Spaces(_)
-            | Body::Graph(_)
-            | Body::Story(_) => None,
-        })
+        let Body::Space(space) = &self.views.first()?.body else {
+            return None;
+        };
+        Some(space)
     }
 
     /// What this step is about, the drawing's first: the links of marks and of values that stand out.
@@ -97,4 +70,39 @@ impl Frame {
         let of_marks = marks.filter_map(|(_, link)| link);
         of_marks.chain(rows.filter_map(|row| row.link))
     }
+}
+
+pub trait Shown {
+    fn caption(&self) -> Caption;
+    /// The values that are alive: none is marked as changed.
+    fn watch(&self) -> Watch;
+    fn views(&self) -> Vec<View>;
+
+    fn decision(&self) -> Option<(Decides, Link)> {
+        None
+    }
+
+    fn question(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// What might come at this step, and which of these does; none where the step answers no question.
+    fn options(&self) -> Option<Choice> {
+        None
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Decides {
+    Nothing,
+    Keeps,
+    Cuts,
+    Drops,
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub struct Choice {
+    pub question: &'static str,
+    pub options: Vec<Value>,
+    pub right: usize,
 }

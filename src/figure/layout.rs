@@ -32,50 +32,36 @@ const DRAWING: [f32; 2] = [0.45, 0.42];
 const READABLE: f32 = 13.0;
 /// The same of its width, where there is no room otherwise, or text is larger: what is read has it first.
 const NARROW: f32 = 0.36;
-/// An inset takes so much of its drawing's width, and no more of its height.
 const INSET: [f32; 2] = [0.27, 0.4];
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
 
-/// What a figure is laid out on, in points.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Sheet {
-    /// All there is.
     pub area: Slot,
-    /// The size of the text.
     pub em: f32,
-    /// White space inside the area, left and right.
     pub margin: f32,
     /// White space that a view beside the drawing keeps from the edges of its column.
     pub inset: f32,
-    /// White space between two columns.
     pub gutter: f32,
-    /// Height of the strip with the step's title.
     pub title: f32,
-    /// Height of the strip with the method's name.
     pub name: f32,
     /// White space between the views and the hairline over the caption.
     pub over_caption: f32,
-    /// Height of the caption, with the hairline over it.
     pub caption: f32,
-    /// Height of the row with the cost.
     pub cost: f32,
     /// It cannot be enlarged: where nothing else has room, all views are low.
     pub is_fixed: bool,
 }
 
-/// Where everything stands.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Layout {
-    /// The step's title.
     pub title: Slot,
-    /// One or two.
     pub columns: Vec<ColumnLayout>,
 }
 
 impl Sheet {
-    /// Lays out as many columns as there are lists of needs. Their drawings have the same size, so that both show the
-    /// same place at the same scale.
+    /// A column for each list of needs. Their drawings have one size: both show the same place at one scale.
     pub fn lay_out(&self, needs: &[Vec<Need>]) -> Layout {
         let mut rest = self.area;
         let mut title = rest.take_top(self.title);
@@ -110,10 +96,8 @@ impl Sheet {
         let n_wanted: usize = needs.iter().map(Vec::len).sum();
         let mut best = Vec::new();
         let is_portrait = stages.iter().all(|stage| stage.size()[0] < stage.size()[1]);
-        for way in Way::roomy(is_portrait)
-            .into_iter()
-            .chain(self.is_fixed.then_some(Way::Low))
-        {
+        let low = self.is_fixed.then_some(Way::Low);
+        for way in Way::roomy(is_portrait).into_iter().chain(low) {
             let views = self.views_in(way, stages, needs);
             if best.is_empty() || count(&views) > count(&best) {
                 best = views;
@@ -142,7 +126,6 @@ impl Sheet {
         views
     }
 
-    /// A column, and the room it leaves for its views.
     fn column(&self, whole: Slot) -> (ColumnLayout, Slot) {
         let mut stage = whole;
         let most = 0.4 * whole.size()[1];
@@ -161,8 +144,7 @@ impl Sheet {
         (column, stage)
     }
 
-    /// The views of a column, the drawing first and no larger than `most`; none where something that is to stand beside
-    /// it has no room there.
+    /// The drawing, no larger than `most`, and then the others; none where what stands beside it has no room.
     fn stand(
         &self,
         way: Way,
@@ -170,17 +152,17 @@ impl Sheet {
         needs: &[Need],
         most: [f32; 2],
     ) -> Vec<(ViewId, Slot)> {
-        let Some(groups) = Groups::of(needs, way) else {
-            return Vec::new();
-        };
-        let Groups {
+        let Some(Groups {
             drawing,
             insets,
             over,
             across,
             under,
             beside,
-        } = groups;
+        }) = Groups::of(needs, way)
+        else {
+            return Vec::new();
+        };
         let over = self.across(way, &mut stage, drawing, over, Slot::take_top);
         let across = self.across(way, &mut stage, drawing, across, Slot::take_bottom);
         let [width, height] = stage.size();
@@ -237,11 +219,8 @@ impl Sheet {
         let readable = READABLE.min(self.em);
         match way {
             Way::Beside => {
-                let part = if self.em > READABLE {
-                    NARROW
-                } else {
-                    DRAWING[0]
-                };
+                let is_large = self.em > READABLE;
+                let part = if is_large { NARROW } else { DRAWING[0] };
                 let least = drawing.least[0] * readable;
                 (self.em, least.max(part * width))
             }
@@ -250,7 +229,6 @@ impl Sheet {
         }
     }
 
-    /// In the lower right corner of the drawing, each to the left of the one before, in its own proportions.
     fn insets(&self, drawing: Slot, needs: &[&Need]) -> Vec<(ViewId, Slot)> {
         let gap = self.gap();
         let mut right = drawing.max[0] - gap;
@@ -266,12 +244,10 @@ impl Sheet {
         slots
     }
 
-    /// Between views above each other; larger text has no more.
     fn gap(&self) -> f32 {
         GAP[1] * READABLE.min(self.em)
     }
 
-    /// Cuts the strips that go over or under all the rest off a column.
     fn across(
         &self,
         way: Way,
@@ -282,10 +258,8 @@ impl Sheet {
     ) -> Vec<(ViewId, Slot)> {
         let [width, height] = stage.size();
         needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.inset);
-        let heights = self.heights(
-            &needs,
-            height - least_height(way, drawing, height) - self.inset,
-        );
+        let room = height - least_height(way, drawing, height) - self.inset;
+        let heights = self.heights(&needs, room);
         if heights.is_empty() {
             return Vec::new();
         }
@@ -295,15 +269,11 @@ impl Sheet {
         strips.min[0] += self.inset;
         strips.max[0] -= self.inset;
         // On the side that the other views are on.
-        if strips.max[1] > stage.min[1] {
-            strips.take_top(gap);
-        } else {
-            strips.take_top(self.inset);
-        }
+        let is_under = strips.max[1] > stage.min[1];
+        strips.take_top(if is_under { gap } else { self.inset });
         self.stack(strips, &needs, &heights)
     }
 
-    /// Views above each other, from the top of a column.
     fn stack(&self, mut rest: Slot, needs: &[&Need], heights: &[f32]) -> Vec<(ViewId, Slot)> {
         let mut slots = Vec::new();
         for (need, &height) in needs.iter().zip(heights) {
@@ -317,8 +287,7 @@ impl Sheet {
         slots
     }
 
-    /// Heights of views above each other in a room of this height, each with a gap after it: between what they want at
-    /// least and at most. The last ones get none where there is too little.
+    /// Each with a gap after it, between least and natural; the last ones get none where there is too little.
     fn heights(&self, needs: &[&Need], room: f32) -> Vec<f32> {
         let least = |need: &Need| need.least[1] * READABLE.min(self.em);
         let natural = |need: &Need| need.natural[1] * self.em;
@@ -341,7 +310,6 @@ impl Sheet {
     }
 }
 
-/// What a drawing keeps of a column's height.
 fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {
     let least = drawing.least[1] * READABLE;
     match way {

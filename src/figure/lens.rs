@@ -6,7 +6,6 @@ use crate::geom::{Camera, Matrix, Orbit, Sight};
 
 use super::space::Seer;
 
-/// How places in the world and on a drawing belong together.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Lens {
     /// The drawing is the plane z = 0.
@@ -27,7 +26,6 @@ impl From<Seer> for Lens {
 }
 
 impl Lens {
-    /// Where a world point is drawn; `None` where it is behind the eye.
     pub fn drawing_from_world(&self, at: [f64; 3]) -> Option<[f64; 2]> {
         let Some(optics) = Optics::of(self) else {
             return Some([at[0], at[1]]);
@@ -36,7 +34,6 @@ impl Lens {
         (view.z < -optics.near).then(|| optics.picture_from_view(view))
     }
 
-    /// The world point of a place on the drawing, as far away as `beside`.
     pub fn world_from_drawing(&self, at: [f64; 2], beside: [f64; 3]) -> [f64; 3] {
         let Some(optics) = Optics::of(self) else {
             return [at[0], at[1], 0.0];
@@ -47,8 +44,7 @@ impl Lens {
             .into()
     }
 
-    /// A world point moved away from the eye, on its sight line, as far as `by` is on the drawing at its depth; on the plane,
-    /// which is not seen from anywhere, it stays.
+    /// Moved away from the eye on its sight line, as far as `by` is on the drawing at its depth.
     pub fn deeper(&self, at: [f64; 3], by: f64) -> [f64; 3] {
         let Some(optics) = Optics::of(self).filter(|_| by != 0.0) else {
             return at;
@@ -59,7 +55,6 @@ impl Lens {
         optics.world_from_view(moved).into()
     }
 
-    /// Width over height of what is seen, where that is settled.
     pub fn aspect(&self) -> Option<f64> {
         match self {
             Self::Plane | Self::Eye(_) => None,
@@ -78,14 +73,11 @@ pub struct Optics {
     position: DVec3,
     sight: Sight,
     half_height: f64,
-    /// What is nearer is not seen.
     pub near: f64,
-    /// Nor what is farther.
     pub far: f64,
 }
 
 impl Optics {
-    /// Of a lens in space.
     pub fn of(lens: &Lens) -> Option<Self> {
         Some(match lens {
             Lens::Plane => return None,
@@ -108,31 +100,26 @@ impl Optics {
         })
     }
 
-    /// From the world to its own axes.
     pub fn view_from_world(&self, at: DVec3) -> DVec3 {
         let from_eye = at - self.position;
         self.axes.map(|axis| axis.dot(from_eye)).into()
     }
 
-    /// And back.
     pub fn world_from_view(&self, at: DVec3) -> DVec3 {
         let [right, up, back] = self.axes;
         self.position + right * at.x + up * at.y + back * at.z
     }
 
-    /// Where on the picture a point is that is farther away than `near`.
     pub fn picture_from_view(&self, at: DVec3) -> [f64; 2] {
         let scale = self.half_height_at(at.z);
         [at.x / scale, at.y / scale]
     }
 
-    /// The point at this depth that is seen at a place of the picture.
     pub fn view_from_picture(&self, [x, y]: [f64; 2], z: f64) -> DVec3 {
         let scale = self.half_height_at(z);
         DVec3::new(x * scale, y * scale, z)
     }
 
-    /// From a point towards where it is seen from.
     pub fn toward_eye(&self, at: DVec3) -> DVec3 {
         match self.sight {
             Sight::Perspective => -at,
@@ -180,7 +167,6 @@ impl Optics {
         Some(Matrix::new(rows).ok()?.after(&view_from_world))
     }
 
-    /// Do sight lines run side by side?
     pub fn is_parallel(&self) -> bool {
         self.sight == Sight::Parallel
     }
@@ -200,9 +186,8 @@ mod tests {
 
     fn eyes() -> impl Iterator<Item = Orbit> {
         let angles = [[0.0, 0.0], [30.0, 20.0], [-135.0, -80.0], [400.0, 95.0]];
-        angles
-            .into_iter()
-            .map(|angles| Orbit::new([1.0, -2.0, 3.0], angles, 7.0, 24.0))
+        let eye = |angles| Orbit::new([1.0, -2.0, 3.0], angles, 7.0, 24.0);
+        angles.into_iter().map(eye)
     }
 
     fn seen(eye: Orbit, at: [f64; 3]) -> [f64; 2] {
@@ -237,10 +222,7 @@ mod tests {
     fn the_target_is_in_the_middle_and_up_is_up() {
         for eye in eyes() {
             let [middle, above] = [-2.0, -1.0].map(|y| seen(eye, [1.0, y, 3.0]));
-            assert!(
-                middle[0].abs() < 1e-12 && middle[1].abs() < 1e-12,
-                "{eye:?}"
-            );
+            assert!(middle.iter().all(|x| x.abs() < 1e-12), "{eye:?}");
             assert!(above[1] > middle[1], "{eye:?}: {above:?}");
         }
     }

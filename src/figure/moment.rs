@@ -9,21 +9,12 @@ use super::words::Words;
 /// A place in a run that a lesson can name: `start`, `end`, `cut`, `cut left`, `code p1 #2`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Moment {
-    /// Before the first event.
     Start,
-    /// After the last one.
     End,
-    /// The `nth` event (from 1) with this name and these words among its fields.
-    Event {
-        /// Name first.
-        words: Words,
-        /// From 1.
-        nth: usize,
-    },
+    Event { words: Words, nth: usize },
 }
 
 impl Moment {
-    /// The same of any event of that name.
     pub fn of_any_kind(&self) -> Self {
         match self {
             Self::Start => Self::Start,
@@ -36,12 +27,9 @@ impl Moment {
     }
 }
 
-/// Why a text is not a moment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MomentError {
-    /// No event is named.
     Empty,
-    /// What follows `#` is not a number from 1.
     BadNumber,
 }
 

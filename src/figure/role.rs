@@ -5,24 +5,20 @@ use crate::text::Value;
 /// What a mark means. Each role differs by colour and also by dash, weight, fill or marker.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Role {
-    /// Given: the window, a border.
     Ink,
     /// Given, and of less weight: an extended border, a region's code.
     Soft,
     /// May be missed: construction lines, segments that are not in focus.
     Faint,
-    /// The living result, and what is selected.
     Accent,
     /// What happens at this step, and nothing else.
     Signal,
-    /// Accepted.
     Accepted,
     /// Discarded: grey, and always dashed or hollow.
     Discarded,
 }
 
-/// A name, numbered where there are many of its kind, by which a mark, its row in the watch table, a tick on
-/// the number line and a line of pseudocode know that they are about the same thing: they light up together.
+/// What marks, rows, ticks and lines of pseudocode are about: those about the same light up together.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub struct Link {
     name: &'static str,
@@ -30,17 +26,14 @@ pub struct Link {
 }
 
 impl Link {
-    /// About the one thing of this name.
     pub const fn to(name: &'static str) -> Self {
         Self { name, nth: None }
     }
 
-    /// Which of many of this name it is about.
     pub fn number_of(self, name: &str) -> Option<usize> {
         self.nth.filter(|_| self.name == name)
     }
 
-    /// About one of many: vertex 3, edge 0.
     pub const fn nth(name: &'static str, idx: usize) -> Self {
         Self {
             name,
@@ -55,14 +48,10 @@ impl From<&'static str> for Link {
     }
 }
 
-/// Text beside a mark. The painter finds a place near the anchor where it covers nothing.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Label {
-    /// What it says.
     pub text: Value,
-    /// Set in the monospaced face: codes and numbers.
     pub mono: bool,
-    /// The one thing that matters here: semibold.
     pub strong: bool,
     /// The direction, in the world, in which it has to stand off its mark; for an inequality, where it holds.
     pub toward: Option<[f64; 2]>,

@@ -1,5 +1,4 @@
-//! A recorded run with its type erased: what the timeline, a lesson and the command line need of any
-//! algorithm, whichever lab it belongs to.
+//! A recorded run with its type erased: what the timeline, a lesson and the command line need of any algorithm.
 
 use std::ops::ControlFlow;
 
@@ -8,35 +7,26 @@ use serde_json::Value as Json;
 use crate::trace::Counts;
 
 use super::{
-    frame::{Caption, Frame},
+    frame::{Caption, Frame, Shown},
     moment::Moment,
     role::Link,
-    shown::Shown,
     watch::{Watch, mark_changes},
     words::Words,
 };
 
 /// Runs longer than this are not searched event by event when the scene is changed: a drag has no time for it.
 const LONG: usize = 4096;
-/// In such a run, an event of the same kind is looked for within so many steps.
 const NEARBY: usize = 64;
 
-/// The kind of an event: the shape of its tick on the timeline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Tick {
-    /// Something was looked at.
     Test,
-    /// Something was cut off.
     Cut,
-    /// The end: visible.
     Accept,
-    /// The end: not visible.
     Reject,
-    /// A new side, plane or triangle begins.
     Phase,
 }
 
-/// A recorded run of some algorithm.
 pub trait Run {
     /// Number of events. Step 0 is before the first.
     fn n_steps(&self) -> usize;
@@ -44,15 +34,12 @@ pub trait Run {
     fn is_refused(&self) -> bool {
         false
     }
-    /// The kind of the event that leads to step `step ≥ 1`.
     fn tick(&self, step: usize) -> Tick;
     /// That event as JSON: `{"event": "cut", "edge": "left", …}`.
     fn event_json(&self, step: usize) -> Json;
     /// That event's words, in place of those that are in `words`: its name, then its fields that are words.
     fn read_words(&self, step: usize, words: &mut Words);
-    /// Cost up to and including that event.
     fn counts_at(&self, step: usize) -> Counts;
-    /// The line of pseudocode that the event belongs to; none before the first.
     fn code_line(&self, step: usize) -> Option<usize>;
 
     /// Shows steps `from..=to`, one after the other, in one run, until `look` breaks off.
@@ -62,7 +49,6 @@ pub trait Run {
         look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
     );
 
-    /// The answer as JSON: the fields of `output` in `interfaces.md`.
     fn output_json(&self) -> Json;
 
     /// The moment of a step, to be found again in another run; `start` at step 0.
@@ -80,7 +66,6 @@ pub trait Run {
         Moment::Event { words, nth }
     }
 
-    /// The step of a moment; `None` where it never comes.
     fn find(&self, moment: &Moment) -> Option<usize> {
         let (wanted, nth) = match moment {
             Moment::Start => return Some(0),
@@ -95,8 +80,7 @@ pub trait Run {
         (1..=self.n_steps()).filter(fits).nth(nth - 1)
     }
 
-    /// The step of this run to show beside `step` of another one: as many steps in, and its end beside the
-    /// other's end.
+    /// The step to show beside `step` of another run: as many steps in, and its end beside the other's end.
     fn beside(&self, other: &dyn Run, step: usize) -> usize {
         if step >= other.n_steps() {
             self.n_steps()
@@ -105,8 +89,7 @@ pub trait Run {
         }
     }
 
-    /// Where a cursor that stood at `step` of `before` belongs in this run: at the same moment where it
-    /// comes, else at the same kind of event, else as near as can be. In a very long run, as far along.
+    /// Where a cursor at `step` of `before` belongs: at the same moment, else the same kind of event, else as near as can be.
     fn corresponding(&self, before: &dyn Run, step: usize) -> usize {
         if step >= before.n_steps() {
             return self.n_steps();
@@ -121,25 +104,21 @@ pub trait Run {
             .unwrap_or_else(|| step.min(self.n_steps()))
     }
 
-    /// Where a run that is wrong on purpose first does something else than the right one does on the same input, from
-    /// step 1; none where it never does, and of any other run.
+    /// Where a run that is wrong on purpose first does something else than the right one, from step 1.
     fn differs_at(&self) -> Option<usize> {
         None
     }
 }
 
 impl dyn Run + '_ {
-    /// What the step shows: values that differ from the step before are marked.
-    ///
     /// # Panics
-    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
+    /// Where the run, made again, does not tell what it told: every method is tested for it.
     pub fn frame(&self, step: usize) -> Frame {
         let mut seen = None;
         self.frames([step, step], |_| true, |_, frame| seen = Some(frame));
         seen.expect("a run comes past each of its steps")
     }
 
-    /// The frames of those of the steps `from..=to` that are wanted, in one run.
     pub fn frames(
         &self,
         [from, to]: [usize; 2],
@@ -155,7 +134,14 @@ impl dyn Run + '_ {
                     mark_changes(&mut watch, &before);
                 }
                 if is_wanted {
-                    look(step, self.framed(step, shown, watch.clone()));
+                    let frame = Frame {
+                        views: shown.views(),
+                        caption: shown.caption(),
+                        code_line: self.code_line(step),
+                        watch: watch.clone(),
+                        counts: self.counts_at(step),
+                    };
+                    look(step, frame);
                 }
                 before = Some(watch);
             } else {
@@ -165,30 +151,16 @@ impl dyn Run + '_ {
         });
     }
 
-    fn framed(&self, step: usize, shown: &dyn Shown, watch: Watch) -> Frame {
-        Frame {
-            views: shown.views(),
-            caption: shown.caption(),
-            code_line: self.code_line(step),
-            watch,
-            counts: self.counts_at(step),
-        }
-    }
-
-    /// The sentence of the step alone.
     pub fn caption(&self, step: usize) -> Caption {
         self.shown(step, |shown| shown.caption())
     }
 
-    /// The values that are alive at the step, alone: none is marked as changed.
     pub fn watch(&self, step: usize) -> Watch {
         self.shown(step, |shown| shown.watch())
     }
 
-    /// What one step shows, or a part of that.
-    ///
     /// # Panics
-    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
+    /// Where the run, made again, does not tell what it told: every method is tested for it.
     pub fn shown<T>(&self, step: usize, look: impl FnOnce(&dyn Shown) -> T) -> T {
         let (mut look, mut seen) = (Some(look), None);
         self.visit([step, step], &mut |_, shown| {
@@ -198,7 +170,6 @@ impl dyn Run + '_ {
         seen.expect("a run comes past each of its steps")
     }
 
-    /// The last step that decides about a thing; none where no step does.
     pub fn why(&self, thing: Link) -> Option<usize> {
         let mut found = None;
         self.visit([1, self.n_steps()], &mut |step, shown| {
@@ -211,8 +182,6 @@ impl dyn Run + '_ {
     }
 }
 
-/// The step as many steps in, where both runs are as long; else as large a part of the way, at the nearest
-/// event of the same kind.
 fn as_far_along(now: &(impl Run + ?Sized), before: &dyn Run, step: usize) -> usize {
     let n_steps = now.n_steps();
     if n_steps == before.n_steps() || step == 0 {

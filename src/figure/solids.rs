@@ -13,31 +13,24 @@ use crate::{
 use super::{
     lens::{Lens, Optics},
     role::Link,
-    space::Facet,
+    space::{Facet, normal},
 };
 
-/// The faces of solids, and what they are seen through.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Solids {
-    /// All of them.
     pub facets: Arc<[Facet]>,
-    /// What they are seen through.
     pub lens: Lens,
     /// They have more edges than are drawn one by one: outlines are found between the samples.
     pub is_outlined: bool,
 }
 
 impl Solids {
-    /// The outlines of the faces that show their outer side, on the picture; of those in front of the eye.
     pub fn faces(&self) -> Vec<Vec<[f64; 2]>> {
         let Some(optics) = Optics::of(&self.lens) else {
             return Vec::new();
         };
         let face = |facet: &Facet| {
-            let corners = facet.corners.iter();
-            let corners: Vec<DVec3> = corners
-                .map(|&at| optics.view_from_world(at.into()))
-                .collect();
+            let corners = in_view(&optics, facet);
             let is_before = corners.iter().all(|at| at.z < -optics.near);
             let outline = corners.iter().map(|&at| optics.picture_from_view(at));
             let is_seen = is_before && normal(&corners).dot(optics.toward_eye(corners[0])) > 0.0;
@@ -47,14 +40,10 @@ impl Solids {
         facets.filter_map(face).collect()
     }
 
-    /// What is seen at a place of the picture is about this.
     pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
         let optics = Optics::of(&self.lens)?;
         let distances = self.facets.iter().filter_map(|facet| {
-            let corners = facet.corners.iter();
-            let corners: Vec<DVec3> = corners
-                .map(|&at| optics.view_from_world(at.into()))
-                .collect();
+            let corners = in_view(&optics, facet);
             Some((distance(&corners, &optics, at)?, facet))
         });
         let (_, nearest) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -62,14 +51,13 @@ impl Solids {
     }
 }
 
-/// Of a polygon, by its corners; not normalised.
-fn normal(corners: &[DVec3]) -> DVec3 {
-    let from_first = |i: usize| corners[i] - corners[0];
-    let fan = 2..corners.len();
-    fan.map(|i| from_first(i - 1).cross(from_first(i))).sum()
+fn in_view(optics: &Optics, facet: &Facet) -> Vec<DVec3> {
+    let corners = facet.corners.iter();
+    corners
+        .map(|&at| optics.view_from_world(at.into()))
+        .collect()
 }
 
-/// How far away a facet is met by the sight line through a place of the picture.
 fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
     let (start, along) = optics.sight_line(at);
     let &first = corners.first()?;
@@ -85,21 +73,17 @@ fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
     is_met.then_some(depth)
 }
 
-/// Facets as triangles.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SolidMesh {
     positions: Vec<[f32; 3]>,
     /// Of each vertex, where any facet has a texture.
     uvs: Vec<[f32; 2]>,
     triangles: Vec<[u32; 3]>,
-    /// Of each triangle.
     facets: Vec<u32>,
-    /// Of each facet, where any has one.
     textures: Vec<Option<Texture>>,
 }
 
 impl SolidMesh {
-    /// Each facet as a fan; what is in one place is one vertex.
     pub fn of(facets: &[Facet]) -> Self {
         let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
         let mut mesh = Self {
@@ -113,10 +97,8 @@ impl SolidMesh {
         vertices.reserve(facets.len());
         let has_skin = facets.iter().any(|facet| facet.skin.is_some());
         if has_skin {
-            let textures = facets
-                .iter()
-                .map(|facet| Some(facet.skin.as_ref()?.texture.clone()));
-            mesh.textures = textures.collect();
+            let texture = |facet: &Facet| Some(facet.skin.as_ref()?.texture.clone());
+            mesh.textures = facets.iter().map(texture).collect();
         }
         let mut corners = Vec::new();
         for (idx, facet) in (0..).zip(facets) {
@@ -142,9 +124,7 @@ impl SolidMesh {
         }
         mesh
     }
-}
 
-impl SolidMesh {
     /// What is cut open shows its inner side.
     fn on_screen<const N: usize>(
         &self,
@@ -158,34 +138,24 @@ impl SolidMesh {
             faces: &self.triangles,
             first_id: 0,
         };
-        let mut triangles = Vec::with_capacity(self.triangles.len());
-        assemble(
-            &mesh,
-            clip_from_world,
-            viewport,
-            Cull::Nothing,
-            &mut triangles,
-        );
-        triangles
+        let mut seen = Vec::with_capacity(self.triangles.len());
+        assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
+        seen
     }
 }
 
-/// Solids on a picture of some size, ready to be drawn row by row.
 pub struct SolidPicture<'a> {
     mesh: &'a SolidMesh,
     triangles: Drawable,
     viewport: Viewport,
 }
 
-/// On the screen.
 enum Drawable {
     Plain(Vec<ScreenTriangle<0>>),
-    /// With texture coordinates.
     Skinned(Vec<ScreenTriangle<2>>),
 }
 
 impl<'a> SolidPicture<'a> {
-    /// No picture has more columns, nor rows.
     pub const MAX_SIDE: u32 = Viewport::MAX_SIDE;
 
     /// The part of the picture from `min` to `max`, in so many columns and rows. `None` where there is nothing to see.
@@ -211,7 +181,6 @@ impl<'a> SolidPicture<'a> {
         })
     }
 
-    /// So many are drawn.
     pub const fn n_triangles(&self) -> usize {
         match &self.triangles {
             Drawable::Plain(triangles) => triangles.len(),
@@ -219,7 +188,6 @@ impl<'a> SolidPicture<'a> {
         }
     }
 
-    /// Nothing is seen in others than these rows.
     pub fn rows(&self) -> Range<u32> {
         fn of<const N: usize>(triangles: &[ScreenTriangle<N>]) -> Range<u32> {
             let rows = triangles.iter().map(ScreenTriangle::rows);
@@ -232,7 +200,6 @@ impl<'a> SolidPicture<'a> {
         }
     }
 
-    /// Is anything on it painted with a texture?
     pub const fn has_skin(&self) -> bool {
         match &self.triangles {
             Drawable::Plain(_) => false,
@@ -251,32 +218,17 @@ impl<'a> SolidPicture<'a> {
         texels: &mut [Option<[u8; 3]>],
     ) {
         let facet_of = |triangle: u32| self.mesh.facets[triangle as usize];
+        let viewport = &self.viewport;
         match &self.triangles {
-            Drawable::Plain(triangles) => {
-                draw_rows(
-                    triangles,
-                    &self.viewport,
-                    rows,
-                    depths,
-                    |at, triangle, []| {
-                        facets[at] = facet_of(triangle);
-                    },
-                );
-            }
-            Drawable::Skinned(triangles) => {
-                draw_rows(
-                    triangles,
-                    &self.viewport,
-                    rows,
-                    depths,
-                    |at, triangle, uv| {
-                        let facet = facet_of(triangle);
-                        facets[at] = facet;
-                        let texture = self.mesh.textures[facet as usize].as_ref();
-                        texels[at] = texture.map(|texture| texture.at(uv));
-                    },
-                );
-            }
+            Drawable::Plain(all) => draw_rows(all, viewport, rows, depths, |at, triangle, []| {
+                facets[at] = facet_of(triangle);
+            }),
+            Drawable::Skinned(all) => draw_rows(all, viewport, rows, depths, |at, triangle, uv| {
+                let facet = facet_of(triangle);
+                facets[at] = facet;
+                let texture = self.mesh.textures[facet as usize].as_ref();
+                texels[at] = texture.map(|texture| texture.at(uv));
+            }),
         }
     }
 }
@@ -290,9 +242,7 @@ fn depths(mesh: &SolidMesh, optics: &Optics) -> Option<[f64; 2]> {
         farthest = farthest.max(distance);
     }
     let air = 0.01 * (farthest - nearest).max(farthest.abs() * 1e-3);
-    let [near, far] = [
-        optics.near.max(nearest - air),
-        optics.far.min(farthest + air),
-    ];
+    let near = optics.near.max(nearest - air);
+    let far = optics.far.min(farthest + air);
     (near < far).then_some([near, far])
 }

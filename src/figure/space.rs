@@ -11,114 +11,80 @@ use crate::{
 
 use super::role::{Label, Link, Role};
 
-/// What is seen in space. It is turned into marks of a plane by [`super::project`], before anything is painted.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Space {
-    /// Over it, where two stand side by side: "Observer".
     pub title: Option<Value>,
-    /// What it is seen through, until the viewer turns it.
     pub seer: Seer,
     /// The faces of all solids. Shared, so that a step that changes none copies none.
     pub facets: Arc<[Facet]>,
-    /// The edges of all solids that may be drawn.
     pub edges: Arc<[Edge3]>,
-    /// What is drawn over them.
     pub marks: Vec<Mark3>,
 }
 
-/// What a space is seen through.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Seer {
-    /// An eye of the viewer's own, who may go round.
     Eye(Orbit),
-    /// The camera that the scene is about: its whole picture, in a frame.
     Camera(Camera),
     /// An eye in another space than the world: nothing of the scene can be taken hold of there.
     Apart(Orbit),
 }
 
-/// A face of a solid: convex and flat.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Facet {
     /// Three or more, counter-clockwise as seen from outside.
     pub corners: Vec<[f64; 3]>,
-    /// What it means.
     pub role: Role,
-    /// What it is about.
     pub link: Option<Link>,
-    /// What it is painted with.
     pub skin: Option<Skin>,
 }
 
-/// A part of a texture.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Skin {
-    /// The whole of it.
     pub texture: Texture,
-    /// Where in it the facet's first three corners lie.
     pub uvs: [[f32; 2]; 3],
 }
 
-/// An edge of a solid.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Edge3 {
-    /// From, to.
     pub ends: [[f64; 3]; 2],
     /// The facets that meet in it, by their index; of an edge that bounds one, the other is missing.
     pub facets: [Option<u32>; 2],
-    /// Do they meet at an angle that is meant? Of a round solid they do not: such an edge is drawn where it is part of the
-    /// outline, and as a hairline elsewhere.
+    /// Do they meet at an angle that is meant? Otherwise it is drawn as part of the outline, or as a hairline.
     pub is_crease: bool,
     /// [`Role::Ink`] of a solid, [`Role::Discarded`] of what is cut away, [`Role::Accent`] of a cut.
     pub role: Role,
 }
 
-/// A mark in space.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mark3 {
-    /// Where and what.
     pub shape: Shape3,
-    /// Its meaning.
     pub role: Role,
-    /// Text beside it.
     pub label: Option<Label>,
-    /// What it is about.
     pub link: Option<Link>,
     /// A line of construction: a frustum's edge, a sight line, a drop line to the ground.
     pub is_fine: bool,
-    /// Dashed whatever its role: not there to stay, and yet what the step is about.
     pub is_dashed: bool,
     /// Is it an edge of an outline, and as light as that?
     pub is_edge: bool,
 }
 
-/// Something to draw, at world coordinates.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Shape3 {
-    /// From a to b; dashed where a solid hides it.
     Segment([[f64; 3]; 2]),
-    /// A segment with a head at b, seen through everything: a vector, a normal.
     Arrow([[f64; 3]; 2]),
     /// From point to point and back to the first, dashed where a solid hides it.
     Outline(Vec<[f64; 3]>),
-    /// A flat convex area, a tint of its role; solids cover it.
     Wash(Vec<[f64; 3]>),
     /// The outline of a ball as it is seen: centre and radius. Seen through everything.
     Ball([f64; 3], f64),
-    /// The small square that says that the directions from the first point to the other two are at right angles.
     RightAngle([[f64; 3]; 3]),
-    /// The arc at the first point, from the direction of the second to that of the third, the shorter way round.
     Angle([[f64; 3]; 3]),
-    /// A filled point, seen through everything.
     Dot([f64; 3]),
-    /// A hollow point, seen through everything.
     Ring([f64; 3]),
-    /// A label alone.
     Label([f64; 3]),
 }
 
 impl Mark3 {
-    /// Without label or link.
     pub const fn new(role: Role, shape: Shape3) -> Self {
         Self {
             shape,
@@ -131,19 +97,16 @@ impl Mark3 {
         }
     }
 
-    /// One edge of an outline, drawn as that.
     pub const fn edge(mut self) -> Self {
         self.is_edge = true;
         self
     }
 
-    /// With a label in the text face.
     pub fn labelled(mut self, text: impl Into<Value>) -> Self {
         self.label = Some(Label::new(text, false));
         self
     }
 
-    /// Its label set semibold.
     pub fn strong(mut self) -> Self {
         if let Some(label) = &mut self.label {
             label.strong = true;
@@ -151,19 +114,16 @@ impl Mark3 {
         self
     }
 
-    /// A line of construction.
     pub const fn fine(mut self) -> Self {
         self.is_fine = true;
         self
     }
 
-    /// Drawn with dashes, in its role's colour.
     pub const fn dashed(mut self) -> Self {
         self.is_dashed = true;
         self
     }
 
-    /// About `link`.
     pub fn linked(mut self, link: impl Into<Link>) -> Self {
         self.link = Some(link.into());
         self
@@ -205,7 +165,6 @@ impl Edge3 {
 }
 
 impl Facet {
-    /// Where in its texture a place of its plane lies; a facet without one, or without an area, says nothing.
     pub fn uv_at(&self, at: [f64; 3]) -> [f32; 2] {
         let (Some(skin), [a, b, c, ..]) = (&self.skin, &self.corners[..]) else {
             return [0.0; 2];
@@ -225,7 +184,6 @@ impl Facet {
         })
     }
 
-    /// A part of it, in its plane.
     pub fn part(&self, corners: Vec<[f64; 3]>) -> Self {
         let skin = self.skin.as_ref().filter(|_| corners.len() >= 3);
         let skin = skin.map(|skin| Skin {
@@ -242,15 +200,14 @@ impl Facet {
 
     /// Away from the solid, of length 1; zero of a facet without an area.
     pub fn normal(&self) -> DVec3 {
-        let Some((&first, rest)) = self.corners.split_first() else {
-            return DVec3::ZERO;
-        };
-        let first = DVec3::from(first);
-        let from_first = |at: [f64; 3]| DVec3::from(at) - first;
-        let fan = rest.windows(2);
-        let sum: DVec3 = fan
-            .map(|pair| from_first(pair[0]).cross(from_first(pair[1])))
-            .sum();
-        sum.normalize_or_zero()
+        let corners = self.corners.iter().copied().map(DVec3::from);
+        normal(&corners.collect::<Vec<_>>()).normalize_or_zero()
     }
+}
+
+/// Of a flat polygon, away from the side on which its corners go clockwise; as long as twice its area.
+pub fn normal(corners: &[DVec3]) -> DVec3 {
+    let from_first = |i: usize| corners[i] - corners[0];
+    let fan = 2..corners.len();
+    fan.map(|i| from_first(i - 1).cross(from_first(i))).sum()
 }

@@ -1,6 +1,6 @@
 //! A box along the axes.
 
-use super::{SpaceError, VolumeSide, space_error::finite};
+use super::{SpaceError, VolumeSide, error::finite};
 
 /// All points between two corners, both included. It may be flat, an edge or a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -80,14 +80,8 @@ impl AlignedBox {
     #[must_use]
     pub fn corners(&self) -> [[f64; 3]; 8] {
         std::array::from_fn(|i| {
-            std::array::from_fn(|axis| {
-                let side = if i >> axis & 1 == 1 {
-                    self.max
-                } else {
-                    self.min
-                };
-                side[axis]
-            })
+            let is_high = |axis: usize| i >> axis & 1 == 1;
+            [0, 1, 2].map(|axis| if is_high(axis) { self.max } else { self.min }[axis])
         })
     }
 }

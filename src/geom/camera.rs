@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Matrix, Plane, SpaceError, ViewVolume, space_error::finite};
+use super::{Matrix, Plane, SpaceError, ViewVolume, error::finite};
 
 /// Where a camera stands, what it looks at, and what it sees of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -20,8 +20,7 @@ impl Camera {
     /// At `position`, looking at `target`, with `up` upwards on its picture.
     ///
     /// # Errors
-    /// [`SpaceError::NotFinite`] (of the nine numbers in this order), [`SpaceError::TargetAtPosition`],
-    /// [`SpaceError::UpAlongView`].
+    /// `NotFinite` (of the nine numbers in this order), `TargetAtPosition`, `UpAlongView` of [`SpaceError`].
     pub fn new(
         position: [f64; 3],
         target: [f64; 3],
@@ -117,9 +116,8 @@ impl Camera {
     /// The corners of its volume in the world, numbered as [`ViewVolume::corners`] has them.
     #[must_use]
     pub fn corners_in_world(&self) -> [[f64; 3]; 8] {
-        self.volume
-            .corners()
-            .map(|corner| self.world_from_view(corner))
+        let corners = self.volume.corners();
+        corners.map(|corner| self.world_from_view(corner))
     }
 
     /// The planes of its volume in the world, in the order of [`super::VolumeSide::ALL`].
@@ -162,11 +160,9 @@ mod tests {
         for corner in camera.volume().corners() {
             let [x, y, z] = camera.world_from_view(corner);
             for plane in camera.planes_in_world() {
-                let [a, b, c] = plane.normal();
-                assert!(
-                    a * x + b * y + c * z + plane.d() > -1e-12,
-                    "{corner:?} {plane:?}"
-                );
+                let [a, b, c, d] = plane.to_array();
+                let distance = a * x + b * y + c * z + d;
+                assert!(distance > -1e-12, "{corner:?} {plane:?}");
             }
         }
     }
@@ -175,18 +171,11 @@ mod tests {
     fn a_camera_without_a_way_up_is_refused() {
         let volume = *camera().volume();
         let at = |target, up| Camera::new([0.0; 3], target, up, volume).err();
-        assert_eq!(
-            at([0.0; 3], [0.0, 1.0, 0.0]),
-            Some(SpaceError::TargetAtPosition)
-        );
-        assert_eq!(
-            at([0.0, 0.0, -1.0], [0.0; 3]),
-            Some(SpaceError::UpAlongView)
-        );
-        assert_eq!(
-            at([0.0, -2.0, 0.0], [0.0, 1.0, 0.0]),
-            Some(SpaceError::UpAlongView)
-        );
-        assert_eq!(at([0.0, -2.0, 0.0], [0.0, 0.0, 1.0]), None);
+        let (down, y) = ([0.0, -2.0, 0.0], [0.0, 1.0, 0.0]);
+        assert_eq!(at([0.0; 3], y), Some(SpaceError::TargetAtPosition));
+        for (target, up) in [([0.0, 0.0, -1.0], [0.0; 3]), (down, y)] {
+            assert_eq!(at(target, up), Some(SpaceError::UpAlongView));
+        }
+        assert_eq!(at(down, [0.0, 0.0, 1.0]), None);
     }
 }

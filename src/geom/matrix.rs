@@ -1,6 +1,6 @@
 //! Matrices of four rows for column vectors.
 
-use super::{SpaceError, space_error::finite};
+use super::{SpaceError, error::finite};
 
 /// Four rows of four: `to = matrix · from`.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -15,8 +15,6 @@ impl Matrix {
         [0.0, 0.0, 0.0, 1.0],
     ]);
 
-    /// From finite rows.
-    ///
     /// # Errors
     /// [`SpaceError::NotFinite`]
     pub fn new(rows: [[f64; 4]; 4]) -> Result<Self, SpaceError> {
@@ -36,7 +34,7 @@ impl Matrix {
         }
     }
 
-    /// From rows that the caller knows to be finite.
+    /// Of rows that the caller knows to be finite.
     pub(super) const fn from_rows(rows: [[f64; 4]; 4]) -> Self {
         Self(rows)
     }
@@ -50,11 +48,14 @@ impl Matrix {
     /// First `other`, then this.
     #[must_use]
     pub fn after(&self, other: &Self) -> Self {
-        let entry = |row: &[f64; 4], column: usize| {
-            let terms = row.iter().zip(&other.0).map(|(a, from)| a * from[column]);
-            terms.sum::<f64>()
+        let row = |row: &[f64; 4]| {
+            let terms = |column: usize| {
+                row.iter()
+                    .zip(&other.0)
+                    .map(move |(a, from)| a * from[column])
+            };
+            std::array::from_fn(|column| terms(column).sum())
         };
-        let row = |row: &[f64; 4]| std::array::from_fn(|column| entry(row, column));
         Self(self.0.each_ref().map(row))
     }
 

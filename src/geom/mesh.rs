@@ -59,8 +59,7 @@ impl MeshError {
 }
 
 impl Mesh {
-    /// From vertices, their texture coordinates (none, or one for each), and triangles by three indices,
-    /// counter-clockwise as seen from outside.
+    /// Texture coordinates are none, or one for each vertex; faces run counter-clockwise as seen from outside.
     ///
     /// # Errors
     /// [`MeshError`]
@@ -102,9 +101,8 @@ impl Mesh {
         };
         let (min, max) = (bounds.min(), bounds.max());
         let center: [f64; 3] = std::array::from_fn(|axis| min[axis].midpoint(max[axis]));
-        let half = (0..3)
-            .map(|axis| max[axis] - center[axis])
-            .fold(0.0, f64::max);
+        let halves = (0..3).map(|axis| max[axis] - center[axis]);
+        let half = halves.fold(0.0, f64::max);
         let scale = if half > 0.0 { half } else { 1.0 };
         for position in &mut self.positions {
             for (x, center) in position.iter_mut().zip(center) {
@@ -162,11 +160,7 @@ impl Mesh {
     /// # Errors
     /// Never: a mesh has vertices, and they are finite.
     pub fn bounds(&self) -> Result<AlignedBox, SpaceError> {
-        AlignedBox::around(self.points())
-    }
-
-    fn points(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
-        self.positions.iter().map(|p| p.map(f64::from))
+        AlignedBox::around(self.positions.iter().map(|p| p.map(f64::from)))
     }
 }
 
@@ -185,10 +179,8 @@ fn edges(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Vec<MeshEdge> {
         for [from, to] in [[a, b], [b, c], [c, a]] {
             let ends = [from.min(to), from.max(to)];
             let idx = *known.entry(ends).or_insert_with(|| {
-                edges.push(MeshEdge {
-                    ends,
-                    faces: [None; 2],
-                });
+                let faces = [None; 2];
+                edges.push(MeshEdge { ends, faces });
                 edges.len() - 1
             });
             if let Some(free) = edges[idx].faces.iter_mut().find(|face| face.is_none()) {
@@ -225,23 +217,25 @@ mod tests {
     fn what_is_no_mesh_is_refused_where_it_is_wrong() {
         let square = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
         let mesh = |uvs, faces| Mesh::new(square.clone(), uvs, faces).err();
-        assert_eq!(mesh(Vec::new(), Vec::new()), Some(MeshError::NoFaces));
-        assert_eq!(
-            mesh(Vec::new(), vec![[0, 1, 2], [0, 1, 3]]),
-            Some(MeshError::NoSuchVertex { face_idx: 1 })
-        );
-        assert_eq!(
-            mesh(vec![[0.0; 2]], vec![[0, 1, 2]]),
-            Some(MeshError::UvLength {
-                n_uvs: 1,
-                n_vertices: 3
-            })
-        );
-        let odd = Mesh::new(
-            vec![[0.0; 3], [f32::NAN, 0.0, 0.0]],
-            Vec::new(),
-            vec![[0, 1, 1]],
-        );
+        let (n_uvs, n_vertices) = (1, 3);
+        let cases = [
+            (vec![], vec![], MeshError::NoFaces),
+            (
+                vec![],
+                vec![[0, 1, 2], [0, 1, 3]],
+                MeshError::NoSuchVertex { face_idx: 1 },
+            ),
+            (
+                vec![[0.0; 2]],
+                vec![[0, 1, 2]],
+                MeshError::UvLength { n_uvs, n_vertices },
+            ),
+        ];
+        for (uvs, faces, expected) in cases {
+            assert_eq!(mesh(uvs, faces), Some(expected));
+        }
+        let positions = vec![[0.0; 3], [f32::NAN, 0.0, 0.0]];
+        let odd = Mesh::new(positions, Vec::new(), vec![[0, 1, 1]]);
         assert_eq!(odd, Err(MeshError::NotFinite { vertex_idx: 1 }));
     }
 }

@@ -76,15 +76,14 @@ impl Orbit {
     #[must_use]
     pub fn turned(self, [yaw_deg, pitch_deg]: [f64; 2]) -> Self {
         let angles = [self.yaw_deg + yaw_deg, self.pitch_deg + pitch_deg];
-        Self::new(self.target.into(), angles, self.distance, self.fov_y_deg)
+        Self::new(self.target(), angles, self.distance, self.fov_y_deg)
     }
 
     /// Nearer by this factor.
     #[must_use]
     pub fn zoomed(self, factor: f64) -> Self {
-        let angles = [self.yaw_deg, self.pitch_deg];
         let distance = self.distance / factor;
-        Self::new(self.target.into(), angles, distance, self.fov_y_deg)
+        Self::new(self.target(), self.angles_deg(), distance, self.fov_y_deg)
     }
 
     /// Moved sideways, by so much of half the picture's height: what is seen goes the other way.
@@ -93,7 +92,7 @@ impl Orbit {
         let [right, up, _] = self.basis();
         let half = self.distance * self.half_height();
         let target = self.target + (right * x + up * y) * half;
-        let angles = [self.yaw_deg, self.pitch_deg];
+        let angles = self.angles_deg();
         Self::new(target.into(), angles, self.distance, self.fov_y_deg)
     }
 
@@ -137,12 +136,9 @@ mod tests {
 
     #[test]
     fn nothing_that_is_asked_for_makes_an_eye_that_cannot_see() {
-        let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0];
-        for x in odd {
-            let eye = Orbit::new([x; 3], [x; 2], x, x)
-                .turned([x; 2])
-                .zoomed(x)
-                .panned([x; 2]);
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0] {
+            let eye = Orbit::new([x; 3], [x; 2], x, x);
+            let eye = eye.turned([x; 2]).zoomed(x).panned([x; 2]);
             assert!(eye.position().iter().all(|c| c.is_finite()), "{x}: {eye:?}");
         }
     }

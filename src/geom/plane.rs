@@ -1,11 +1,62 @@
-//! A closed half-space: a plane in space, with its normal pointing inside.
+//! Closed half-planes and half-spaces, with normals pointing inside; and whether half-spaces have a point in common.
 
-use super::{SpaceError, space_error::finite};
+use std::cmp::Ordering;
 
-/// All points `p` with `n·p + d ≥ 0`.
-///
-/// The numbers stay as they are given, so that the sign of `n·p + d` is exact wherever products and sum are; a distance is
-/// that divided by |n|.
+use super::{
+    AlignedBox, Point, SpaceError,
+    determinant::{sign_of_four, sign_of_three},
+    error::finite,
+};
+
+/// All points `p` with `normal·(p − origin) ≥ 0`. Along an axis the normal is a unit vector, so that a signed distance is a
+/// difference of coordinates and costs one rounding; elsewhere it is the edge turned by 90°, not normalised, so that it is exact
+/// wherever the difference of the vertices is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HalfPlane {
+    normal: [f64; 2],
+    origin: Point,
+}
+
+impl HalfPlane {
+    /// With a normal of the form (±1, 0) or (0, ±1).
+    pub(super) const fn axis_aligned(normal: [f64; 2], origin: Point) -> Self {
+        Self { normal, origin }
+    }
+
+    /// The half-plane to the left of the edge `from → to` of a counter-clockwise outline.
+    pub(super) fn left_of(from: Point, to: Point) -> Self {
+        let [mut dx, mut dy] = [to.x() - from.x(), to.y() - from.y()];
+        if !(dx.is_finite() && dy.is_finite()) {
+            // Only the direction counts: half of each cannot overflow.
+            [dx, dy] = [0.5 * to.x() - 0.5 * from.x(), 0.5 * to.y() - 0.5 * from.y()];
+        }
+        let normal = if dx == 0.0 {
+            [-dy.signum(), 0.0]
+        } else if dy == 0.0 {
+            [0.0, dx.signum()]
+        } else {
+            [-dy, dx]
+        };
+        Self {
+            normal,
+            origin: from,
+        }
+    }
+
+    /// Points inside.
+    #[must_use]
+    pub const fn normal(&self) -> [f64; 2] {
+        self.normal
+    }
+
+    /// A point of the border line.
+    #[must_use]
+    pub const fn origin(&self) -> Point {
+        self.origin
+    }
+}
+
+/// All points `p` with `n·p + d ≥ 0`. The numbers stay as they are given, so that this sign is exact wherever products and sum are.
 ///
 /// ```
 /// use clipscope::geom::Plane;
@@ -21,8 +72,6 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// `[nx, ny, nz, d]`.
-    ///
     /// # Errors
     /// [`SpaceError::NotFinite`]; [`SpaceError::ZeroNormal`].
     pub fn new([x, y, z, d]: [f64; 4]) -> Result<Self, SpaceError> {
@@ -86,5 +135,79 @@ impl Plane {
     pub const fn to_array(&self) -> [f64; 4] {
         let [x, y, z] = self.normal;
         [x, y, z, self.d]
+    }
+}
+
+/// Has the box a point that lies inside all planes? Touching counts. Exact: what half-spaces have in common, if it is bounded and not
+/// empty, has a vertex, where three of their planes meet. About n⁴/6 signs for n planes and the box's six.
+#[must_use]
+pub fn meets(bounds: &AlignedBox, planes: &[Plane]) -> bool {
+    let mut rows: Vec<[f64; 4]> = Vec::with_capacity(planes.len() + 6);
+    for axis in 0..3 {
+        for (sign, border) in [(1.0, bounds.min()[axis]), (-1.0, bounds.max()[axis])] {
+            let mut row = [0.0, 0.0, 0.0, -sign * border];
+            row[axis] = sign;
+            rows.push(row);
+        }
+    }
+    rows.extend(planes.iter().map(Plane::to_array));
+    let n = rows.len();
+    let mut triples =
+        (0..n).flat_map(|i| (i + 1..n).flat_map(move |j| (j + 1..n).map(move |k| [i, j, k])));
+    triples.any(|triple| holds_a_vertex(&rows, triple))
+}
+
+/// Do three planes meet in one point, and does it lie inside all the others?
+fn holds_a_vertex(rows: &[[f64; 4]], triple: [usize; 3]) -> bool {
+    let [a, b, c] = triple.map(|i| rows[i]);
+    let across = sign_of_three([a, b, c].map(|[x, y, z, _]| [x, y, z]));
+    if across == Ordering::Equal {
+        return false;
+    }
+    // Moved so that the three meet in the origin, only the last column of the fourth is left: its side of that point.
+    (0..rows.len())
+        .filter(|i| !triple.contains(i))
+        .all(|i| sign_of_four([a, b, c, rows[i]]) != across.reverse())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::ViewVolume;
+
+    fn met(bounds: [f64; 6], planes: &[[f64; 4]]) -> bool {
+        let planes: Vec<Plane> = planes.iter().map(|&p| Plane::new(p).unwrap()).collect();
+        meets(&AlignedBox::new(bounds).unwrap(), &planes)
+    }
+
+    #[test]
+    fn touching_counts_and_an_ulp_beyond_does_not() {
+        let cube = [-1.0, -1.0, -1.0, 1.0, 1.0, 1.0];
+        let corner = |d: f64| met(cube, &[[0.1, 0.1, 0.1, d]]);
+        // Three times the stored 0.1 lies between two numbers; rounding takes the upper one.
+        let upper = 0.1 + 0.1 + 0.1;
+        assert!(corner(-f64::next_down(upper)));
+        assert!(!corner(-upper));
+        assert!(met(cube, &[]));
+        let point = [1.0, 2.0, 3.0, 1.0, 2.0, 3.0];
+        assert!(met(point, &[[1.0, 0.0, 0.0, -1.0], [0.0, -1.0, 0.0, 2.0]]));
+        assert!(!met(point, &[[1.0, 0.0, 0.0, -1.0_f64.next_up()]]));
+    }
+
+    #[test]
+    fn two_planes_that_the_box_straddles_may_leave_nothing() {
+        // A flat wedge that ends before the box.
+        let planes = [[1.0, 4.0, 0.0, -4.0], [1.0, -4.0, 0.0, -4.0]];
+        assert!(!met([-3.0, -3.0, 0.0, 3.0, 3.0, 1.0], &planes));
+        assert!(met([-3.0, -3.0, 0.0, 4.0, 3.0, 1.0], &planes), "its edge");
+    }
+
+    #[test]
+    fn the_large_box_beside_a_frustum() {
+        let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0).unwrap();
+        let planes = volume.planes().map(|plane| plane.to_array());
+        assert!(!met([10.5, -1.0, -11.0, 40.0, 1.0, 20.0], &planes));
+        let touches_an_edge = [10.0, -1.0, -11.0, 40.0, 1.0, 20.0];
+        assert!(met(touches_an_edge, &planes));
     }
 }

@@ -1,5 +1,6 @@
 //! Finite points and the segments between them.
 
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::GeomError;
@@ -19,7 +20,8 @@ impl Point {
         finite(&[x, y]).map(|()| Self { x, y })
     }
 
-    /// A point from coordinates that the caller knows to be finite: clamped copies of finite numbers.
+    /// Of coordinates that the caller knows to be finite.
+    #[inline]
     pub(crate) fn from_finite(x: f64, y: f64) -> Self {
         debug_assert!(x.is_finite() && y.is_finite(), "({x}, {y}) is not finite");
         Self { x, y }
@@ -71,11 +73,14 @@ impl Segment {
     /// # Errors
     /// [`GeomError::NotFinite`] where a coordinate is NaN or infinite.
     pub fn new(x1: f64, y1: f64, x2: f64, y2: f64) -> Result<Self, GeomError> {
-        finite(&[x1, y1, x2, y2])?;
-        Ok(Self {
-            p1: Point { x: x1, y: y1 },
-            p2: Point { x: x2, y: y2 },
-        })
+        finite(&[x1, y1, x2, y2]).map(|()| Self::from_finite([x1, y1, x2, y2]))
+    }
+
+    /// Of coordinates that the caller knows to be finite.
+    #[inline]
+    pub(crate) fn from_finite([x1, y1, x2, y2]: [f64; 4]) -> Self {
+        let (p1, p2) = (Point::from_finite(x1, y1), Point::from_finite(x2, y2));
+        Self { p1, p2 }
     }
 
     /// Are both ends the same?
@@ -87,10 +92,8 @@ impl Segment {
     /// The same segment walked the other way.
     #[must_use]
     pub const fn reversed(self) -> Self {
-        Self {
-            p1: self.p2,
-            p2: self.p1,
-        }
+        let (p1, p2) = (self.p2, self.p1);
+        Self { p1, p2 }
     }
 
     /// `[x1, y1, x2, y2]`.
@@ -116,18 +119,30 @@ impl From<Segment> for [f64; 4] {
 /// The smallest rectangle around some points, as its lower left and upper right corner.
 #[must_use]
 pub fn extent(points: impl IntoIterator<Item = Point>) -> [[f64; 2]; 2] {
-    points.into_iter().fold(
-        [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
-        |[min, max], p| {
-            [
-                [min[0].min(p.x), min[1].min(p.y)],
-                [max[0].max(p.x), max[1].max(p.y)],
-            ]
-        },
-    )
+    let [mut min, mut max] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    for p in points {
+        for (axis, x) in p.to_array().into_iter().enumerate() {
+            min[axis] = min[axis].min(x);
+            max[axis] = max[axis].max(x);
+        }
+    }
+    [min, max]
 }
 
-/// Refuses the first number that is not finite.
+/// Distance of a point from the segment between two others.
+#[must_use]
+pub fn distance_to_segment(at: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
+    let [at, a, b] = [at, ends[0], ends[1]].map(DVec2::from);
+    let along = b - a;
+    let length_sq = along.length_squared();
+    let t = if length_sq > 0.0 {
+        ((at - a).dot(along) / length_sq).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    at.distance(a + along * t)
+}
+
 pub(super) fn finite(numbers: &[f64]) -> Result<(), GeomError> {
     match numbers.iter().position(|x| !x.is_finite()) {
         Some(index) => Err(GeomError::NotFinite {

@@ -5,9 +5,6 @@ use super::{
 };
 
 /// A simple polygon without the insides of some others. No two rings touch.
-///
-/// Rings are stored so that the interior lies to the left of every edge: the outer one counter-clockwise,
-/// holes clockwise, each starting at its first vertex.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Region {
     rings: Rings,
@@ -32,14 +29,13 @@ impl Region {
             // As no edges meet, one vertex of each tells.
             let is_in =
                 |ring_idx: usize, p: Point| locate(rings.ring(ring_idx), p) == Location::Inside;
-            let misplaced = (1..rings.n_rings()).find(|&hole| {
-                let p = rings.ring(hole)[0];
-                !is_in(0, p) || (1..rings.n_rings()).any(|other| other != hole && is_in(other, p))
+            let misplaced = (0..holes.len()).find(|&hole_idx| {
+                let p = rings.ring(hole_idx + 1)[0];
+                let is_in_another = |other| other != hole_idx && is_in(other + 1, p);
+                !is_in(0, p) || (0..holes.len()).any(is_in_another)
             });
-            if let Some(ring_idx) = misplaced {
-                return Err(GeomError::MisplacedHole {
-                    hole_idx: ring_idx - 1,
-                });
+            if let Some(hole_idx) = misplaced {
+                return Err(GeomError::MisplacedHole { hole_idx });
             }
         }
         Ok(Self {
@@ -89,10 +85,8 @@ impl Region {
     }
 
     fn hole_of(&self, vertex_idx: usize) -> Option<&SimplePolygon> {
-        let ring_idx = self.rings.ring_of(vertex_idx);
-        ring_idx
-            .checked_sub(1)
-            .map(|hole_idx| &self.holes[hole_idx])
+        let hole_idx = self.rings.ring_of(vertex_idx).checked_sub(1);
+        hole_idx.map(|hole_idx| &self.holes[hole_idx])
     }
 
     fn first_of_ring(&self, vertex_idx: usize) -> usize {
@@ -139,19 +133,16 @@ mod tests {
 
     #[test]
     fn its_interior_is_to_the_left_of_every_edge() {
-        let region =
-            Region::new(square(0.0, 9.0), vec![square(1.0, 2.0), square(5.0, 3.0)]).unwrap();
+        let holes = vec![square(1.0, 2.0), square(5.0, 3.0)];
+        let region = Region::new(square(0.0, 9.0), holes).unwrap();
         let rings = region.rings();
         assert_eq!(rings.n_rings(), 3);
         for edge_idx in 0..rings.points().len() {
             let [a, b] = rings.edge(edge_idx).map(Point::to_array);
             let beside = [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]));
-            let left = [
-                beside[0] - (b[1] - a[1]) / 8.0,
-                beside[1] + (b[0] - a[0]) / 8.0,
-            ];
-            let at = Point::try_from(left).unwrap();
-            assert_eq!(region.locate(at), Location::Inside, "{left:?}");
+            let [dx, dy] = [0, 1].map(|axis| (b[axis] - a[axis]) / 8.0);
+            let left = Point::new(beside[0] - dy, beside[1] + dx).unwrap();
+            assert_eq!(region.locate(left), Location::Inside, "{left:?}");
             let ring = rings.ring_of(edge_idx);
             if ring > 0 {
                 let hole = &region.holes()[ring - 1];
@@ -165,30 +156,18 @@ mod tests {
 
     #[test]
     fn a_hole_lies_inside_and_clear_of_everything() {
-        let outer = || square(0.0, 9.0);
         let cases = [
-            ("outside", vec![square(10.0, 2.0)], Some(0)),
-            ("around", vec![square(-1.0, 11.0)], Some(0)),
-            (
-                "at an edge",
-                vec![square(4.0, 1.0), square(0.0, 2.0)],
-                Some(1),
-            ),
-            (
-                "touching a hole",
-                vec![square(1.0, 2.0), square(3.0, 2.0)],
-                Some(1),
-            ),
-            (
-                "in a hole",
-                vec![square(1.0, 6.0), square(2.0, 2.0)],
-                Some(1),
-            ),
-            ("the outline itself", vec![outer()], Some(0)),
-            ("clear", vec![square(1.0, 2.0), square(4.0, 2.0)], None),
+            ("outside", vec![[10.0, 2.0]], Some(0)),
+            ("around", vec![[-1.0, 11.0]], Some(0)),
+            ("at an edge", vec![[4.0, 1.0], [0.0, 2.0]], Some(1)),
+            ("touching a hole", vec![[1.0, 2.0], [3.0, 2.0]], Some(1)),
+            ("in a hole", vec![[1.0, 6.0], [2.0, 2.0]], Some(1)),
+            ("the outline itself", vec![[0.0, 9.0]], Some(0)),
+            ("clear", vec![[1.0, 2.0], [4.0, 2.0]], None),
         ];
         for (name, holes, expected) in cases {
-            let refused = Region::new(outer(), holes).err();
+            let holes = holes.into_iter().map(|[at, size]| square(at, size));
+            let refused = Region::new(square(0.0, 9.0), holes.collect()).err();
             let expected = expected.map(|hole_idx| GeomError::MisplacedHole { hole_idx });
             assert_eq!(refused, expected, "{name}");
         }

@@ -15,8 +15,13 @@ pub enum Location {
     Outside,
 }
 
-/// Closed outlines, one after the other, with each vertex's neighbours. Edge `i` runs from vertex `i` to its
-/// next one: vertices and edges are numbered through all rings.
+impl Location {
+    const fn strictly(inside: bool) -> Self {
+        if inside { Self::Inside } else { Self::Outside }
+    }
+}
+
+/// Closed outlines, numbered through: edge `i` runs from vertex `i` to the next of its ring.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Rings {
     points: Vec<Point>,
@@ -27,8 +32,6 @@ pub struct Rings {
 }
 
 impl Rings {
-    /// With one ring.
-    #[must_use]
     pub(super) fn one(ring: impl IntoIterator<Item = Point>) -> Self {
         let mut rings = Self {
             starts: vec![0],
@@ -84,9 +87,8 @@ impl Rings {
     /// The ring that a vertex belongs to.
     #[must_use]
     pub fn ring_of(&self, vertex_idx: usize) -> usize {
-        self.starts
-            .partition_point(|&start| start as usize <= vertex_idx)
-            - 1
+        let starts_before = |&start: &u32| start as usize <= vertex_idx;
+        self.starts.partition_point(starts_before) - 1
     }
 
     /// The vertex after this one, in its ring.
@@ -121,11 +123,7 @@ impl Rings {
                 Location::Outside => {}
             }
         }
-        if inside {
-            Location::Inside
-        } else {
-            Location::Outside
-        }
+        Location::strictly(inside)
     }
 }
 
@@ -134,13 +132,9 @@ impl Rings {
 #[must_use]
 pub fn locate(ring: &[Point], p: Point) -> Location {
     let mut inside = false;
-    let Some(&last) = ring.last() else {
-        return Location::Outside;
-    };
-    let mut from = last;
+    let mut from = ring.last().copied().unwrap_or_default();
     for &to in ring {
-        let a = from;
-        from = to;
+        let a = std::mem::replace(&mut from, to);
         if a == p {
             return Location::Border;
         }
@@ -156,11 +150,7 @@ pub fn locate(ring: &[Point], p: Point) -> Location {
             return Location::Border;
         }
     }
-    if inside {
-        Location::Inside
-    } else {
-        Location::Outside
-    }
+    Location::strictly(inside)
 }
 
 #[cfg(test)]
@@ -185,43 +175,26 @@ mod tests {
     fn the_border_is_neither_inside_nor_outside() {
         use Location::{Border, Inside, Outside};
         // A comb: a ray along its spine's level meets vertices, edges along it, and turns.
-        let comb = points(&[
-            [0.0, 0.0],
-            [6.0, 0.0],
-            [6.0, 4.0],
-            [5.0, 2.0],
-            [4.0, 2.0],
-            [3.0, 4.0],
-            [2.0, 2.0],
-            [1.0, 4.0],
-            [1.0, 2.0],
-            [0.0, 2.0],
-        ]);
-        let cases = [
-            ([-1.0, 2.0], Outside),
-            ([0.0, 2.0], Border),
-            ([0.5, 2.0], Border),
-            ([1.5, 2.0], Inside),
-            ([2.0, 2.0], Border),
-            ([3.0, 2.0], Inside),
-            ([4.5, 2.0], Border),
-            ([5.5, 2.0], Inside),
-            ([6.0, 2.0], Border),
-            ([7.0, 2.0], Outside),
-            ([0.0, 0.0], Border),
-            ([3.0, 0.0], Border),
-            ([-1.0, 0.0], Outside),
-            ([-1.0, 4.0], Outside),
-            ([3.0, 4.0], Border),
-            ([2.0, 4.0], Outside),
-            ([2.0, 3.0], Outside),
-            ([5.0, 3.0], Outside),
+        let xs = [0.0, 6.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 1.0, 0.0];
+        let ys = [0.0, 0.0, 4.0, 2.0, 2.0, 4.0, 2.0, 4.0, 2.0, 2.0];
+        let comb = points(&std::array::from_fn::<_, 10, _>(|i| [xs[i], ys[i]]));
+        let turned: Vec<Point> = comb.iter().rev().copied().collect();
+        let levels: [(f64, Location, &[f64]); 8] = [
+            (0.0, Outside, &[-1.0]),
+            (0.0, Border, &[0.0, 3.0]),
+            (2.0, Outside, &[-1.0, 7.0]),
+            (2.0, Border, &[0.0, 0.5, 2.0, 4.5, 6.0]),
+            (2.0, Inside, &[1.5, 3.0, 5.5]),
+            (3.0, Outside, &[2.0, 5.0]),
+            (4.0, Outside, &[-1.0, 2.0]),
+            (4.0, Border, &[3.0]),
         ];
-        for (p, expected) in cases {
-            let at = Point::try_from(p).unwrap();
-            assert_eq!(locate(&comb, at), expected, "{p:?}");
-            let turned: Vec<Point> = comb.iter().rev().copied().collect();
-            assert_eq!(locate(&turned, at), expected, "{p:?}, clockwise");
+        for (y, expected, along) in levels {
+            for &x in along {
+                let at = Point::new(x, y).unwrap();
+                assert_eq!(locate(&comb, at), expected, "{at:?}");
+                assert_eq!(locate(&turned, at), expected, "{at:?}, clockwise");
+            }
         }
     }
 }

@@ -115,11 +115,8 @@ fn octahedron() -> Surface {
     let mut faces = Vec::new();
     for signs in 0..8_u32 {
         let [x, y, z] = [0, 1, 2].map(|axis| 2 * axis + (signs >> axis & 1));
-        faces.push(if signs.count_ones() % 2 == 0 {
-            [x, y, z]
-        } else {
-            [x, z, y]
-        });
+        let is_even = signs.count_ones() % 2 == 0;
+        faces.push(if is_even { [x, y, z] } else { [x, z, y] });
     }
     (positions.collect(), faces)
 }
@@ -129,16 +126,13 @@ fn sphere(times: usize) -> Surface {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let mut positions: Vec<[f64; 3]> = Vec::new();
     for axis in 0..3 {
-        for [a, b] in [
-            [1.0, golden],
-            [-1.0, golden],
-            [1.0, -golden],
-            [-1.0, -golden],
-        ] {
-            let mut at = [0.0; 3];
-            at[axis] = a;
-            at[(axis + 1) % 3] = b;
-            positions.push(unit(at));
+        for b in [golden, -golden] {
+            for a in [1.0, -1.0] {
+                let mut at = [0.0; 3];
+                at[axis] = a;
+                at[(axis + 1) % 3] = b;
+                positions.push(unit(at));
+            }
         }
     }
     // Three corners that are all a shortest edge apart are a face.
@@ -202,21 +196,16 @@ fn unit(p: [f64; 3]) -> [f64; 3] {
 }
 
 fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
-    (0..3)
-        .map(|i| (p[i] - q[i]) * (p[i] - q[i]))
-        .sum::<f64>()
-        .sqrt()
+    let squares = (0..3).map(|i| (p[i] - q[i]) * (p[i] - q[i]));
+    squares.sum::<f64>().sqrt()
 }
 
 /// The face turned so that it is seen from outside, of a solid around the origin.
 fn outward(positions: &[[f64; 3]], face: [u32; 3]) -> [u32; 3] {
     let [a, b, c] = face.map(|i| glam::DVec3::from(positions[i as usize]));
     let [i, j, k] = face;
-    if a.cross(b).dot(c) > 0.0 {
-        [i, j, k]
-    } else {
-        [i, k, j]
-    }
+    let is_outward = a.cross(b).dot(c) > 0.0;
+    if is_outward { face } else { [i, k, j] }
 }
 
 #[cfg(test)]
@@ -225,13 +214,11 @@ mod tests {
 
     /// Six times the volume that a closed surface encloses, positive where its faces show outside.
     fn volume(mesh: &Mesh) -> f64 {
-        mesh.faces()
-            .iter()
-            .map(|&face| {
-                let [a, b, c] = mesh.corners(face).map(glam::DVec3::from);
-                a.cross(b).dot(c)
-            })
-            .sum()
+        let six_times = |&face: &[u32; 3]| {
+            let [a, b, c] = mesh.corners(face).map(glam::DVec3::from);
+            a.cross(b).dot(c)
+        };
+        mesh.faces().iter().map(six_times).sum()
     }
 
     #[test]
@@ -251,17 +238,9 @@ mod tests {
             let found = volume(&mesh);
             assert!((found - expected).abs() <= within, "{solid:?}: {found}");
             // Euler: a ring has a hole.
-            let (v, e, f) = (
-                mesh.positions().len(),
-                mesh.edges().len(),
-                mesh.faces().len(),
-            );
-            let euler = v as i64 - e as i64 + f as i64;
-            assert_eq!(
-                euler,
-                if solid == Solid::Torus { 0 } else { 2 },
-                "{solid:?}"
-            );
+            let euler = mesh.positions().len() + mesh.faces().len() - mesh.edges().len();
+            let expected = if solid == Solid::Torus { 0 } else { 2 };
+            assert_eq!(euler, expected, "{solid:?}");
             // Each edge is walked once either way.
             for edge in mesh.edges() {
                 let [Some(one), Some(other)] = edge.faces else {

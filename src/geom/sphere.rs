@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{SpaceError, space_error::finite};
+use super::{SpaceError, error::finite};
 
 /// A closed ball; of radius 0 it is a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -12,8 +12,6 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// `[x, y, z, r]`.
-    ///
     /// # Errors
     /// [`SpaceError::NotFinite`]; [`SpaceError::NegativeRadius`].
     pub fn new([x, y, z, radius]: [f64; 4]) -> Result<Self, SpaceError> {
@@ -50,30 +48,26 @@ impl Sphere {
         Self::around((sum / n).into(), points)
     }
 
-    /// A tighter one: from two points that lie far apart the sphere grows just as far as every point needs; where that is
-    /// no smaller, the centroid's.
-    ///
-    /// J. Ritter, "An efficient bounding sphere", *Graphics Gems*, 1990.
+    /// A tighter one: from two points that lie far apart the sphere grows just as far as every point needs (J. Ritter, "An
+    /// efficient bounding sphere", *Graphics Gems*, 1990); where that is no smaller, the centroid's.
     ///
     /// # Errors
     /// As for [`Sphere::around`].
     pub fn tighter(points: &[[f64; 3]]) -> Result<Self, SpaceError> {
         let simple = Self::around_centroid(points)?;
+        let all = || points.iter().map(|&p| DVec3::from(p));
         let farthest_from = |from: DVec3| {
-            let all = points.iter().map(|&p| DVec3::from(p));
-            all.fold(from, |far, p| {
-                if p.distance_squared(from) > far.distance_squared(from) {
-                    p
-                } else {
-                    far
-                }
-            })
+            let farther = |far: DVec3, p: DVec3| {
+                let is_farther = p.distance_squared(from) > far.distance_squared(from);
+                if is_farther { p } else { far }
+            };
+            all().fold(from, farther)
         };
         let one = farthest_from(DVec3::from(points[0]));
         let other = farthest_from(one);
         let mut center = one.midpoint(other);
         let mut radius = 0.5 * one.distance(other);
-        for p in points.iter().map(|&p| DVec3::from(p)) {
+        for p in all() {
             let distance = p.distance(center);
             if distance > radius {
                 radius = radius.midpoint(distance);
@@ -81,11 +75,8 @@ impl Sphere {
             }
         }
         let grown = Self::around(center.into(), points)?;
-        Ok(if grown.radius < simple.radius {
-            grown
-        } else {
-            simple
-        })
+        let is_tighter = grown.radius < simple.radius;
+        Ok(if is_tighter { grown } else { simple })
     }
 
     /// As large, around another point, which is finite.
@@ -109,16 +100,12 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::random_bits;
 
     #[test]
     fn every_point_lies_in_both_spheres_and_the_second_is_no_larger() {
-        let mut state = 11_u64;
-        let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 40) as f64 / f64::from(1 << 22) - 2.0
-        };
+        let mut bits = random_bits(11);
+        let mut next = || (bits() >> 40) as f64 / f64::from(1 << 22) - 2.0;
         for n in [1, 2, 3, 4, 8, 40] {
             for _ in 0..100 {
                 let points: Vec<[f64; 3]> =
@@ -126,13 +113,9 @@ mod tests {
                 let simple = Sphere::around_centroid(&points).unwrap();
                 let tight = Sphere::tighter(&points).unwrap();
                 for sphere in [simple, tight] {
-                    let center = DVec3::from(sphere.center());
-                    for &p in &points {
-                        assert!(
-                            DVec3::from(p).distance(center) <= sphere.radius(),
-                            "{points:?}"
-                        );
-                    }
+                    let from_center = |&p| DVec3::from(p).distance(sphere.center().into());
+                    let is_in = |p| from_center(p) <= sphere.radius();
+                    assert!(points.iter().all(is_in), "{points:?}");
                 }
                 assert!(tight.radius() <= simple.radius(), "{points:?}");
             }

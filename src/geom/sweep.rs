@@ -1,30 +1,18 @@
-//! Do the edges of some rings meet anywhere but in the vertices that neighbours share?
+//! Do the edges of some rings meet anywhere but in the vertices that neighbours share? A line sweeps from left to right and stops
+//! at every vertex; two edges that meet are neighbours on it just before they do, so that only neighbours are compared.
 //!
-//! ```text
-//!       ╲   │ ╱‾‾‾‾          a line sweeps from left to right and stops at every vertex; it knows the edges
-//!        ╲__│╱               that it cuts, from the lowest to the highest
-//!        ___●____
-//!           │   ╲___         two edges that meet are neighbours just before they do: only neighbours are
-//!           │                compared
-//! ```
-//!
-//! *Source*: M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th Annual Symposium on Foundations
-//! of Computer Science, 1976, pp. 208–215, doi:10.1109/SFCS.1976.16. *Cost*: O(n log n) predicates; the order
-//! is kept in a flat list, which moves at most as many numbers as edges are cut at once.
+//! *Source*: M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th Annual Symposium on Foundations of Computer
+//! Science, 1976, pp. 208–215, doi:10.1109/SFCS.1976.16. *Cost*: O(n log n) predicates; the order is kept in a flat list, which
+//! moves at most as many numbers as edges are cut at once.
 
 use std::cmp::Ordering;
 
 use super::{Point, Rings, lexicographic, orientation};
 
-/// Two edges that cross, touch or overlap, where there are any. Neighbours in a ring may share their vertex and
-/// nothing else.
+/// Two edges that cross, touch or overlap, where there are any. Neighbours in a ring may share their vertex alone.
 pub fn first_meeting(rings: &Rings) -> Option<[usize; 2]> {
-    let mut order: Vec<(f64, f64, u32)> = rings
-        .points()
-        .iter()
-        .enumerate()
-        .map(|(i, p)| (p.x(), p.y(), i as u32))
-        .collect();
+    let points = rings.points().iter().enumerate();
+    let mut order: Vec<_> = points.map(|(i, p)| (p.x(), p.y(), i)).collect();
     order.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
     let ascending = |edge: usize| {
         let [a, b] = rings.edge(edge);
@@ -39,17 +27,15 @@ pub fn first_meeting(rings: &Rings) -> Option<[usize; 2]> {
         cut: Vec::new(),
     };
     let mut before = None;
-    for &(x, y, vertex) in &order {
-        let vertex = vertex as usize;
+    for (x, y, vertex) in order {
         if let Some((bx, by, other)) = before
             && (bx, by) == (x, y)
         {
             return Some([other, vertex]);
         }
         before = Some((x, y, vertex));
-        let meeting = sweep.pass(vertex);
-        if meeting.is_some() {
-            return meeting;
+        if let Some(meeting) = sweep.pass(vertex) {
+            return Some(meeting);
         }
     }
     None
@@ -111,15 +97,12 @@ impl Sweep<'_> {
                 .splice(low..high, starting[..n_starting].iter().copied());
         }
         let above = low + n_starting;
-        let first = low
-            .checked_sub(1)
-            .and_then(|below| self.compare(below, low));
-        first.or_else(|| {
-            if n_starting == 0 {
-                return None;
-            }
-            self.compare(above - 1, above)
-        })
+        let below = low.checked_sub(1);
+        let first = below.and_then(|below| self.compare(below, low));
+        if first.is_some() || n_starting == 0 {
+            return first;
+        }
+        self.compare(above - 1, above)
     }
 
     /// `Greater` where a point lies above an edge.
@@ -155,6 +138,7 @@ pub fn meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::random_bits;
 
     fn rings(ring: &[[f64; 2]]) -> Rings {
         Rings::one(ring.iter().map(|&p| Point::try_from(p).unwrap()))
@@ -180,13 +164,8 @@ mod tests {
     #[test]
     fn neighbours_alone_find_every_meeting() {
         // Outlines on a small grid, so that touches and overlaps abound.
-        let mut state = 1_u64;
-        let mut next = |n: u64| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 33) % n
-        };
+        let mut bits = random_bits(1);
+        let mut next = |n: u64| (bits() >> 33) % n;
         let mut n_simple = 0;
         for _ in 0..40_000 {
             let n = 3 + next(5);

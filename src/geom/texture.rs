@@ -6,7 +6,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Texture {
     size: [usize; 2],
-    /// The same numbers.
+    /// `size` again.
     ends: [f32; 2],
     /// Where columns and rows are powers of 2: one less than each, and the power of the columns.
     masks: Option<([u32; 2], u32)>,
@@ -15,7 +15,6 @@ pub struct Texture {
 }
 
 impl PartialEq for Texture {
-    /// Copies need not be looked through.
     fn eq(&self, other: &Self) -> bool {
         self.size == other.size
             && (Arc::ptr_eq(&self.texels, &other.texels) || self.texels == other.texels)
@@ -26,24 +25,19 @@ impl Texture {
     /// As wide, and as high, as a texture may be: one of more would fill the memory.
     pub const MAX_SIDE: usize = 8192;
 
-    /// Columns and rows, and their red, green and blue. `None` where there is no texel, or not one for each place, or more
-    /// than [`Texture::MAX_SIDE`] beside each other.
+    /// Columns and rows, and their red, green and blue. `None` of no texels, too many or too few.
     #[must_use]
     pub fn new(size: [usize; 2], texels: impl AsRef<[[u8; 3]]>) -> Option<Self> {
         let texels = texels.as_ref();
         let is_usable = size.iter().all(|side| (1..=Self::MAX_SIDE).contains(side))
             && size[0] * size[1] == texels.len();
+        let has_masks = size.iter().all(|n| n.is_power_of_two());
+        let packed = |&[r, g, b]: &[u8; 3]| u32::from_be_bytes([0, r, g, b]);
         is_usable.then(|| Self {
             size,
             ends: size.map(|n| n as f32),
-            masks: size
-                .iter()
-                .all(|n| n.is_power_of_two())
-                .then(|| (size.map(|n| n as u32 - 1), size[0].trailing_zeros())),
-            texels: texels
-                .iter()
-                .map(|&[r, g, b]| u32::from_be_bytes([0, r, g, b]))
-                .collect(),
+            masks: has_masks.then(|| (size.map(|n| n as u32 - 1), size[0].trailing_zeros())),
+            texels: texels.iter().map(packed).collect(),
         })
     }
 
@@ -77,7 +71,6 @@ impl Texture {
         self.indices(uv).map(|i| self.texels[i as usize])
     }
 
-    /// Where the texels stand.
     #[expect(
         clippy::inline_always,
         reason = "a call takes longer than what it does: a tenth of all filling"
@@ -156,11 +149,8 @@ mod tests {
             let mut along = -8.0_f32;
             while along < 8.0 {
                 let beside = [along.next_down(), along, along.next_up(), along / 3.0];
-                assert_eq!(
-                    masked(&beside),
-                    beside.map(|x| exact_place(x, n)),
-                    "{beside:?}"
-                );
+                let exact = beside.map(|x| exact_place(x, n));
+                assert_eq!(masked(&beside), exact, "{beside:?}");
                 along += 1.0 / 256.0;
             }
             let small = [0.0, -0.0, f32::MIN_POSITIVE, -1e-6];
@@ -177,11 +167,8 @@ mod tests {
             while along < 8.0 {
                 let (exact, thirds) = (along * 1.25, along / 3.0);
                 let beside = [exact.next_down(), exact, exact.next_up(), thirds];
-                assert_eq!(
-                    places(&beside, n as f32),
-                    beside.map(|x| place(x, n)),
-                    "{beside:?}"
-                );
+                let expected = beside.map(|x| place(x, n));
+                assert_eq!(places(&beside, n as f32), expected, "{beside:?}");
                 along += 1.0 / 256.0;
             }
             let small = [0.0, -0.0, f32::MIN_POSITIVE, -1e-9, 1e-9, -1e-30];
@@ -196,13 +183,8 @@ mod tests {
         let mut wild = vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
         for power in 0..128 {
             let large = f32::from_bits((127 + power) << 23);
-            wild.extend([
-                large,
-                large.next_down(),
-                large.next_up(),
-                -large,
-                -large.next_down(),
-            ]);
+            let [below, above] = [large.next_down(), large.next_up()];
+            wild.extend([large, below, above, -large, -below]);
         }
         for &u in &wild {
             for texture in [&odd, &even] {

@@ -1,16 +1,8 @@
-//! The view volume: what a camera sees, in its own axes.
-//!
-//! ```text
-//!                 top ╱│ far              view space: right-handed, x to the right, y up,
-//!              near ╱  │                  the camera at the origin looks down −z
-//!   eye ●····│ ····│···│···► −z
-//!              near ╲  │                  half angles by their tangents:
-//!              bottom ╲│                  tan(fov_y/2) up and down, tan(fov_y/2)·aspect to the sides
-//! ```
+//! The view volume: what a camera sees, in its own axes, of which it looks down −z.
 
 use serde::Serialize;
 
-use super::{Matrix, Plane, SpaceError, space_error::finite};
+use super::{Matrix, Plane, SpaceError, error::finite};
 
 /// One of the six sides of a view volume, and of the clip volume −w ≤ x, y, z ≤ w.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord, Serialize)]
@@ -85,12 +77,10 @@ pub struct ViewVolume {
 }
 
 impl ViewVolume {
-    /// From the field of view from bottom to top in degrees, width over height, and the distances of the near and the far
-    /// plane.
+    /// From the field of view from bottom to top in degrees, width over height, and the distances of near and far plane.
     ///
     /// # Errors
-    /// In this order: [`SpaceError::NotFinite`], [`SpaceError::FieldOfView`], [`SpaceError::Aspect`],
-    /// [`SpaceError::Near`], [`SpaceError::Far`].
+    /// `NotFinite`, `FieldOfView`, `Aspect`, `Near`, `Far` of [`SpaceError`], in this order.
     pub fn perspective(
         fov_y_deg: f64,
         aspect: f64,
@@ -112,8 +102,7 @@ impl ViewVolume {
     /// Of a parallel camera, from its height; the eye may lie within.
     ///
     /// # Errors
-    /// In this order: [`SpaceError::NotFinite`], [`SpaceError::Height`], [`SpaceError::Aspect`],
-    /// [`SpaceError::Far`].
+    /// `NotFinite`, `Height`, `Aspect`, `Far` of [`SpaceError`], in this order.
     pub fn parallel(height: f64, aspect: f64, near: f64, far: f64) -> Result<Self, SpaceError> {
         finite(&[height, aspect, near, far])?;
         if height <= 0.0 {
@@ -131,15 +120,16 @@ impl ViewVolume {
     ) -> Result<Self, SpaceError> {
         let half_size = [half_height * aspect, half_height];
         // Neither may a width vanish, nor be larger than any number.
-        let is_usable = aspect > 0.0 && half_size.iter().all(|x| x.is_normal());
-        is_usable
-            .then_some(Self {
+        if aspect > 0.0 && half_size.iter().all(|x| x.is_normal()) {
+            Ok(Self {
                 sight,
                 half_size,
                 near,
                 far,
             })
-            .ok_or(SpaceError::Aspect(aspect))
+        } else {
+            Err(SpaceError::Aspect(aspect))
+        }
     }
 
     fn ordered(self) -> Result<Self, SpaceError> {
@@ -187,10 +177,6 @@ impl ViewVolume {
     /// (0, 0, −1, −near), (0, 0, 1, far), (±cos, 0, −sin, 0), (0, ±cos, −sin, 0) by half the angles.
     #[must_use]
     pub fn planes(&self) -> [Plane; 6] {
-        let ends = [
-            Plane::unit([0.0, 0.0, -1.0], -self.near),
-            Plane::unit([0.0, 0.0, 1.0], self.far),
-        ];
         let side = |axis: usize, sign: f64| {
             let half = self.half_size[axis];
             let mut normal = [0.0; 3];
@@ -207,10 +193,9 @@ impl ViewVolume {
                 }
             }
         };
-        let [near, far] = ends;
         [
-            near,
-            far,
+            Plane::unit([0.0, 0.0, -1.0], -self.near),
+            Plane::unit([0.0, 0.0, 1.0], self.far),
             side(0, 1.0),
             side(0, -1.0),
             side(1, 1.0),
@@ -254,9 +239,8 @@ impl ViewVolume {
 }
 
 /// The planes of −w ≤ x, y, z ≤ w in the space that `clip_from` leads out of, in the order of [`VolumeSide::ALL`]: the last
-/// row of the matrix, plus or minus one of the others.
-///
-/// G. Gribb and K. Hartmann, "Fast extraction of viewing frustum planes from the world-view-projection matrix", 2001.
+/// row of the matrix, plus or minus one of the others (G. Gribb and K. Hartmann, "Fast extraction of viewing frustum planes
+/// from the world-view-projection matrix", 2001).
 ///
 /// # Errors
 /// [`SpaceError::ZeroNormal`] where the matrix is singular so that a side has no direction.
@@ -305,12 +289,8 @@ mod tests {
                 for (side, plane) in VolumeSide::ALL.into_iter().zip(volume.planes()) {
                     let found = distance(&plane, corner);
                     let is_on = (i >> side.axis() & 1 == 1) == side.is_high();
-                    assert_eq!(
-                        found.abs() < 1e-12,
-                        is_on,
-                        "{volume:?} {i} {side:?}: {found}"
-                    );
-                    assert!(found > -1e-12, "{volume:?} {i} {side:?}: {found}");
+                    let is_right = (found.abs() < 1e-12) == is_on && found > -1e-12;
+                    assert!(is_right, "{volume:?} {i} {side:?}: {found}");
                 }
             }
         }
@@ -323,10 +303,8 @@ mod tests {
             for (one, other) in volume.planes().iter().zip(&from_matrix) {
                 for at in [[0.3, -0.2, -1.5], [7.0, 2.0, 3.0], [-1.0, 0.0, -40.0]] {
                     let [a, b] = [one, other].map(|plane| distance(plane, at));
-                    assert!(
-                        (a - b).abs() < 1e-11 * a.abs().max(1.0),
-                        "{volume:?}: {a} {b}"
-                    );
+                    let is_near = (a - b).abs() < 1e-11 * a.abs().max(1.0);
+                    assert!(is_near, "{volume:?}: {a} {b}");
                 }
             }
         }
@@ -334,9 +312,7 @@ mod tests {
 
     #[test]
     fn a_right_angle_is_exact() {
-        let [.., left, right, _, _] = ViewVolume::perspective(90.0, 1.0, 1.0, 5.0)
-            .unwrap()
-            .planes();
+        let [.., left, right, _, _] = volumes()[0].planes();
         for (plane, x) in [(left, -3.0), (right, 3.0)] {
             assert_eq!(distance(&plane, [x, 0.5, -3.0]), 0.0);
         }
@@ -344,34 +320,22 @@ mod tests {
 
     #[test]
     fn what_sees_nothing_is_refused_where_it_is_wrong() {
-        let nan = f64::NAN;
-        assert!(matches!(
-            ViewVolume::perspective(60.0, nan, 1.0, 2.0),
-            Err(SpaceError::NotFinite { index: 1, .. })
-        ));
+        let refused = ViewVolume::perspective(60.0, f64::NAN, 1.0, 2.0).unwrap_err();
+        assert!(matches!(refused, SpaceError::NotFinite { index: 1, .. }));
+        let near = 2.0;
         let cases = [
             ([0.0, 1.0, 1.0, 2.0], SpaceError::FieldOfView(0.0)),
             ([180.0, 1.0, 1.0, 2.0], SpaceError::FieldOfView(180.0)),
             ([60.0, 0.0, 1.0, 2.0], SpaceError::Aspect(0.0)),
             ([60.0, 1.0, 0.0, 2.0], SpaceError::Near(0.0)),
-            (
-                [60.0, 1.0, 2.0, 2.0],
-                SpaceError::Far {
-                    near: 2.0,
-                    far: 2.0,
-                },
-            ),
+            ([60.0, 1.0, 2.0, 2.0], SpaceError::Far { near, far: near }),
         ];
         for ([fov, aspect, near, far], expected) in cases {
-            assert_eq!(
-                ViewVolume::perspective(fov, aspect, near, far),
-                Err(expected)
-            );
+            let refused = ViewVolume::perspective(fov, aspect, near, far).err();
+            assert_eq!(refused, Some(expected));
         }
-        assert_eq!(
-            ViewVolume::parallel(0.0, 1.0, 1.0, 2.0),
-            Err(SpaceError::Height(0.0))
-        );
+        let flat = ViewVolume::parallel(0.0, 1.0, 1.0, 2.0);
+        assert_eq!(flat, Err(SpaceError::Height(0.0)));
         assert!(ViewVolume::parallel(1.0, 1.0, -1.0, 2.0).is_ok());
     }
 }

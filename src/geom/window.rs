@@ -96,7 +96,7 @@ impl Window {
         select_unpredictable(edge.axis() == Axis::X, corner.x(), corner.y())
     }
 
-    /// The side of the window on which its inside lies: `n·p + d ≥ 0`.
+    /// The half-plane that a side bounds.
     #[must_use]
     pub fn half_plane(&self, edge: Edge) -> HalfPlane {
         let (min, max) = (self.min, self.max);
@@ -156,17 +156,13 @@ mod tests {
         use GeomError::{EmptyWindow, NotFinite};
         let infinity = f64::INFINITY;
         let empty = |axis, min, max| EmptyWindow { axis, min, max };
+        let (index, value) = (2, infinity);
+        let not_finite = NotFinite { index, value };
         let cases = [
             ([1.0, 0.0, -1.0, 1.0], empty(Axis::X, 1.0, -1.0)),
             ([0.0, 2.0, 1.0, 2.0], empty(Axis::Y, 2.0, 2.0)),
             ([0.0, -0.0, 0.0, 1.0], empty(Axis::X, 0.0, 0.0)),
-            (
-                [0.0, 0.0, infinity, 1.0],
-                NotFinite {
-                    index: 2,
-                    value: infinity,
-                },
-            ),
+            ([0.0, 0.0, infinity, 1.0], not_finite),
         ];
         for (numbers, expected) in cases {
             assert_eq!(Window::try_from(numbers), Err(expected), "{numbers:?}");
@@ -188,12 +184,10 @@ mod tests {
     #[test]
     fn every_normal_points_inside() {
         let window = Window::new(-1.0, -2.0, 3.0, 4.0).unwrap();
-        let middle = [1.0, 1.0];
         for edge in Edge::ALL {
             let plane = window.half_plane(edge);
-            let [nx, ny] = plane.normal();
-            let [ex, ey] = plane.origin().to_array();
-            let distance = nx * (middle[0] - ex) + ny * (middle[1] - ey);
+            let ([nx, ny], origin) = (plane.normal(), plane.origin());
+            let distance = nx * (1.0 - origin.x()) + ny * (1.0 - origin.y());
             assert!(distance > 0.0, "{} has {distance}", edge.id());
         }
     }

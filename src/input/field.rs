@@ -1,63 +1,53 @@
-//! Kinds of input, and the fields that they stand in.
+//! Kinds of input, the fields that they stand in, what is told of them, and why a value is refused.
 
-use super::{fault::Fault, given::Given, got::Got};
+use crate::{
+    geom::{Axis, GeomError, SpaceError},
+    text::{Diagnostic, Message, Value},
+};
+
+use super::got::Got;
 
 /// How many entries a list has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Dim {
-    /// Exactly so many.
     Exactly(usize),
     /// Any number; a report of every step takes at most so many.
     UpTo(usize),
 }
 
 impl Dim {
-    /// Any number, in a report too.
     pub const ANY: Self = Self::UpTo(usize::MAX);
 }
 
 /// What a value looks like, before it is known what it means.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    /// True or false.
     Bool,
-    /// A finite number.
     Number,
     /// A whole number, from the first to the last.
     Whole(i64, i64),
-    /// A text.
     Text,
-    /// One of these words.
     Word(&'static [&'static str]),
     /// Finite numbers in lists of lists, the outermost list first.
     Numbers(&'static [Dim]),
     /// Whole numbers in the same way, each from the first to the last.
     Wholes(&'static [Dim], i64, i64),
-    /// A table of fields.
     Table(&'static Table),
-    /// A list of any length.
     List(&'static Shape),
-    /// This, or null.
     OrNull(&'static Shape),
 }
 
 impl Shape {
-    /// A point of the plane, or a place in a texture.
     pub const POINT: Self = Self::Numbers(&[Dim::Exactly(2)]);
-    /// A place in space.
     pub const PLACE: Self = Self::Numbers(&[Dim::Exactly(3)]);
-    /// Points of the plane.
     pub const POINTS: Self = Self::Numbers(&[Dim::ANY, Dim::Exactly(2)]);
-    /// A whole number that counts, from 0.
     pub const COUNT: Self = Self::Whole(0, i64::MAX);
-    /// Numbers that count, from 0.
     pub const COUNTS: Self = Self::Wholes(&[Dim::ANY], 0, i64::MAX);
 }
 
 /// A table of which only certain fields may be given.
 #[derive(Debug)]
 pub struct Table {
-    /// Catalogue key of its name.
     pub name_key: &'static str,
     /// In the order in which they are checked.
     pub fields: &'static [Field],
@@ -65,34 +55,25 @@ pub struct Table {
     pub both_key: &'static str,
 }
 
-/// Must a field be there?
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Presence {
-    /// Always.
     Required,
     /// Exactly one of the fields of this kind.
     Choice,
-    /// It may be left out.
     Optional,
 }
 
 /// A field of a case, of an answer, or of a table in one.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// As files spell it.
     pub name: &'static str,
-    /// Must it be there?
     pub need: Presence,
-    /// What its value looks like.
     pub shape: &'static Shape,
-    /// What is told of its value.
     tell: fn(&Got) -> Vec<Given>,
-    /// What is told where it is left out.
     tell_absent: fn() -> Vec<Given>,
 }
 
 impl Field {
-    /// A field of which nothing is told.
     pub const fn new(name: &'static str, need: Presence, shape: &'static Shape) -> Self {
         Self {
             name,
@@ -103,27 +84,22 @@ impl Field {
         }
     }
 
-    /// One that must be there.
     pub const fn required(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Required, shape)
     }
 
-    /// One of several of which exactly one must be there.
     pub const fn choice(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Choice, shape)
     }
 
-    /// One that may be left out.
     pub const fn optional(name: &'static str, shape: &'static Shape) -> Self {
         Self::new(name, Presence::Optional, shape)
     }
 
-    /// The same, with what is told of its value.
     pub const fn told(self, tell: fn(&Got) -> Vec<Given>) -> Self {
         Self { tell, ..self }
     }
 
-    /// What is told of this value, or of its absence.
     pub fn given(&self, got: Option<&Got>) -> Vec<Given> {
         got.map_or_else(self.tell_absent, self.tell)
     }
@@ -141,7 +117,6 @@ pub struct Part<T> {
 }
 
 impl<T> Part<T> {
-    /// One of which nothing is told.
     pub const fn new(
         name: &'static str,
         shape: &'static Shape,
@@ -154,29 +129,24 @@ impl<T> Part<T> {
         }
     }
 
-    /// The same, with what a mistake in a lesson file says was expected.
     pub const fn expecting(self, expect: &'static str) -> Self {
         Self { expect, ..self }
     }
 
-    /// The same, with what is told of it.
     pub const fn told(mut self, tell: fn(&Got) -> Vec<Given>) -> Self {
         self.optional = self.optional.told(tell);
         self
     }
 
-    /// The same, with what is told where it is left out.
     pub const fn told_absent(mut self, tell_absent: fn() -> Vec<Given>) -> Self {
         self.optional.tell_absent = tell_absent;
         self
     }
 
-    /// As files spell its field.
     pub const fn name(&self) -> &'static str {
         self.optional.name
     }
 
-    /// Its field, which must be there.
     pub const fn required(&self) -> Field {
         let need = Presence::Required;
         Field {
@@ -191,6 +161,90 @@ impl<T> Part<T> {
         Field {
             need,
             ..self.optional
+        }
+    }
+}
+
+/// One thing that a problem gives: "clip window: −1 ≤ x ≤ 1, −1 ≤ y ≤ 1".
+#[derive(Clone, PartialEq, Debug)]
+pub struct Given {
+    pub name_key: &'static str,
+    /// Set one after the other: the first of them, as many as are shown.
+    pub values: Vec<Value>,
+    pub n_values: usize,
+}
+
+/// A polygon's vertices beyond these are not put into words.
+const MAX_SHOWN: usize = 16;
+
+impl Given {
+    pub fn new(name_key: &'static str, values: impl ExactSizeIterator<Item = Value>) -> Self {
+        Self {
+            name_key,
+            n_values: values.len(),
+            values: values.take(MAX_SHOWN).collect(),
+        }
+    }
+
+    #[must_use]
+    pub fn only<const N: usize>(name_key: &'static str, values: [Value; N]) -> Vec<Self> {
+        vec![Self::new(name_key, values.into_iter())]
+    }
+}
+
+/// A place within a value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum At {
+    Whole,
+    Entry(usize),
+    Field(&'static str),
+}
+
+/// Why a value is refused, and where in it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Fault {
+    pub at: At,
+    /// Why; its code is the one that cases are refused by.
+    pub what: Diagnostic,
+}
+
+impl Fault {
+    pub fn new(code: &'static str, message: Message) -> Self {
+        Self {
+            at: At::Whole,
+            what: Diagnostic::new(message).coded(code),
+        }
+    }
+
+    pub fn at(self, at: At) -> Self {
+        Self { at, ..self }
+    }
+}
+
+impl From<GeomError> for Fault {
+    fn from(error: GeomError) -> Self {
+        let at = match error {
+            GeomError::Degenerate { vertex_idx }
+            | GeomError::NotConvex { vertex_idx }
+            | GeomError::SelfIntersecting { vertex_idx } => At::Entry(vertex_idx),
+            // Edge i starts from vertex i: the place is the first of the two.
+            GeomError::EdgesMeet { edges: [i, _] } => At::Entry(i),
+            GeomError::MisplacedHole { hole_idx } => At::Entry(hole_idx),
+            GeomError::EmptyWindow { axis: Axis::X, .. } => At::Entry(0),
+            GeomError::EmptyWindow { axis: Axis::Y, .. } => At::Entry(1),
+            // The numbers were read one by one before: this names the place as well as it can.
+            GeomError::NotFinite { .. } | GeomError::TooFewVertices => At::Whole,
+        };
+        let what = error.into();
+        Self { at, what }
+    }
+}
+
+impl From<SpaceError> for Fault {
+    fn from(error: SpaceError) -> Self {
+        Self {
+            at: error.camera_field().map_or(At::Whole, At::Field),
+            what: error.into(),
         }
     }
 }

@@ -11,19 +11,15 @@
 //! A [`Part`] is one kind of input: its name, its [`Shape`], how a value of that shape ([`Got`]) becomes a window, a plane or
 //! a camera, and how it is told. Readers check the shape, so that a part's own function only sees values of the right one.
 
-mod fault;
 mod field;
-mod given;
 mod got;
 mod parts;
 mod schema;
 
-pub use fault::{At, Fault};
-pub use field::{Dim, Field, Part, Presence, Shape, Table};
-pub use given::Given;
+pub use field::{At, Dim, Fault, Field, Given, Part, Presence, Shape, Table};
 pub use got::Got;
 pub use parts::{
     BIT_ORDER, CAMERA, CAMERA_IN_FILE, CLIP, CONVEX_CLIP, CULL, FROZEN, FRUSTUM, HOLES,
-    MOST_VERTICES, POLYGON, SIZE, WINDOW, between, outline_told, polygon,
+    MOST_VERTICES, POLYGON, SIZE, WINDOW, between,
 };
 pub use schema::{of_fields, of_shape};

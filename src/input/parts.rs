@@ -50,17 +50,14 @@ pub const MOST_VERTICES: usize = 10_000;
 
 const OUTLINE: Shape = Shape::Numbers(&[Dim::UpTo(MOST_VERTICES), Dim::Exactly(2)]);
 
-/// `clip`: a polygon of any shape.
 pub const CLIP: Part<Polygon> = Part::new("clip", &OUTLINE, polygon)
     .expecting("expect-polygon")
     .told(|got| polygon(got).map_or_else(|_| Vec::new(), |clip| clip_told(clip.vertices())));
 
-/// `polygon`: three vertices or more.
 pub const POLYGON: Part<Polygon> = Part::new("polygon", &OUTLINE, polygon)
     .expecting("expect-polygon")
     .told(|got| outline_told("object-polygon", got));
 
-/// `holes`: outlines like that of [`POLYGON`].
 pub const HOLES: Field = Field::optional("holes", &Shape::List(&OUTLINE)).told(|got| {
     let holes = got.list().iter();
     holes
@@ -68,7 +65,6 @@ pub const HOLES: Field = Field::optional("holes", &Shape::List(&OUTLINE)).told(|
         .collect()
 });
 
-/// `bit_order`: the order in which outcodes are written.
 pub const BIT_ORDER: Part<BitOrder> =
     Part::new("bit_order", &Shape::Word(&["tbrl", "lrbt"]), |got| {
         Ok(bit_order(got))
@@ -80,7 +76,6 @@ pub const BIT_ORDER: Part<BitOrder> =
 pub const CULL: Part<bool> = Part::new("cull", &Shape::Word(&["back"]), |_| Ok(true))
     .told(|_| Given::only("object-culled", [Value::Term("case-backs")]));
 
-/// `size`: columns and rows of a picture.
 pub const SIZE: Part<Viewport> = Part::new(
     "size",
     &Shape::Wholes(&[Dim::Exactly(2)], 1, Viewport::MAX_SIDE as i64),
@@ -108,7 +103,6 @@ pub const SIZE: Part<Viewport> = Part::new(
     Given::only("object-picture", [Value::Formula(pixels)])
 });
 
-/// How wide, how wide beside its height, from where and up to where.
 const VOLUME_FIELDS: [Field; 5] = [
     Field::choice("fov_y_deg", &Shape::Number),
     Field::choice("height", &Shape::Number),
@@ -135,10 +129,8 @@ pub const FRUSTUM: Part<ViewVolume> = Part::new(
 )
 .told(|got| table_told("object-view-volume", got));
 
-/// A camera that says which way is up.
 pub const CAMERA: Part<TaughtCamera> = camera("camera", &CAMERA_TABLE);
 
-/// One that need not say it.
 pub const CAMERA_IN_FILE: Part<TaughtCamera> = camera("camera", &CAMERA_IN_FILE_TABLE);
 
 /// The same, of which planes are kept while the camera moves on.
@@ -192,8 +184,7 @@ fn opening(got: &Got) -> Opening {
 }
 
 /// `V₁ = (0, 0)`, `V₂ = …`
-#[must_use]
-pub fn outline_told(name_key: &'static str, got: &Got) -> Vec<Given> {
+fn outline_told(name_key: &'static str, got: &Got) -> Vec<Given> {
     let vertex = |(i, &at): (usize, &[f64; 2])| {
         let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
         Value::Formula(formula.point(at))
@@ -202,11 +193,7 @@ pub fn outline_told(name_key: &'static str, got: &Got) -> Vec<Given> {
     vec![Given::new(name_key, vertices)]
 }
 
-/// An outline of any shape.
-///
-/// # Errors
-/// That of its first vertex that makes no outline.
-pub fn polygon(got: &Got) -> Result<Polygon, Fault> {
+fn polygon(got: &Got) -> Result<Polygon, Fault> {
     Ok(Polygon::new(got.rows())?)
 }
 

@@ -4,7 +4,6 @@ use serde_json::{Map, Value as Json, json};
 
 use super::{Dim, Field, Presence, Shape};
 
-/// The schema of a value.
 pub fn of_shape(shape: &Shape) -> Json {
     match shape {
         Shape::Bool => json!({ "type": "boolean" }),
@@ -20,7 +19,6 @@ pub fn of_shape(shape: &Shape) -> Json {
     }
 }
 
-/// The schema of an object that has these fields and no others.
 pub fn of_fields(fields: &[Field]) -> Json {
     let properties: Map<String, Json> = fields
         .iter()
@@ -57,7 +55,6 @@ fn whole(least: i64, most: i64) -> Json {
     schema
 }
 
-/// Lists in lists, the outermost first.
 fn lists(dims: &[Dim], entry: Json) -> Json {
     dims.iter().rev().fold(entry, |items, dim| match dim {
         Dim::Exactly(n) => json!({ "type": "array", "items": items, "minItems": n, "maxItems": n }),

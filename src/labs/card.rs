@@ -1,21 +1,17 @@
 //! What is known of a method without running it.
 
-/// Names, source and pseudocode of a method.
 #[derive(Clone, Copy, Debug)]
 pub struct MethodCard {
     /// As the command line, JSON and lesson files spell it; unique among all labs.
     pub id: &'static str,
-    /// Catalogue key of its name.
     pub name_key: &'static str,
     /// Author and year.
     pub source: &'static str,
-    /// Its pseudocode.
     pub code: &'static [CodeLine],
     /// Is it wrong on purpose, to be compared with the right one?
     pub is_faulty: bool,
 }
 
-/// One line of pseudocode.
 #[derive(Clone, Copy, Debug)]
 pub struct CodeLine {
     /// Levels of indentation.
@@ -26,7 +22,6 @@ pub struct CodeLine {
     pub words: &'static str,
 }
 
-/// A line of pseudocode at a depth, with its two keys.
 pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
     CodeLine { depth, code, words }
 }

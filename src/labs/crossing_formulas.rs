@@ -7,12 +7,11 @@ use crate::{
     text::Formula,
 };
 
-use super::words::{along, axis_symbol};
+use super::words::{along, axis_symbol, sym};
 
 /// Both ends' distances from a border, positive where it lies between them.
 pub struct Weights {
     ends: [f64; 2],
-    /// The difference that both make together.
     whole: [f64; 2],
 }
 
@@ -46,7 +45,7 @@ impl Weights {
             [[a1, c], [c, a2]]
         };
         [("w₁ = ", first, w1), ("w₂ = ", second, w2)].map(|(symbol, [a, b], w)| {
-            let formula = Formula::default().sym(symbol).num(a).sym(" − ");
+            let formula = sym(symbol).num(a).sym(" − ");
             formula.operand(b).equals(w)
         })
     }
@@ -67,7 +66,7 @@ impl Weights {
             .operand(w1)
             .sym(" · ")
             .point(p2);
-        let formula = Formula::default().sym(symbol).sym(" = ");
+        let formula = sym(symbol).sym(" = ");
         formula.over(sum, self.whole()).sym(" = ").point(at)
     }
 
@@ -82,7 +81,7 @@ impl Weights {
         let place = |formula: Formula, at: &[f64; N]| formula.sym("(").list(at).sym(")");
         let sum = place(Formula::default().num(w2).sym(" · "), p1);
         let sum = place(sum.sym(" + ").operand(w1).sym(" · "), p2);
-        let formula = Formula::default().sym(symbol).sym(" = ");
+        let formula = sym(symbol).sym(" = ");
         place(formula.over(sum, self.whole()).sym(" = "), &at)
     }
 
@@ -97,7 +96,7 @@ impl Weights {
             .operand(o2)
             .sym(" · ")
             .operand(w1);
-        let formula = Formula::default().sym(symbol).sym(" = ");
+        let formula = sym(symbol).sym(" = ");
         formula.over(sum, self.whole()).equals(free)
     }
 
@@ -135,7 +134,7 @@ pub fn upright_in_space(ends: &[[f64; 3]; 2], axis: usize, c: f64, at: [f64; 3])
     let along = ends.map(|end| end[axis]);
     let others = (0..3).filter(|&other| other != axis);
     if along.contains(&c) {
-        let taken = |i: usize| Formula::default().sym(SYMBOLS[i]).sym(" = ").num(at[i]);
+        let taken = |i: usize| sym(SYMBOLS[i]).sym(" = ").num(at[i]);
         return others.map(taken).collect();
     }
     let weights = Weights::along(along, c);
@@ -146,11 +145,10 @@ pub fn upright_in_space(ends: &[[f64; 3]; 2], axis: usize, c: f64, at: [f64; 3])
 
 /// `y = 1`: the other coordinate of a point that was there already, an end or a corner.
 pub fn taken(axis: Axis, at: Point) -> Vec<Formula> {
-    let formula = Formula::default().sym(other_symbol(axis));
+    let formula = sym(other_symbol(axis));
     vec![formula.sym(" = ").num(along(at, axis)[1])]
 }
 
-/// The coordinate that a border along the other axis does not fix.
 const fn other_symbol(axis: Axis) -> &'static str {
     match axis {
         Axis::X => axis_symbol(Axis::Y),
@@ -158,7 +156,6 @@ const fn other_symbol(axis: Axis) -> &'static str {
     }
 }
 
-/// Where the segment between two ends crosses an oblique border.
 pub fn oblique(symbol: &'static str, ends: [Point; 2], distances: [f64; 2], at: Point) -> Formula {
     let ends = ends.map(Point::to_array);
     Weights::across(distances).mean_of_points(symbol, ends, at.to_array())

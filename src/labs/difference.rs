@@ -7,10 +7,8 @@ use crate::{
 
 use super::MethodCard;
 
-/// Methods side by side, one of them wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Difference {
-    /// The column that the wrong one stands in.
     pub column: usize,
     /// The first step at which it does something else than it should; none where it never does on this input.
     pub step: Option<usize>,

@@ -6,32 +6,24 @@ use crate::text::Diagnostic;
 
 use super::{Change, Handle, Own, Scene};
 
-/// One change to the scene.
 #[derive(Clone, Debug)]
 pub enum Edit {
-    /// Use another method.
     Method(&'static str),
-    /// Put another method beside it, or none.
     Compare(Option<&'static str>),
-    /// Move a handle.
     Drag(Handle, [f64; 3]),
     /// One more of what the lab has many of, after this handle's.
     Add(Option<Handle>),
     /// One less: without this handle's.
     Remove(Option<Handle>),
-    /// Another scene altogether.
     Replace(Scene),
-    /// What only one lab knows.
     Own(Own),
 }
 
 impl Edit {
-    /// A change that only one lab knows.
     pub fn own(change: impl Change + 'static) -> Self {
         Self::Own(Arc::new(change))
     }
 
-    /// Does the change bring a scene that should be seen whole?
     pub fn brings_another(&self) -> bool {
         match self {
             Self::Replace(_) => true,

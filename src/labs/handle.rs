@@ -3,12 +3,9 @@
 
 use crate::{figure::Link, text::Message};
 
-/// How a handle may move.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Motion {
-    /// In the plane of the drawing.
     Plane,
-    /// Along one axis only.
     Axis([f64; 3]),
     /// In the plane through it that faces the eye.
     FacingEye,
@@ -19,9 +16,7 @@ pub enum Motion {
 pub struct HandleKind {
     /// Unique in its lab.
     pub id: &'static str,
-    /// The group that a lesson can lock it with.
     pub group: &'static str,
-    /// How it may move.
     pub motion: Motion,
     /// Does it move with an offset to the pointer, as a whole, and not to a place of its own?
     pub is_whole: bool,
@@ -36,7 +31,6 @@ pub struct HandleKind {
 }
 
 impl HandleKind {
-    /// One that moves in the plane to a place of its own.
     pub const fn new(
         id: &'static str,
         group: &'static str,
@@ -54,13 +48,11 @@ impl HandleKind {
         }
     }
 
-    /// The handle with this number, or numbers.
     pub const fn at(&'static self, idx: [usize; 2]) -> Handle {
         Handle { kind: self, idx }
     }
 }
 
-/// Something that can be dragged.
 #[derive(Clone, Copy, Debug)]
 pub struct Handle {
     kind: &'static HandleKind,
@@ -76,32 +68,26 @@ impl PartialEq for Handle {
 impl Eq for Handle {}
 
 impl Handle {
-    /// What is known of its kind.
     pub const fn kind(self) -> &'static HandleKind {
         self.kind
     }
 
-    /// Is it of this kind?
     pub fn is(self, kind: &HandleKind) -> bool {
         self.kind.id == kind.id
     }
 
-    /// Which of its kind.
     pub const fn idx(self) -> [usize; 2] {
         self.idx
     }
 
-    /// The group that a lesson can lock it with.
     pub const fn group(self) -> &'static str {
         self.kind.group
     }
 
-    /// What it is, for a screen reader.
     pub fn name(self) -> Message {
         (self.kind.name)(self.idx)
     }
 
-    /// What marks and rows about it are linked by, if they are.
     pub fn link(self) -> Option<Link> {
         self.kind.link.map(|link| link(self.idx))
     }

@@ -2,54 +2,37 @@
 
 use crate::{
     algo::parameter::{End, Ratio},
-    figure::{Caption, LineTick, Link, NumberLine, Side, WatchRow},
-    text::{Formula, Message, Value},
+    figure::{Caption, LineTick, NumberLine, Side},
+    labs::prelude::*,
 };
 
-use super::words::end_name;
-
-/// A crossing that has been computed.
 pub struct ShownCrossing {
-    /// Its parameter.
     pub at: f64,
-    /// The quotient that it was computed as.
     pub quotient: Ratio,
     /// Which bound it may move.
     pub side: Side,
-    /// Does it hold that bound now?
     pub holds: bool,
-    /// Is it this step's?
     pub current: bool,
-    /// The border's name.
     pub name: Value,
-    /// What it is about.
     pub link: Link,
 }
 
-/// The interval as a step shows it: in sentences, on the number line, in the watch table.
 pub struct ShownInterval {
-    /// The parameter: `u` or `t`.
     pub symbol: &'static str,
-    /// Lower and upper bound.
     pub bounds: [f64; 2],
-    /// Computed so far.
     pub crossings: Vec<ShownCrossing>,
-    /// Is nothing visible, as far as is known?
     pub is_rejected: bool,
 }
 
 impl ShownInterval {
-    /// Have the bounds passed each other?
     pub fn is_crossed_over(&self) -> bool {
         self.bounds[0] > self.bounds[1]
     }
 
-    /// A parameter as the quotient that it was computed as.
     pub fn written(&self, at: f64) -> Value {
         value_of(written(at, &self.crossings))
     }
 
-    /// `u_min`
     pub fn bound_symbol(&self, side: Side) -> String {
         let suffix = match side {
             Side::Entering => "min",
@@ -85,7 +68,6 @@ impl ShownInterval {
         }
     }
 
-    /// Rows for both bounds, each with the border that set it.
     pub fn bound_rows(&self) -> impl Iterator<Item = WatchRow> + '_ {
         let sides = [Side::Entering, Side::Leaving].into_iter();
         sides.zip(self.bounds).map(|(side, bound)| {
@@ -98,7 +80,6 @@ impl ShownInterval {
         })
     }
 
-    /// Is anything left of it?
     pub fn caption(&self, empty: bool) -> Caption {
         let [min, max] = self.bounds;
         let (key, relation) = match (empty, min == max) {
@@ -129,8 +110,7 @@ impl ShownInterval {
         } else {
             crossing
         };
-        Formula::default()
-            .sym(format!("{} = {function}(", self.bound_symbol(side)))
+        sym(format!("{} = {function}(", self.bound_symbol(side)))
             .list(&[old, at])
             .sym(")")
             .equals_ratio(new.num, new.den)
@@ -154,7 +134,6 @@ pub fn direction(p: f64) -> &'static str {
     }
 }
 
-/// A quotient that stands alone.
 pub const fn value_of(Ratio { num, den }: Ratio) -> Value {
     Value::Ratio { num, den }
 }
@@ -179,7 +158,7 @@ pub fn quotient_formula(
     Ratio { num, den }: Ratio,
 ) -> Formula {
     let number = |x: f64| Formula::default().num(x);
-    let formula = Formula::default().sym(symbol).sym(" = ").over(above, below);
+    let formula = sym(symbol).sym(" = ").over(above, below);
     if is_reduced(num, den) {
         return formula.equals_ratio(num, den);
     }

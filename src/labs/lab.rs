@@ -11,46 +11,38 @@ use crate::{
 
 use super::{Handle, MethodCard};
 
-/// A lab: a kind of scene, and the methods that work on it.
-pub trait Lab: Sync {
+/// A kind of scene, and the methods that work on it.
+pub struct Lab {
     /// As lesson files spell it.
-    fn id(&self) -> &'static str;
-    /// Catalogue key of its name.
-    fn name_key(&self) -> &'static str;
-    /// Catalogue key of what it is about.
-    fn about_key(&self) -> &'static str;
-    /// Its methods, in the order in which they are taught.
-    fn methods(&self) -> Vec<&'static MethodCard>;
+    pub id: &'static str,
+    pub name_key: &'static str,
+    pub about_key: &'static str,
+    /// In the order in which they are taught.
+    pub methods: fn() -> Vec<&'static MethodCard>,
     /// What it opens on where there is no lesson.
-    fn first_scene(&self) -> Scene;
+    pub first_scene: fn() -> Scene,
     /// Groups of handles that a lesson can lock.
-    fn lock_groups(&self) -> &'static [&'static str];
+    pub lock_groups: &'static [&'static str],
     /// Another lab's scene as one of its own, by its first method, if it can be one.
-    fn adopt(&self, _scene: &Scene) -> Option<Scene> {
-        None
-    }
+    pub adopt: fn(&Scene) -> Option<Scene>,
     /// What can be drawn by clicking, in the order of the menu.
-    fn outlines(&self) -> &'static [OutlineKind] {
-        &[]
-    }
+    pub outlines: &'static [OutlineKind],
 }
 
-impl fmt::Debug for dyn Lab {
+impl fmt::Debug for Lab {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.id())
+        f.write_str(self.id)
     }
 }
 
-impl PartialEq for dyn Lab {
+impl PartialEq for Lab {
     fn eq(&self, other: &Self) -> bool {
-        self.id() == other.id()
+        self.id == other.id
     }
 }
 
-/// What figures, lessons and the window ask of a lab's scene.
 pub trait Document: Plain + Backdrop + Draggable + Answers {
-    /// Its lab.
-    fn lab(&self) -> &'static dyn Lab;
+    fn lab(&self) -> &'static Lab;
     /// The methods on stage, from left to right: one, or several that are compared.
     fn methods(&self) -> Vec<&'static MethodCard>;
     /// Puts the method of this id first; an unknown one is ignored.
@@ -68,7 +60,6 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
     fn cost_of_all(&self, _column: usize) -> Option<Message> {
         None
     }
-    /// Can the method of this id take the scene?
     fn takes(&self, _id: &str) -> bool {
         true
     }
@@ -92,7 +83,6 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
     fn size(&self) -> usize;
 }
 
-/// What of a scene is on stage whatever the step.
 pub trait Backdrop {
     /// What lies under the marks of the method in this column, at the end of its run or before.
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
@@ -100,7 +90,6 @@ pub trait Backdrop {
     fn bounds(&self) -> [[f64; 2]; 2];
 }
 
-/// What of a scene can be taken hold of.
 pub trait Draggable {
     /// What can be dragged, in the order in which Tab visits it.
     fn handles(&self) -> Vec<Handle>;
@@ -113,9 +102,7 @@ pub trait Draggable {
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
 }
 
-/// What can be asked about a scene.
 pub trait Answers {
-    /// What a click asks about.
     fn asked(&self, click: &Click<'_>) -> Option<Link> {
         click.link
     }
@@ -127,7 +114,6 @@ pub trait Answers {
     }
 }
 
-/// What decided the fate of something, and what would turn it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Verdict {
     /// The test that decided it, with its numbers.
@@ -140,9 +126,7 @@ pub struct Verdict {
 
 /// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.
 pub trait Plain: Any + fmt::Debug + Send + Sync {
-    /// A copy.
     fn boxed(&self) -> Box<dyn Document>;
-    /// Is it the same, of the same lab?
     fn is_same(&self, other: &dyn Document) -> bool;
 }
 
@@ -157,16 +141,13 @@ impl<D: Document + Clone + PartialEq> Plain for D {
     }
 }
 
-/// A lab's scene, whichever lab it is of.
 pub struct Scene(Box<dyn Document>);
 
 impl Scene {
-    /// What it can do whichever lab it is of.
     pub fn document(&self) -> &dyn Document {
         &*self.0
     }
 
-    /// To change it.
     pub fn document_mut(&mut self) -> &mut dyn Document {
         &mut *self.0
     }
@@ -177,7 +158,6 @@ impl Scene {
         any.downcast_ref()
     }
 
-    /// To change what only that lab knows.
     pub fn get_mut<D: Document>(&mut self) -> Option<&mut D> {
         let any: &mut dyn Any = &mut *self.0;
         any.downcast_mut()
@@ -208,10 +188,8 @@ impl fmt::Debug for Scene {
     }
 }
 
-/// A click on the stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Click<'a> {
-    /// The world point under the pointer.
     pub at: [f64; 3],
     /// The point that it stands for: on the grid where handles keep to it.
     pub place: [f64; 3],
@@ -223,7 +201,6 @@ pub struct Click<'a> {
     pub picture: Option<[f64; 2]>,
     /// What is there is about this: the nearest mark, or the face of a solid.
     pub link: Option<Link>,
-    /// What the open lesson step locks.
     pub locks: &'a [Lock],
 }
 
@@ -232,19 +209,16 @@ pub struct Click<'a> {
 pub struct Lock(&'static str);
 
 impl Lock {
-    /// The group of this name in a lab.
-    pub fn of(lab: &dyn Lab, name: &str) -> Option<Self> {
-        let mut groups = lab.lock_groups().iter();
+    pub fn of(lab: &Lab, name: &str) -> Option<Self> {
+        let mut groups = lab.lock_groups.iter();
         groups.find(|&&known| known == name).copied().map(Self)
     }
 
-    /// Is this handle in one of these groups?
     pub fn any_holds(locks: &[Self], handle: Handle) -> bool {
         locks.iter().any(|lock| lock.0 == handle.group())
     }
 }
 
-/// A change that only one lab knows.
 pub type Own = Arc<dyn Change>;
 
 /// A change to a scene; [`ChangeOf`] is what a lab implements.
@@ -258,9 +232,7 @@ pub trait Change: fmt::Debug + Send + Sync {
     fn brings_another(&self) -> bool;
 }
 
-/// A change to the documents of one lab.
 pub trait ChangeOf: fmt::Debug + Send + Sync + 'static {
-    /// The documents that it changes.
     type Of: Document;
 
     /// Makes it; the handle to select next, if any.
@@ -269,7 +241,6 @@ pub trait ChangeOf: fmt::Debug + Send + Sync + 'static {
     /// [`Diagnostic`] where the document would not be valid: it is left as it was.
     fn make(&self, document: &mut Self::Of) -> Result<Option<Handle>, Diagnostic>;
 
-    /// Does it bring a scene that should be seen whole?
     fn is_another(&self) -> bool {
         false
     }
@@ -287,7 +258,6 @@ impl<C: ChangeOf> Change for C {
     }
 }
 
-/// An outline that can be drawn by clicking, point by point.
 #[derive(Debug)]
 pub struct OutlineKind {
     /// Catalogue key of what draws it: `action-draw-…`.

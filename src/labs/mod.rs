@@ -10,8 +10,8 @@ mod handle;
 mod interval;
 mod lab;
 pub mod lines;
-mod operator;
 pub mod polygons;
+mod prelude;
 pub mod recorded;
 mod registry;
 mod rings;
@@ -42,4 +42,4 @@ use card::{but_for, code_line};
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.
-pub static LABS: [&dyn Lab; 4] = [lines::LAB, polygons::LAB, frustum::LAB, surfaces::LAB];
+pub static LABS: [&Lab; 4] = [lines::LAB, polygons::LAB, frustum::LAB, surfaces::LAB];

@@ -13,7 +13,6 @@ use crate::{
 
 use super::telling::{At, Row, Telling};
 
-/// A recorded run and the row of each of its events.
 pub struct Recorded<M: Telling> {
     recording: Recording<M>,
     /// Kept, so that ticks, lines and decisions need no run: of step 1 the first.
@@ -23,7 +22,6 @@ pub struct Recorded<M: Telling> {
 }
 
 impl<M: Telling> Recorded<M> {
-    /// Records a run.
     pub fn new(input: M::Input, scenery: Option<Arc<M::Scenery>>) -> Self {
         let mut rows = Vec::new();
         Self {
@@ -49,7 +47,6 @@ impl<M: Telling> Recorded<M> {
     }
 }
 
-/// A step of a run, as it is told.
 struct ShownStep<'a, M: Telling> {
     at: At<'a, M>,
     /// The step's number, where the run differs from the right one here for the first time.
@@ -95,11 +92,11 @@ impl<M: Telling> Run for Recorded<M> {
         if self.differs_at == Some(step) {
             return Tick::Reject;
         }
-        self.row(step).map_or(Tick::Phase, M::tick)
+        self.row(step).map_or(Tick::Phase, |row| row.tick)
     }
 
     fn code_line(&self, step: usize) -> Option<usize> {
-        self.row(step).map(M::line)
+        self.row(step).map(|row| row.line)
     }
 
     fn event_json(&self, step: usize) -> Json {

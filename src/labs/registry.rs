@@ -4,47 +4,36 @@ use std::fmt;
 
 use super::MethodCard;
 
-/// A line of a lab's table of methods: what the lab knows of a method without running it.
 pub struct MethodEntry<I> {
-    /// Names, source and pseudocode.
     pub card: MethodCard,
-    /// What only this lab knows of its methods.
     pub info: I,
 }
 
-/// What only one lab knows of its methods.
 pub trait Listed: Sized + 'static {
-    /// Every method of that lab, in the order in which they are taught.
     fn all() -> &'static [MethodEntry<Self>];
 }
 
-/// One of a lab's methods.
 pub struct Method<I: 'static>(&'static MethodEntry<I>);
 
 impl<I> Method<I> {
-    /// The method of this line of the table.
     pub const fn of(entry: &'static MethodEntry<I>) -> Self {
         Self(entry)
     }
 
-    /// What only its lab knows of it.
     pub const fn info(self) -> &'static I {
         &self.0.info
     }
 
-    /// Its names, source and pseudocode.
     pub const fn card(self) -> &'static MethodCard {
         &self.0.card
     }
 }
 
 impl<I: Listed> Method<I> {
-    /// In the order of the registry.
     pub fn all() -> impl ExactSizeIterator<Item = Self> {
         I::all().iter().map(Self)
     }
 
-    /// The method with this id.
     pub fn by_id(id: &str) -> Option<Self> {
         Self::all().find(|method| method.card().id == id)
     }

@@ -2,31 +2,11 @@
 //! at, and where the edges cross.
 
 use crate::{
-    algo::ring::{Crossing, Happening, Lists, Ring, RingEvent, Rule},
+    algo::ring::{Crossing, EdgeTest, Happening, Lists, Ring, RingEvent, Rule},
     text::Value,
 };
 
 use super::{telling::Named, words::name};
-
-/// An edge of the list against the limit at work.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct EdgeTest<V> {
-    /// Where S and P stand in the list.
-    pub idx: [usize; 2],
-    /// S and P.
-    pub ends: [V; 2],
-    /// Their signed distances from the limit.
-    pub distances: [f64; 2],
-    /// What follows.
-    pub rule: Rule,
-}
-
-impl<V> EdgeTest<V> {
-    /// Are S and P inside?
-    pub const fn inside(&self) -> [bool; 2] {
-        [self.rule.starts_inside(), self.rule.ends_inside()]
-    }
-}
 
 /// The edge that was looked at last.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -38,25 +18,14 @@ pub struct Asked<V> {
 }
 
 impl<V: Copy + PartialEq> Asked<V> {
-    /// By what has been told so far.
     pub fn of<E: RingEvent<V>>(past: &[E]) -> Self {
         let (mut test, mut crossing) = (None, None);
         for event in past.iter().rev() {
             match event.happening() {
                 Some(Happening::First { .. } | Happening::Output(_)) => {}
                 Some(Happening::Cross(found)) => crossing = Some(found),
-                Some(Happening::Test {
-                    idx,
-                    ends,
-                    distances,
-                    rule,
-                }) => {
-                    test = Some(EdgeTest {
-                        idx,
-                        ends,
-                        distances,
-                        rule,
-                    });
+                Some(Happening::Test(asked)) => {
+                    test = Some(asked);
                     break;
                 }
                 None => break,
@@ -65,7 +34,6 @@ impl<V: Copy + PartialEq> Asked<V> {
         Self { test, crossing }
     }
 
-    /// Is it a crossing that is put out, and not a vertex of the list?
     pub fn is_crossing(&self, put_out: V) -> bool {
         self.crossing.is_some_and(|crossing| crossing.at == put_out)
     }
@@ -75,7 +43,6 @@ impl<V: Copy + PartialEq> Asked<V> {
         self.test.map_or(0, |test| test.idx[1])
     }
 
-    /// What a name stands for in every clipper, where vertices of a list have these symbols.
     pub fn named(&self, name_of: &str, symbol: fn(usize) -> String) -> Option<Named> {
         let distance = |test: EdgeTest<V>, i: usize| {
             let side = Value::Term(side_term(test.inside()[i]));
@@ -108,25 +75,18 @@ pub struct Turn<V> {
 
 impl<V> Turn<V> {
     /// By what has been told since the last event that begins a turn.
-    pub fn of<E: RingEvent<V>>(past: &[E], begins: impl Fn(&E) -> bool) -> Self {
+    fn of<E: RingEvent<V>>(past: &[E], begins: impl Fn(&E) -> bool) -> Self {
         let start = past.iter().rposition(begins).unwrap_or(past.len());
         let (mut sides, mut crossings) = (Vec::new(), Vec::new());
         let mut between = [0; 2];
         for happening in past[start..].iter().filter_map(RingEvent::happening) {
             match happening {
-                Happening::First {
-                    distance, inside, ..
-                } => sides.push((distance, inside)),
-                Happening::Test {
-                    idx,
-                    distances,
-                    rule,
-                    ..
-                } => {
-                    between = idx;
+                Happening::First(first) => sides.push((first.distance, first.inside)),
+                Happening::Test(test) => {
+                    between = test.idx;
                     // The edge that closes the ring ends where it began.
-                    if idx[1] == sides.len() {
-                        sides.push((distances[1], rule.ends_inside()));
+                    if between[1] == sides.len() {
+                        sides.push((test.distances[1], test.rule.ends_inside()));
                     }
                 }
                 Happening::Cross(crossing) => crossings.push((between, crossing)),
@@ -145,14 +105,11 @@ pub struct RingStep<'a, V> {
     pub output: &'a [V],
     /// The list that was clipped last; empty while one grows.
     pub passed: &'a [V],
-    /// The limit's turn.
     pub turn: Turn<V>,
-    /// The edge that was looked at last.
     pub asked: Asked<V>,
 }
 
 impl<'a, V: Copy + PartialEq> RingStep<'a, V> {
-    /// With both lists, after some events of which these begin a limit's turn.
     pub fn of<P: Ring<Vertex = V>, E: RingEvent<V>>(
         lists: &'a Lists<P>,
         past: &[E],
@@ -185,10 +142,10 @@ impl<'a, V: Copy + PartialEq> RingStep<'a, V> {
 }
 
 /// The vertex that an event asks on which side it lies.
-pub fn asked_vertex<V>(event: &impl RingEvent<V>) -> Option<V> {
+pub fn asked_vertex<V: Copy>(event: &impl RingEvent<V>) -> Option<V> {
     match event.happening()? {
-        Happening::First { at, .. } => Some(at),
-        Happening::Test { ends: [_, at], .. } => Some(at),
+        Happening::First(first) => Some(first.at),
+        Happening::Test(test) => Some(test.ends[1]),
         Happening::Cross(_) | Happening::Output(_) => None,
     }
 }
@@ -198,12 +155,10 @@ pub const fn is_crossed(distances: [f64; 2]) -> bool {
     distances[0] != 0.0 && distances[1] != 0.0
 }
 
-/// Catalogue key of the side on which a vertex lies.
 pub const fn side_term(is_inside: bool) -> &'static str {
     if is_inside { "sh-inside" } else { "sh-outside" }
 }
 
-/// Catalogue key of a rule's name.
 const fn rule_term(rule: Rule) -> &'static str {
     match rule {
         Rule::InIn => "rule-in-in",

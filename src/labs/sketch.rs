@@ -4,7 +4,6 @@ use crate::text::Message;
 
 use super::{OutlineKind, Own};
 
-/// Half an outline.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sketch {
     kind: &'static OutlineKind,
@@ -12,7 +11,6 @@ pub struct Sketch {
 }
 
 impl Sketch {
-    /// Without a point yet.
     pub const fn new(kind: &'static OutlineKind) -> Self {
         Self {
             kind,
@@ -20,7 +18,6 @@ impl Sketch {
         }
     }
 
-    /// What was placed so far.
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
@@ -37,17 +34,14 @@ impl Sketch {
         self.points.pop().is_some()
     }
 
-    /// Could it be closed?
     pub fn can_close(&self) -> bool {
         self.points.len() >= 3
     }
 
-    /// The change that it comes to, once it has three points.
     pub fn change(&self) -> Option<Own> {
         (self.kind.close)(&self.points)
     }
 
-    /// What to do next.
     pub fn hint(&self) -> Message {
         let key = if self.can_close() {
             "draw-close"

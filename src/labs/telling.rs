@@ -7,47 +7,54 @@ mod row;
 mod template;
 
 use serde::Serialize;
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Choice, Decides, Link, Tick, View, Watch, WatchRow, WatchSection},
+    figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
     text::{Catalog, Message, Value},
     trace::{Method, Step},
 };
 
 use super::{CodeLine, MethodCard};
 
-pub use row::{Options, Question, Row, all_rows};
-pub(crate) use row::{rows, table};
+pub(crate) use row::table;
+pub use row::{Options, Question, Row};
 
-/// An answer that can be written down.
+/// An answer that can be written down: the fields of `output`.
 pub trait Answer {
-    /// The fields of `output` in `interfaces.md`.
     fn json(&self) -> Json;
 }
 
-/// A method whose steps can be told and shown.
+/// One that is written down as it serialises.
+pub trait AnswerAsItIs: Serialize {}
+
+impl<A: AnswerAsItIs> Answer for A {
+    fn json(&self) -> Json {
+        json!(self)
+    }
+}
+
 pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
     /// What is drawn around a run: the space of a scene; `()` in the plane.
     type Scenery: 'static;
 
-    /// As JSON spells it.
     const ID: &'static str;
-    /// Catalogue key of the name.
     const NAME_KEY: &'static str;
     /// Author and year.
     const SOURCE: &'static str;
-    /// Its pseudocode.
     const CODE: &'static [CodeLine];
     /// Of a method that is wrong on purpose: what is said at the first step that the right one does not do.
     const DIFFERS_KEY: Option<&'static str> = None;
-    /// All rows of its table.
     const ROWS: &'static [Row];
-    /// The watch table, by names.
     const WATCH: &'static [Watched];
 
-    /// The row of the last event of a step, which is not the first.
-    fn row(step: &Step<'_, Self>) -> &'static Row;
+    /// Which row is that of the last event of a step, which is not the first.
+    fn row_idx(step: &Step<'_, Self>) -> usize;
+
+    /// The row of the last event of a step.
+    fn row(step: &Step<'_, Self>) -> &'static Row {
+        &Self::ROWS[Self::row_idx(step)]
+    }
 
     /// The row of a step where it is said in another way because of what is drawn around the run; tick and line are those of
     /// [`row`](Self::row).
@@ -55,23 +62,17 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
         Self::row(&at.step)
     }
 
-    /// The row of what is said before the first event.
-    fn opening(at: &At<'_, Self>) -> &'static Row;
+    /// What is said before the first event.
+    const OPENING: Row;
 
-    /// The line of pseudocode of a row; mistakes may have other lines than the method that they get wrong.
-    fn line(row: &Row) -> usize {
-        row.line
-    }
-
-    /// The shape of the tick of a row; a method may show the steps of its parts in another way than these do.
-    fn tick(row: &Row) -> Tick {
-        row.tick
+    /// The same, where it is said in another way because of the input or of what is drawn around the run.
+    fn opening(_: &At<'_, Self>) -> &'static Row {
+        const { &Self::OPENING }
     }
 
     /// The value of a name at a step; none where the name is not alive, or no name of this method.
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named>;
 
-    /// The values of a list at a step.
     #[must_use]
     fn listed(_: &At<'_, Self>, _list: &str) -> Vec<Named> {
         Vec::new()
@@ -97,7 +98,6 @@ pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
 }
 
 impl MethodCard {
-    /// The card of a method that can be told.
     pub const fn of<M: Telling>() -> Self {
         Self {
             id: M::ID,
@@ -109,9 +109,7 @@ impl MethodCard {
     }
 }
 
-/// A step of a method, with what is drawn around it.
 pub struct At<'a, M: Telling> {
-    /// The step.
     pub step: Step<'a, M>,
     /// What is drawn around the run; none where a case gives numbers alone.
     pub scenery: Option<&'a M::Scenery>,
@@ -125,7 +123,6 @@ impl<M: Telling> Clone for At<'_, M> {
 
 impl<M: Telling> Copy for At<'_, M> {}
 
-/// What a name stands for at a step.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Named {
     /// Its value; none where the watch table has an empty cell.
@@ -134,7 +131,6 @@ pub struct Named {
     pub label: Option<Value>,
     /// The watch table's word on the value: "left", "≠ 0".
     pub note: Option<Value>,
-    /// What it is about.
     pub link: Option<Link>,
 }
 
@@ -158,24 +154,20 @@ impl Named {
         }
     }
 
-    /// A value that may not be known yet.
     pub fn maybe(value: Option<impl Into<Value>>) -> Self {
         value.map_or(Self::empty(), Self::from)
     }
 
-    /// About `link`.
     pub fn linked(self, link: impl Into<Link>) -> Self {
         let link = Some(link.into());
         Self { link, ..self }
     }
 
-    /// Called `label` in the watch table.
     pub fn labelled(self, label: impl Into<Value>) -> Self {
         let label = Some(label.into());
         Self { label, ..self }
     }
 
-    /// With a word on the value.
     pub fn noted(self, note: impl Into<Value>) -> Self {
         let note = Some(note.into());
         Self { note, ..self }
@@ -200,7 +192,6 @@ fn called(name: &'static str) -> Value {
     }
 }
 
-/// Rows of the watch table that belong together.
 #[derive(Clone, Copy, Debug)]
 pub enum Watched {
     /// One row a name, of those that are alive.
@@ -214,7 +205,6 @@ pub enum Watched {
 }
 
 impl<M: Telling> At<'_, M> {
-    /// The row of this step.
     pub fn row(&self) -> &'static Row {
         match self.step.past {
             [] => M::opening(self),
@@ -222,7 +212,6 @@ impl<M: Telling> At<'_, M> {
         }
     }
 
-    /// The value of a name.
     pub fn value(&self, name: &str) -> Option<Value> {
         M::named(self, name)?.value
     }
@@ -235,7 +224,6 @@ impl<M: Telling> At<'_, M> {
         })
     }
 
-    /// The sentence and the formulas of this step.
     pub fn caption(&self) -> Caption {
         let row = self.row();
         let formulas = row.so.iter().filter_map(|template| self.formula(template));
@@ -248,7 +236,6 @@ impl<M: Telling> At<'_, M> {
         sections.filter(|it| !it.rows.is_empty()).collect()
     }
 
-    /// The watch rows of a few names or of a list.
     pub fn section(&self, watched: &Watched) -> WatchSection {
         let names = |names: &[&'static str]| {
             let alive = names
@@ -272,7 +259,6 @@ impl<M: Telling> At<'_, M> {
         }
     }
 
-    /// What this step is about and what it decides about it, where it does.
     pub fn decision(&self) -> Option<(Decides, Link)> {
         let row = self.row();
         let link = M::named(self, row.about?)?.link?;

@@ -10,7 +10,6 @@ use super::{
     words::{edge_key, edge_link},
 };
 
-/// The group that all of them belong to.
 pub const GROUP: &str = "window";
 
 static CORNER: HandleKind = HandleKind::new("corner", GROUP, |[i, _]| Message::new(CORNER_KEYS[i]));
@@ -54,7 +53,6 @@ pub fn handles() -> impl Iterator<Item = Handle> {
         .chain(of(&WINDOW, 1))
 }
 
-/// Which sides of the window move with a handle, if it is one of the window's.
 fn moves(handle: Handle) -> Option<Moves> {
     let [i, _] = handle.idx();
     if handle.is(&CORNER) {
@@ -69,7 +67,6 @@ fn moves(handle: Handle) -> Option<Moves> {
     }
 }
 
-/// Where a handle lies, if it is one of the window's.
 pub fn position(handle: Handle, window: &Window) -> Option<[f64; 3]> {
     let (min, max) = (window.min().to_array(), window.max().to_array());
     let centre = [0, 1].map(|i| min[i].midpoint(max[i]));

@@ -1,13 +1,14 @@
 //! Words and formulas that several labs share.
 
+use std::borrow::Cow;
+
 use crate::{
-    algo::parameter::End,
+    algo::parameter::{End, Ratio},
     figure::Link,
     geom::{Axis, Edge, Point, Window},
     text::{Formula, Value},
 };
 
-/// Catalogue key of a side as a noun: "left edge".
 pub const fn edge_key(edge: Edge) -> &'static str {
     match edge {
         Edge::Left => "edge-left",
@@ -17,14 +18,42 @@ pub const fn edge_key(edge: Edge) -> &'static str {
     }
 }
 
-/// The name of a side as it stands in a sentence.
 pub const fn edge_name(edge: Edge) -> Value {
     Value::Term(edge_key(edge))
 }
 
-/// What marks, rows and ticks about a side have in common.
 pub const fn edge_link(edge: Edge) -> Link {
     Link::to(edge.id())
+}
+
+pub fn sym(symbol: impl Into<Cow<'static, str>>) -> Formula {
+    Formula::default().sym(symbol)
+}
+
+/// `t = 1/4`
+pub fn equal_to(symbol: impl Into<Cow<'static, str>>, Ratio { num, den }: Ratio) -> Formula {
+    sym(symbol).sym(" = ").ratio(num, den)
+}
+
+/// `3 · 11 + (−2) · 4`: numbers, each with what it is multiplied by; `times` writes that.
+pub fn sum_of<T>(
+    formula: Formula,
+    terms: impl IntoIterator<Item = (f64, T)>,
+    times: impl Fn(Formula, T) -> Formula,
+) -> Formula {
+    let mut is_first = true;
+    terms.into_iter().fold(formula, |formula, (n, factor)| {
+        let formula = if std::mem::take(&mut is_first) {
+            formula.num(n)
+        } else {
+            formula.sym(" + ").operand(n)
+        };
+        times(formula, factor)
+    })
+}
+
+pub fn times(formula: Formula, factor: f64) -> Formula {
+    formula.sym(" · ").operand(factor)
 }
 
 /// `[7, 6]`: column and row, from the top left.
@@ -33,12 +62,10 @@ pub fn pixel_formula(pixel: [u32; 2]) -> Formula {
     formula.list(&pixel.map(f64::from)).sym("]")
 }
 
-/// A plain name.
 pub fn name(text: impl Into<String>) -> Value {
     Value::Name(text.into())
 }
 
-/// `P₁` or `P₂`.
 pub const fn end_symbol(end: End) -> &'static str {
     match end {
         End::P1 => "P₁",
@@ -46,12 +73,10 @@ pub const fn end_symbol(end: End) -> &'static str {
     }
 }
 
-/// `P₁` or `P₂`, for a sentence.
 pub fn end_name(end: End) -> Value {
     Value::Name(end_symbol(end).to_owned())
 }
 
-/// `P₁` or `P₂`, after a cut `P₁′` or `P₂′`.
 pub fn end_name_now(end: End, moved: bool) -> Value {
     Value::Name(format!(
         "{}{}",
@@ -60,7 +85,6 @@ pub fn end_name_now(end: End, moved: bool) -> Value {
     ))
 }
 
-/// What marks, rows and lines about an end have in common.
 pub const fn end_link(end: End) -> Link {
     match end {
         End::P1 => Link::to("p1"),
@@ -68,7 +92,6 @@ pub const fn end_link(end: End) -> Link {
     }
 }
 
-/// `x` or `y`.
 pub const fn axis_symbol(axis: Axis) -> &'static str {
     match axis {
         Axis::X => "x",
@@ -84,10 +107,8 @@ pub const fn along(point: Point, axis: Axis) -> [f64; 2] {
     }
 }
 
-/// `x = −1`: the equation of a side.
 pub fn border_equation(window: &Window, edge: Edge) -> Formula {
-    Formula::default()
-        .sym(axis_symbol(edge.axis()))
+    sym(axis_symbol(edge.axis()))
         .sym(" = ")
         .num(window.border(edge))
 }
@@ -139,7 +160,6 @@ pub fn plane_symbol(plane_idx: usize) -> String {
     format!("H{}", subscript(plane_idx + 1))
 }
 
-/// [`vertex_symbol`], for a sentence.
 pub fn vertex_name(vertex_idx: usize) -> Value {
     name(vertex_symbol(vertex_idx))
 }

@@ -1,6 +1,8 @@
-//! Where lesson files come from; a map in memory is such a place.
+//! Where lesson files come from: a map in memory is such a place, and what is compiled in.
 
 use std::{collections::BTreeMap, io};
+
+use include_dir::{Dir, DirEntry, include_dir};
 
 use crate::text::{Diagnostic, Message, SystemError};
 
@@ -13,12 +15,9 @@ pub const MAX_LESSONS: usize = 1_000;
 /// What makes a folder a lesson.
 pub(super) const LESSON_FILE: &str = "lesson.toml";
 
-/// Why a file could not be had.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FileError {
-    /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
-    /// The system would not have it.
     Unreadable(SystemError),
 }
 
@@ -43,16 +42,9 @@ impl From<io::Error> for FileError {
 
 /// A set of files. Paths are relative and use `/`.
 pub trait Files {
-    /// The paths of all files that could belong to a lesson, `01-name/lesson.toml`, in any order.
-    ///
-    /// # Errors
-    /// [`FileError`] where not even the list can be had.
+    // The paths of all files that could belong to a lesson, `01-name/lesson.toml`, in any order.
     fn list(&self) -> Result<Vec<String>, FileError>;
 
-    /// What a file holds.
-    ///
-    /// # Errors
-    /// [`FileError`] where it is too large, cannot be read, or is not there any more.
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError>;
 
     /// The path by which a person knows a file; the path of the whole for `""`.
@@ -76,7 +68,36 @@ impl Files for BTreeMap<String, Vec<u8>> {
 }
 
 impl FileError {
-    /// There is no such file.
     pub(super) const NOT_FOUND: Self =
         Self::Unreadable(SystemError::of_kind(io::ErrorKind::NotFound));
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Embedded;
+
+static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
+
+impl Files for Embedded {
+    fn list(&self) -> Result<Vec<String>, FileError> {
+        fn walk(dir: &Dir<'_>, paths: &mut Vec<String>) {
+            for entry in dir.entries() {
+                match entry {
+                    DirEntry::Dir(dir) => walk(dir, paths),
+                    DirEntry::File(file) => paths.push(file.path().to_string_lossy().into_owned()),
+                }
+            }
+        }
+        let mut paths = Vec::new();
+        walk(&LESSONS, &mut paths);
+        Ok(paths)
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
+        let file = LESSONS.get_file(path).ok_or(FileError::NOT_FOUND)?;
+        Ok(file.contents().to_vec())
+    }
+
+    fn shown(&self, path: &str) -> String {
+        format!("lessons/{path}")
+    }
 }

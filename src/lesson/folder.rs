@@ -9,7 +9,6 @@ use std::{
 
 use super::files::{FileError, Files, LESSON_FILE, MAX_FILE_BYTES, MAX_LESSONS};
 
-/// A folder of lessons, or one lesson's own folder.
 #[derive(Clone, Debug)]
 pub struct Folder {
     root: PathBuf,

@@ -2,6 +2,8 @@
 
 use std::{collections::BTreeMap, ops::Range, sync::Arc};
 
+use toml::{Spanned, de::DeString};
+
 use crate::{
     figure::{Moment, Run},
     labs::{Lab, Lock, Scene},
@@ -10,11 +12,12 @@ use crate::{
 
 use super::{
     course::{Lesson, LessonText},
+    nearest::clipped,
     scene_file::{SceneFormat, SceneFormats},
-    sink::{Sink, clipped},
+    sink::Sink,
     step::{CodeView, LessonStep, Stop, moment, never_comes},
     toml_errors::with_toml,
-    toml_fields::{Item, TomlFields, list, named, one_of, text},
+    toml_fields::{Node, TomlFields},
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
@@ -29,7 +32,6 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
-    /// Adds the texts; `None` where something is missing.
     pub fn into_lesson(self, id: &str, mut texts: BTreeMap<Lang, LessonText>) -> Option<Lesson> {
         let (lab, source, steps) = self.lesson?;
         Some(Lesson {
@@ -46,53 +48,44 @@ impl Skeleton {
 /// When the moments of steps are looked for, which takes a recorded run for each scene.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Moments {
-    /// While the file is read: one that never comes is among its mistakes.
     Now,
-    /// When they are needed.
     Later,
 }
 
-/// How a `lesson.toml` is read.
 #[derive(Clone, Copy)]
 pub(super) struct Reading {
     pub formats: SceneFormats,
     pub moments: Moments,
 }
 
-/// Reads a `lesson.toml`, reporting all its mistakes.
-pub(super) fn read(Reading { formats, moments }: Reading, sink: &mut Sink<'_>) -> Option<Skeleton> {
+pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Option<Skeleton> {
     with_toml(sink, |table, sink| {
-        let fields = TomlFields::of_file(table, &LESSON_FIELDS, sink);
-        let format = fields.require("lab", sink).and_then(|item| {
+        let fields = TomlFields::new(table, 0..0, &LESSON_FIELDS, sink);
+        let format = fields.require("lab").and_then(|node| {
             let known = formats.lab_ids();
-            one_of(item, &known, "problem-unknown-lab", sink, |name| {
-                formats.of(name)
-            })
+            node.one_of(&known, "problem-unknown-lab", |name| formats.of(name))
         });
-        let source = fields
-            .require("source", sink)
-            .and_then(|item| text(item, sink));
+        let source = fields.require("source").and_then(Node::text);
         let mut reader = Steps {
             lab: format.map(SceneFormat::lab),
-            scenes: scenes(format, moments, &fields, sink),
+            scenes: scenes(format, moments, &fields),
             ids: Names::default(),
             figures: Names::default(),
             current: Current::None,
         };
-        let (ids, steps) = reader.read(&fields, sink);
+        let (ids, steps) = reader.read(&fields);
         for scene in reader.scenes.values().filter(|scene| !scene.is_used) {
-            sink.warning(scene.span.clone(), Message::new("problem-unused-scene"), []);
+            sink.warning(scene.span.clone(), Message::new("problem-unused-scene"));
         }
         let complete = sink.n_errors() == 0;
         Some(Skeleton {
             ids,
-            lesson: (|| Some((format?.lab().id(), source?.to_owned(), steps?)))()
+            lesson: (|| Some((format?.lab().id, source?.to_owned(), steps?)))()
                 .filter(|_| complete),
         })
     })
 }
 
-/// A scene of the lesson.
 struct NamedScene {
     span: Range<usize>,
     /// `None` where it has a mistake.
@@ -107,29 +100,24 @@ fn scenes(
     format: Option<&dyn SceneFormat>,
     moments: Moments,
     fields: &TomlFields<'_>,
-    sink: &mut Sink<'_>,
 ) -> BTreeMap<String, NamedScene> {
-    let mut room = format.map_or(0, SceneFormat::room);
-    let mut scenes = BTreeMap::new();
-    let Some(table) = fields.get("scenes").and_then(|item| named(item, sink)) else {
-        return scenes;
-    };
-    for (key, item) in table {
+    let mut room = format.map_or(0, |format| format.spelling().room);
+    let named = fields.get("scenes").and_then(Node::named);
+    let read = |(key, node): (&Spanned<DeString<'_>>, Node<'_>)| {
         let scene = format.and_then(|format| {
-            let fields = TomlFields::of(item, format.fields(), sink)?;
-            format.read(&fields, &mut room, sink)
+            let fields = node.fields(format.spelling().fields)?;
+            format.read(&fields, &mut room)
         });
-        let is_recorded = moments == Moments::Now;
-        let recorded = scene.as_ref().filter(|_| is_recorded);
+        let recorded = scene.as_ref().filter(|_| moments == Moments::Now);
         let scene = NamedScene {
             span: key.span(),
             run: recorded.and_then(|scene| scene.document().record().into_iter().next()),
             scene: scene.map(Arc::new),
             is_used: false,
         };
-        scenes.insert(key.get_ref().to_string(), scene);
-    }
-    scenes
+        (key.get_ref().to_string(), scene)
+    };
+    named.into_iter().flatten().map(read).collect()
 }
 
 /// Names that must not come twice, and the line of each.
@@ -137,26 +125,24 @@ fn scenes(
 struct Names(BTreeMap<String, usize>);
 
 impl Names {
-    /// Takes a well-formed name that is new.
     fn take(
         &mut self,
-        item: &Item<'_>,
+        node: Node<'_>,
         is_valid: fn(&str) -> bool,
         [invalid, expect, duplicate]: [&'static str; 3],
-        sink: &mut Sink<'_>,
     ) -> Option<String> {
-        let name = text(item, sink)?;
+        let name = node.text()?;
         let about = |key| Message::new(key).with("name", clipped(name));
         if !is_valid(name) {
-            sink.error(item.span(), about(invalid), [Message::new(expect)]);
+            node.error(about(invalid), [Message::new(expect)]);
             return None;
         }
         if let Some(line) = self.0.get(name) {
             let first = Message::new("expect-first-here").with("line", line.to_string());
-            sink.error(item.span(), about(duplicate), [first]);
+            node.error(about(duplicate), [first]);
             return None;
         }
-        let line = sink.source().line(item.span().start);
+        let line = node.sink.source.line(node.span().start);
         self.0.insert(name.to_owned(), line);
         Some(name.to_owned())
     }
@@ -171,8 +157,7 @@ enum Current {
 }
 
 struct Steps {
-    /// `None` where it is not known.
-    lab: Option<&'static dyn Lab>,
+    lab: Option<&'static Lab>,
     scenes: BTreeMap<String, NamedScene>,
     ids: Names,
     figures: Names,
@@ -181,101 +166,74 @@ struct Steps {
 
 impl Steps {
     /// The ids where all are known, and the steps where all are valid.
-    fn read(
-        &mut self,
-        fields: &TomlFields<'_>,
-        sink: &mut Sink<'_>,
-    ) -> (Option<Vec<String>>, Option<Vec<LessonStep>>) {
-        let items = match fields.get("step") {
-            Some(item) => match list(item, "expect-steps", sink) {
-                Some(items) => items,
+    fn read(&mut self, fields: &TomlFields<'_>) -> (Option<Vec<String>>, Option<Vec<LessonStep>>) {
+        let nodes: Vec<Node<'_>> = match fields.get("step") {
+            Some(node) => match node.list("expect-steps") {
+                Some(nodes) => nodes.collect(),
                 None => return (None, None),
             },
             None if fields.is_misspelt("step") => return (None, None),
-            None => &[],
+            None => Vec::new(),
         };
-        if items.is_empty() {
-            let expected = [Message::new("expect-steps")];
-            sink.error(fields.span(), Message::new("problem-no-steps"), expected);
+        if nodes.is_empty() {
+            let (message, expected) = ("problem-no-steps", Message::new("expect-steps"));
+            let span = fields.span.clone();
+            fields.sink.error(span, Message::new(message), [expected]);
             return (None, None);
         }
-        let (mut ids, mut steps) = (Some(Vec::new()), Some(Vec::new()));
-        for item in items {
-            let (id, step) = self.step(item, sink);
-            ids = ids.zip(id).map(|(mut ids, id)| {
-                ids.push(id);
-                ids
-            });
-            steps = steps.zip(step).map(|(mut steps, step)| {
-                steps.push(step);
-                steps
-            });
-        }
-        (ids, steps)
+        let read = nodes.into_iter().map(|node| self.step(node));
+        let (ids, steps): (Vec<_>, Vec<_>) = read.unzip();
+        (ids.into_iter().collect(), steps.into_iter().collect())
     }
 
-    fn step(
-        &mut self,
-        item: &Item<'_>,
-        sink: &mut Sink<'_>,
-    ) -> (Option<String>, Option<LessonStep>) {
-        let Some(fields) = TomlFields::of(item, &STEP_FIELDS, sink) else {
+    fn step(&mut self, node: Node<'_>) -> (Option<String>, Option<LessonStep>) {
+        const ID: [&str; 3] = [
+            "problem-bad-step-id",
+            "expect-kebab",
+            "problem-duplicate-step",
+        ];
+        const FIGURE: [&str; 3] = [
+            "problem-bad-figure",
+            "expect-figure",
+            "problem-duplicate-figure",
+        ];
+        let Some(fields) = node.fields(&STEP_FIELDS) else {
             return (None, None);
         };
-        let id = fields.require("id", sink).and_then(|item| {
-            let keys = [
-                "problem-bad-step-id",
-                "expect-kebab",
-                "problem-duplicate-step",
-            ];
-            self.ids.take(item, is_kebab, keys, sink)
+        let id = fields.require("id");
+        let id = id.and_then(|node| self.ids.take(node, is_kebab, ID));
+        self.choose_scene(&fields);
+        let stop = self.stop(&fields);
+        let figure = fields.get("figure");
+        let figure = figure.and_then(|node| self.figures.take(node, is_figure_name, FIGURE));
+        let locks = fields.get("lock").map(|node| locks(self.lab, node));
+        let code = fields.get("code");
+        let code = code.and_then(|node| node.value(CodeView::ALL, CodeView::id));
+        let step = id.clone().zip(stop);
+        let step = step.map(|(id, (scene, moment, stop))| LessonStep {
+            id,
+            scene,
+            moment,
+            stop,
+            figure,
+            locks: locks.unwrap_or_default(),
+            code: code.unwrap_or_default(),
         });
-        self.choose_scene(&fields, sink);
-        let stop = self.stop(&fields, sink);
-        let figure = fields.get("figure").and_then(|item| {
-            let keys = [
-                "problem-bad-figure",
-                "expect-figure",
-                "problem-duplicate-figure",
-            ];
-            self.figures.take(item, is_figure_name, keys, sink)
-        });
-        let locks = fields.get("lock").map(|item| locks(self.lab, item, sink));
-        let code = fields.get("code").and_then(|item| {
-            let known = CodeView::ALL.map(CodeView::id);
-            one_of(item, &known, "problem-unknown-value", sink, |name| {
-                CodeView::ALL.into_iter().find(|view| view.id() == name)
-            })
-        });
-        let step = id
-            .clone()
-            .zip(stop)
-            .map(|(id, (scene, moment, stop))| LessonStep {
-                id,
-                scene,
-                moment,
-                stop,
-                figure,
-                locks: locks.unwrap_or_default(),
-                code: code.unwrap_or_default(),
-            });
         (id, step)
     }
 
-    fn choose_scene(&mut self, fields: &TomlFields<'_>, sink: &mut Sink<'_>) {
-        let Some(item) = fields.get("scene") else {
-            if matches!(self.current, Current::None) && !fields.is_misspelt("scene") {
-                let message =
-                    Message::new("problem-missing-field").with("name", "scene".to_owned());
-                sink.error(fields.span(), message, [Message::new("expect-first-scene")]);
-            }
+    fn choose_scene(&mut self, fields: &TomlFields<'_>) {
+        let Some(node) = fields.get("scene") else {
             if matches!(self.current, Current::None) {
+                if !fields.is_misspelt("scene") {
+                    fields.missing("scene", [Message::new("expect-first-scene")]);
+                }
                 self.current = Current::Broken;
             }
             return;
         };
         let known: Vec<&str> = self.scenes.keys().map(String::as_str).collect();
-        let name = one_of(item, &known, "problem-unknown-scene", sink, |name| {
+        let name = node.one_of(&known, "problem-unknown-scene", |name| {
             known.contains(&name).then(|| name.to_owned())
         });
         self.current = name.map_or(Current::Broken, Current::Scene);
@@ -287,30 +245,24 @@ impl Steps {
     }
 
     /// The step's scene, and where in its run the lesson stops.
-    fn stop(
-        &self,
-        fields: &TomlFields<'_>,
-        sink: &mut Sink<'_>,
-    ) -> Option<(Arc<Scene>, Moment, Stop)> {
+    fn stop(&self, fields: &TomlFields<'_>) -> Option<(Arc<Scene>, Moment, Stop)> {
         let at = fields.get("at");
-        let moment = match at {
-            None => Some(Moment::Start),
-            Some(item) => moment(item, sink),
-        };
+        let moment = at.map_or(Some(Moment::Start), moment);
         let Current::Scene(name) = &self.current else {
             return None;
         };
         let NamedScene { scene, run, .. } = self.scenes.get(name)?;
         let (scene, moment) = (Arc::clone(scene.as_ref()?), moment?);
+        let source = fields.sink.source;
         let stop = Stop {
-            file: sink.source().file.clone(),
-            place: at.map(|item| sink.source().place(item.span())),
+            file: source.file.clone(),
+            place: at.map(|node| source.place(node.span())),
             ..Stop::default()
         };
         if let Some(run) = run {
             let position = run.find(&moment);
-            if let (None, Some(item)) = (position, at) {
-                sink.refuse(item.span(), never_comes(&moment, &**run), []);
+            if let (None, Some(node)) = (position, at) {
+                node.error(never_comes(&moment, &**run), []);
             }
             stop.found.set(Some(position?)).ok();
         }
@@ -319,23 +271,16 @@ impl Steps {
 }
 
 /// Those of an unknown lab cannot be known.
-fn locks(lab: Option<&dyn Lab>, item: &Item<'_>, sink: &mut Sink<'_>) -> Vec<Lock> {
-    let items = list(item, "expect-locks", sink).unwrap_or_default();
+fn locks(lab: Option<&Lab>, node: Node<'_>) -> Vec<Lock> {
+    let nodes = node.list("expect-locks").into_iter().flatten();
     let Some(lab) = lab else {
         return Vec::new();
     };
-    items
-        .iter()
-        .filter_map(|item| {
-            one_of(
-                item,
-                lab.lock_groups(),
-                "problem-unknown-lock",
-                sink,
-                |name| Lock::of(lab, name),
-            )
-        })
-        .collect()
+    let lock = |node: Node<'_>| {
+        let known = lab.lock_groups;
+        node.one_of(known, "problem-unknown-lock", |name| Lock::of(lab, name))
+    };
+    nodes.filter_map(lock).collect()
 }
 
 fn is_kebab(id: &str) -> bool {
@@ -344,8 +289,6 @@ fn is_kebab(id: &str) -> bool {
 
 /// Nothing that a path could be made of.
 fn is_figure_name(name: &str) -> bool {
-    name.len() <= 64
-        && name
-            .bytes()
-            .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+    let is_plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
+    name.len() <= 64 && name.bytes().all(is_plain)
 }

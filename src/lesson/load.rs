@@ -6,21 +6,18 @@ use crate::text::{Diagnostic, Lang, Message};
 
 use super::{
     course::{Course, Lesson},
-    embedded::Embedded,
-    files::{Files, LESSON_FILE, MAX_LESSONS},
+    files::{Embedded, Files, LESSON_FILE, MAX_LESSONS},
     lesson_file::{self, Moments, Reading, Skeleton},
+    nearest::suggestion,
     problem::{Problem, Severity},
     scene_file::SceneFormats,
     sections,
     sink::Sink,
     source::Source,
-    toml_fields::suggestion,
 };
 
-/// What came of loading a course.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Loaded {
-    /// The lessons that are in order.
     pub course: Course,
     /// Every mistake of every file, by file and then from its top to its end.
     pub problems: Vec<Problem>,
@@ -45,7 +42,6 @@ impl Course {
         Self::check_with(files, SceneFormats::standard())
     }
 
-    /// The same, with scenes spelt as these formats have it.
     pub fn check_with(files: &dyn Files, formats: SceneFormats) -> Loaded {
         let moments = Moments::Now;
         load(files, Reading { formats, moments })
@@ -54,37 +50,30 @@ impl Course {
 
 fn load(files: &dyn Files, reading: Reading) -> Loaded {
     let mut loaded = Loaded::default();
+    let problems = &mut loaded.problems;
     let paths = match files.list() {
         Ok(paths) => paths,
         Err(error) => {
-            loaded
-                .problems
-                .push(whole_file(files.shown(""), Severity::Error, error));
+            problems.push(whole_file(files.shown(""), error));
             return loaded;
         }
     };
     let folders = folders(&paths);
     if folders.is_empty() {
         let message = Message::new("problem-no-lessons");
-        let problem = whole_file(files.shown(""), Severity::Error, message);
-        loaded
-            .problems
-            .push(problem.expecting("expect-lesson-folder"));
+        problems.push(no_lesson(files.shown(""), message));
     }
     for (id, names) in folders.iter().take(MAX_LESSONS) {
-        let (lesson, problems) = load_lesson(files, reading, id, names);
+        let lesson = load_lesson(files, reading, id, names, problems);
         loaded.course.lessons.extend(lesson);
-        loaded.problems.extend(problems);
     }
     if folders.len() > MAX_LESSONS {
         let message = Message::new("problem-too-many-lessons").with("limit", MAX_LESSONS);
-        let problem = whole_file(files.shown(""), Severity::Error, message);
-        loaded.problems.push(problem);
+        problems.push(whole_file(files.shown(""), message));
     }
     loaded
 }
 
-/// Lesson folders and the names of the files in them that matter.
 fn folders(paths: &[String]) -> BTreeMap<&str, BTreeSet<&str>> {
     let mut folders: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for path in paths {
@@ -102,9 +91,11 @@ fn load_lesson(
     reading: Reading,
     id: &str,
     names: &BTreeSet<&str>,
-) -> (Option<Lesson>, Vec<Problem>) {
+    all_problems: &mut Vec<Problem>,
+) -> Option<Lesson> {
     let mut problems = Vec::new();
     let skeleton = lesson_toml(files, reading, id, names, &mut problems);
+    let ids = skeleton.as_ref().and_then(|it| it.ids.as_deref());
     let mut texts = BTreeMap::new();
     for name in names.iter().filter(|name| is_text(name)) {
         let path = format!("{id}/{name}");
@@ -113,18 +104,10 @@ fn load_lesson(
             problems.push(unknown_language(files.shown(&path), stem));
             continue;
         };
-        match files.read(&path) {
-            Err(error) => problems.push(whole_file(files.shown(&path), Severity::Error, error)),
-            Ok(bytes) => {
-                let source = Source::new(files.shown(&path), &bytes);
-                let mut sink = Sink::new(&source);
-                let ids = skeleton
-                    .as_ref()
-                    .and_then(|skeleton| skeleton.ids.as_deref());
-                texts.extend(sections::read(ids, &mut sink).map(|text| (lang, text)));
-                problems.extend(sink.into_problems());
-            }
-        }
+        let text = read(files, &path, None, &mut problems, |sink| {
+            sections::read(ids, sink)
+        });
+        texts.extend(text.map(|text| (lang, text)));
     }
     for lang in Lang::ALL {
         let name = format!("{lang}.md");
@@ -133,10 +116,8 @@ fn load_lesson(
         }
     }
     let is_broken = problems.iter().any(|p| p.severity == Severity::Error);
-    let lesson = (!is_broken)
-        .then(|| skeleton?.into_lesson(id, texts))
-        .flatten();
-    (lesson, problems)
+    all_problems.extend(problems);
+    skeleton.filter(|_| !is_broken)?.into_lesson(id, texts)
 }
 
 fn lesson_toml(
@@ -149,23 +130,36 @@ fn lesson_toml(
     let path = format!("{id}/{LESSON_FILE}");
     if !names.contains(LESSON_FILE) {
         let message = Message::new("problem-missing-file");
-        let problem = whole_file(files.shown(&path), Severity::Error, message);
-        problems.push(problem.expecting("expect-lesson-folder"));
+        problems.push(no_lesson(files.shown(&path), message));
         return None;
     }
-    match files.read(&path) {
+    read(files, &path, Some(id), problems, |sink| {
+        lesson_file::read(reading, sink)
+    })
+}
+
+/// What `read` makes of a file, which may name others in its folder.
+fn read<T>(
+    files: &dyn Files,
+    path: &str,
+    folder: Option<&str>,
+    problems: &mut Vec<Problem>,
+    read: impl FnOnce(&Sink<'_>) -> Option<T>,
+) -> Option<T> {
+    let shown = files.shown(path);
+    let bytes = match files.read(path) {
+        Ok(bytes) => bytes,
         Err(error) => {
-            problems.push(whole_file(files.shown(&path), Severity::Error, error));
-            None
+            problems.push(whole_file(shown, error));
+            return None;
         }
-        Ok(bytes) => {
-            let source = Source::new(files.shown(&path), &bytes).among(files, id);
-            let mut sink = Sink::new(&source);
-            let skeleton = lesson_file::read(reading, &mut sink);
-            problems.extend(sink.into_problems());
-            skeleton
-        }
-    }
+    };
+    let mut source = Source::new(shown, &bytes);
+    source.folder = folder.map(|folder| (files, folder));
+    let sink = Sink::new(&source);
+    let made = read(&sink);
+    problems.extend(sink.into_problems());
+    made
 }
 
 /// A language's text; a folder may have a README of its own.
@@ -173,37 +167,36 @@ fn is_text(name: &str) -> bool {
     !name.contains('/') && name != "README.md" && name.strip_suffix(".md").is_some()
 }
 
-fn whole_file(file: String, severity: Severity, what: impl Into<Diagnostic>) -> Problem {
+fn whole_file(file: String, what: impl Into<Diagnostic>) -> Problem {
     Problem {
         file,
         place: None,
-        severity,
+        severity: Severity::Error,
         what: what.into(),
     }
 }
 
-impl Problem {
-    fn expecting(mut self, key: &'static str) -> Self {
-        self.what.notes.push(Message::new(key));
-        self
-    }
+fn no_lesson(file: String, message: Message) -> Problem {
+    let expected = Message::new("expect-lesson-folder");
+    whole_file(file, Diagnostic::new(message).noting(expected))
 }
 
 fn unknown_language(file: String, stem: &str) -> Problem {
     let message = Message::new("problem-unknown-language").with("name", stem.to_owned());
-    let known = Lang::ALL.map(Lang::id);
-    let mut problem = whole_file(file, Severity::Error, message);
     let meant = Lang::from_locale(stem).map(Lang::id);
-    problem.what.notes = suggestion(meant, &known);
+    let mut problem = whole_file(file, message);
+    problem.what.notes = suggestion(meant, &Lang::ALL.map(Lang::id));
     problem
 }
 
 fn missing_text(file: String, lang: Lang) -> Problem {
     if lang == Lang::En {
-        let message = Message::new("problem-missing-file");
-        return whole_file(file, Severity::Error, message).expecting("expect-lesson-folder");
+        return no_lesson(file, Message::new("problem-missing-file"));
     }
-    let message =
-        Message::new("problem-missing-language").with("language", lang.native_name().to_owned());
-    whole_file(file, Severity::Warning, message)
+    let message = Message::new("problem-missing-language");
+    let message = message.with("language", lang.native_name().to_owned());
+    Problem {
+        severity: Severity::Warning,
+        ..whole_file(file, message)
+    }
 }

@@ -8,18 +8,13 @@ use crate::text::Message;
 
 use super::{problem::is_wide, sink::Sink};
 
-/// A piece of text that stands on its own.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Block {
-    /// Running text.
     Paragraph(Vec<Inline>),
-    /// An item of a list.
     ListItem {
         /// 0 for a list that is not in another.
         depth: usize,
-        /// What stands before it.
         marker: BlockMarker,
-        /// Its text.
         text: Vec<Inline>,
     },
     /// Lines of code, each ended by a line break.
@@ -28,31 +23,23 @@ pub enum Block {
     Answer(Vec<Self>),
 }
 
-/// What stands before an item of a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BlockMarker {
-    /// A bullet.
     Bullet,
-    /// `1.`
     Number(u64),
     /// Nothing: another paragraph of the item above.
     Continued,
 }
 
-/// A stretch of text in one style.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Inline {
     /// Spaces between words are its own; `\n` breaks the line.
     pub text: String,
-    /// Bold.
     pub strong: bool,
-    /// Italics.
     pub emphasis: bool,
-    /// Monospaced.
     pub code: bool,
 }
 
-/// A part of a lesson's text: a heading, or a block of its body.
 pub(super) enum TextPart {
     /// `# …` is level 1, `## …` level 2.
     Heading {
@@ -63,8 +50,8 @@ pub(super) enum TextPart {
 }
 
 /// Reads a file; what the format has no place for is reported.
-pub(super) fn parse(sink: &mut Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
-    let text = &*sink.source().text;
+pub(super) fn parse(sink: &Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
+    let text = &*sink.source.text;
     let mut reader = Reader::default();
     for (event, span) in Parser::new(text).into_offset_iter() {
         reader.event(event, span, sink);
@@ -90,7 +77,7 @@ struct Reader {
 }
 
 impl Reader {
-    fn event(&mut self, event: Event<'_>, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn event(&mut self, event: Event<'_>, span: Range<usize>, sink: &Sink<'_>) {
         match event {
             Event::Start(tag) => self.start(&tag, &span, sink),
             Event::End(tag) => self.end(tag, span, sink),
@@ -110,7 +97,7 @@ impl Reader {
         }
     }
 
-    fn start(&mut self, tag: &Tag<'_>, span: &Range<usize>, sink: &mut Sink<'_>) {
+    fn start(&mut self, tag: &Tag<'_>, span: &Range<usize>, sink: &Sink<'_>) {
         match tag {
             Tag::Strong => self.strong += 1,
             Tag::Emphasis => self.emphasis += 1,
@@ -149,7 +136,7 @@ impl Reader {
         }
     }
 
-    fn end(&mut self, tag: TagEnd, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn end(&mut self, tag: TagEnd, span: Range<usize>, sink: &Sink<'_>) {
         match tag {
             TagEnd::Strong => self.strong -= 1,
             TagEnd::Emphasis => self.emphasis -= 1,
@@ -174,7 +161,7 @@ impl Reader {
         }
     }
 
-    fn heading(&mut self, level: HeadingLevel, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn heading(&mut self, level: HeadingLevel, span: Range<usize>, sink: &Sink<'_>) {
         self.is_heading = false;
         let title: String = self.inlines().into_iter().map(|part| part.text).collect();
         if level > HeadingLevel::H2 {
@@ -186,14 +173,14 @@ impl Reader {
     }
 
     /// Ends a paragraph or the text of an item, where one is open.
-    fn end_of_text(&mut self, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn end_of_text(&mut self, span: Range<usize>, sink: &Sink<'_>) {
         let text = self.inlines();
         if text.is_empty() {
             return;
         }
         let is_stray = |part: &Inline| !part.code && part.text.contains("**");
         if text.iter().any(is_stray) {
-            let at = sink.source().text[span.clone()].find("**").unwrap_or(0);
+            let at = sink.source.text[span.clone()].find("**").unwrap_or(0);
             let start = span.start + at;
             let expected = [Message::new("expect-emphasis")];
             sink.error(
@@ -264,7 +251,7 @@ impl Reader {
 /// Stands for a line break in the file until its neighbours are known.
 const SOFT_BREAK: char = '\u{2028}';
 
-fn unsupported(span: Range<usize>, sink: &mut Sink<'_>) {
+fn unsupported(span: Range<usize>, sink: &Sink<'_>) {
     let expected = [Message::new("expect-markdown")];
     sink.error(span, Message::new("problem-unsupported-markdown"), expected);
 }

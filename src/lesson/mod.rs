@@ -11,7 +11,6 @@
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
 mod course;
-mod embedded;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
@@ -32,20 +31,16 @@ mod toml_errors;
 mod toml_fields;
 
 pub use course::{Course, Lesson, LessonText, StepText};
-pub use embedded::Embedded;
-pub use files::{FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
+pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline};
 pub use mesh_file::{ObjFile, picture_of, read_mtl, read_obj, read_obj_while, read_picture};
 pub use problem::{Place, Problem, Severity};
-#[cfg(all(test, feature = "gui"))]
-pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
+#[cfg(all(test, feature = "gui"))]
+pub(crate) use scene_file::{SceneFormat, Spelling};
 pub use step::{CodeView, LessonStep};
 #[cfg(all(test, feature = "gui"))]
-pub(crate) use {
-    sink::Sink,
-    toml_fields::{TomlFields, number},
-};
+pub(crate) use toml_fields::TomlFields;

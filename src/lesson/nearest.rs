@@ -1,4 +1,6 @@
-//! "Did you mean …?": the known name that a misspelt one is nearest to.
+//! "Did you mean …?": the known name that a misspelt one is nearest to, and how names are quoted.
+
+use crate::text::Message;
 
 /// The known name within a third of the given one's length, at least one edit, at most three.
 pub(super) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
@@ -34,6 +36,30 @@ fn distance(a: &[char], b: &[char]) -> usize {
         }
     }
     rows[a.len()][b.len()]
+}
+
+/// The most names that an error lists.
+const MAX_NAMES: usize = 60;
+
+/// What may have been meant, then all that is known.
+pub(super) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
+    let meant = meant.map(|name| Message::new("expect-did-you-mean").with("name", clipped(name)));
+    let mut names: Vec<String> = known.iter().take(MAX_NAMES).copied().map(clipped).collect();
+    if known.len() > MAX_NAMES {
+        names.push("…".to_owned());
+    }
+    let known =
+        (!names.is_empty()).then(|| Message::new("expect-one-of").with("names", names.join(", ")));
+    meant.into_iter().chain(known).collect()
+}
+
+/// A name from a file as a message quotes it: not longer than a line.
+pub(super) fn clipped(name: &str) -> String {
+    const MAX_CHARS: usize = 60;
+    match name.char_indices().nth(MAX_CHARS) {
+        Some((end, _)) => format!("{}…", &name[..end]),
+        None => name.to_owned(),
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use crate::text::{Catalog, Diagnostic};
 
-/// Whether a lesson can still be shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Severity {
     /// The lesson is left out.
@@ -13,7 +12,6 @@ pub enum Severity {
     Warning,
 }
 
-/// A place in a text file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Place {
     /// From 1.
@@ -28,21 +26,17 @@ pub struct Place {
     pub length: usize,
 }
 
-/// One mistake in one file.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Problem {
     /// As the person who runs the program knows it.
     pub file: String,
     /// `None` where it is about the file as a whole.
     pub place: Option<Place>,
-    /// Does it keep the lesson from being shown?
     pub severity: Severity,
-    /// What is wrong, and what was expected.
     pub what: Diagnostic,
 }
 
 impl Problem {
-    /// The stable name of this kind of mistake.
     pub const fn code(&self) -> &'static str {
         self.what.code
     }

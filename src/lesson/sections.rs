@@ -7,8 +7,8 @@ use crate::text::Message;
 use super::{
     course::{LessonText, StepText},
     markdown::{self, Block, TextPart},
-    sink::{Sink, clipped},
-    toml_fields::suggestion,
+    nearest::{clipped, suggestion},
+    sink::Sink,
 };
 
 /// One `## id: Title` and what follows it.
@@ -20,8 +20,8 @@ struct Section {
 }
 
 /// Reads a text; `ids` are the lesson's steps, `None` where `lesson.toml` leaves them unclear.
-pub(super) fn read(ids: Option<&[String]>, sink: &mut Sink<'_>) -> Option<LessonText> {
-    if sink.source().bad_byte.is_some() {
+pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<LessonText> {
+    if sink.source.bad_byte.is_some() {
         return None;
     }
     let mut file = Splitter::default();
@@ -45,19 +45,16 @@ pub(super) fn read(ids: Option<&[String]>, sink: &mut Sink<'_>) -> Option<Lesson
     (sink.n_errors() == 0).then_some(LessonText { title, steps })
 }
 
-/// A file on its way to becoming a title and sections.
 #[derive(Default)]
 struct Splitter {
-    /// The lesson's title and where it stands.
     title: Option<(String, Range<usize>)>,
-    /// In the order of the file.
     sections: Vec<Section>,
     /// Under a heading that could not be read, or in text that was reported already.
     is_lost: bool,
 }
 
 impl Splitter {
-    fn title(&mut self, text: &str, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn title(&mut self, text: &str, span: Range<usize>, sink: &Sink<'_>) {
         if self.title.is_some() || !self.sections.is_empty() {
             let message = Message::new("problem-second-title");
             sink.error(span, message, [Message::new("expect-heading")]);
@@ -69,7 +66,7 @@ impl Splitter {
         self.title = Some((text.to_owned(), span));
     }
 
-    fn section(&mut self, text: &str, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn section(&mut self, text: &str, span: Range<usize>, sink: &Sink<'_>) {
         let heading = heading(text);
         self.is_lost = heading.is_none();
         let Some((id, title)) = heading else {
@@ -85,7 +82,7 @@ impl Splitter {
         });
     }
 
-    fn block(&mut self, block: Block, span: Range<usize>, sink: &mut Sink<'_>) {
+    fn block(&mut self, block: Block, span: Range<usize>, sink: &Sink<'_>) {
         if self.is_lost {
             return;
         }
@@ -111,7 +108,7 @@ fn in_order(
     ids: &[String],
     sections: Vec<Section>,
     title_span: Range<usize>,
-    sink: &mut Sink<'_>,
+    sink: &Sink<'_>,
 ) -> Vec<StepText> {
     let names: Vec<&str> = ids.iter().map(String::as_str).collect();
     let index: BTreeMap<&str, usize> = names.iter().copied().zip(0..).collect();
@@ -125,7 +122,7 @@ fn in_order(
             continue;
         };
         if let Some(first) = &slots[i] {
-            let line = sink.source().line(first.span.start).to_string();
+            let line = sink.source.line(first.span.start).to_string();
             let first = Message::new("expect-first-here").with("line", line);
             sink.error(
                 section.span.clone(),

@@ -1,6 +1,6 @@
 //! Collects the mistakes of one file.
 
-use std::ops::Range;
+use std::{cell::RefCell, ops::Range};
 
 use crate::text::{Diagnostic, Message};
 
@@ -13,9 +13,14 @@ use super::{
 /// After so many mistakes in one file the rest are only counted.
 const MAX_PROBLEMS: usize = 100;
 
-/// The mistakes of one file, in the order in which they were found.
 pub(crate) struct Sink<'s> {
-    source: &'s Source<'s>,
+    pub source: &'s Source<'s>,
+    found: RefCell<Found>,
+}
+
+/// In the order in which they were found.
+#[derive(Default)]
+struct Found {
     problems: Vec<Problem>,
     n_more: usize,
     n_errors: usize,
@@ -24,12 +29,8 @@ pub(crate) struct Sink<'s> {
 impl<'s> Sink<'s> {
     /// Reports at once a file that is not UTF-8.
     pub fn new(source: &'s Source<'s>) -> Self {
-        let mut sink = Self {
-            source,
-            problems: Vec::new(),
-            n_more: 0,
-            n_errors: 0,
-        };
+        let found = RefCell::default();
+        let sink = Self { source, found };
         if let Some((at, byte)) = source.bad_byte {
             let message = Message::new("problem-not-utf8").with("byte", format!("0x{byte:02X}"));
             sink.error(at..at + 1, message, [Message::new("expect-utf8")]);
@@ -37,12 +38,8 @@ impl<'s> Sink<'s> {
         sink
     }
 
-    pub const fn source(&self) -> &'s Source<'s> {
-        self.source
-    }
-
-    pub const fn n_errors(&self) -> usize {
-        self.n_errors
+    pub fn n_errors(&self) -> usize {
+        self.found.borrow().n_errors
     }
 
     /// The known name that a misspelt one is nearest to, as long as somebody will read it.
@@ -51,54 +48,35 @@ impl<'s> Sink<'s> {
         name: &str,
         known: impl IntoIterator<Item = &'n str>,
     ) -> Option<&'n str> {
-        let is_full = self.problems.len() >= MAX_PROBLEMS;
+        let is_full = self.found.borrow().problems.len() >= MAX_PROBLEMS;
         if is_full { None } else { nearest(name, known) }
     }
 
-    /// A mistake that keeps the lesson from being shown.
+    /// A mistake that keeps the lesson from being shown, with what else there is to say of it.
     pub fn error(
-        &mut self,
+        &self,
         span: Range<usize>,
-        message: Message,
+        what: impl Into<Diagnostic>,
         notes: impl IntoIterator<Item = Message>,
     ) {
-        self.refuse(span, Diagnostic::new(message), notes);
-    }
-
-    /// A typed error, with what else there is to say of it.
-    pub fn refuse(
-        &mut self,
-        span: Range<usize>,
-        error: impl Into<Diagnostic>,
-        notes: impl IntoIterator<Item = Message>,
-    ) {
-        self.n_errors += 1;
-        self.push(Severity::Error, span, error.into(), notes);
+        let mut what = what.into();
+        what.notes.extend(notes);
+        self.found.borrow_mut().n_errors += 1;
+        self.push(Severity::Error, span, what);
     }
 
     /// A mistake that does not.
-    pub fn warning(
-        &mut self,
-        span: Range<usize>,
-        message: Message,
-        notes: impl IntoIterator<Item = Message>,
-    ) {
-        self.push(Severity::Warning, span, Diagnostic::new(message), notes);
+    pub fn warning(&self, span: Range<usize>, message: Message) {
+        self.push(Severity::Warning, span, message.into());
     }
 
-    fn push(
-        &mut self,
-        severity: Severity,
-        span: Range<usize>,
-        mut what: Diagnostic,
-        notes: impl IntoIterator<Item = Message>,
-    ) {
-        if self.problems.len() >= MAX_PROBLEMS {
-            self.n_more += 1;
+    fn push(&self, severity: Severity, span: Range<usize>, what: Diagnostic) {
+        let mut found = self.found.borrow_mut();
+        if found.problems.len() >= MAX_PROBLEMS {
+            found.n_more += 1;
             return;
         }
-        what.notes.extend(notes);
-        self.problems.push(Problem {
+        found.problems.push(Problem {
             file: self.source.file.clone(),
             place: Some(self.source.place(span)),
             severity,
@@ -107,59 +85,53 @@ impl<'s> Sink<'s> {
     }
 
     /// Adds what is wrong with another file that this one names.
-    pub fn report(&mut self, problems: Vec<Problem>) {
+    pub fn report(&self, problems: Vec<Problem>) {
+        let mut found = self.found.borrow_mut();
         let is_error = |problem: &&Problem| problem.severity == Severity::Error;
-        self.n_errors += problems.iter().filter(is_error).count();
-        let room = MAX_PROBLEMS.saturating_sub(self.problems.len());
-        self.n_more += problems.len().saturating_sub(room);
-        self.problems.extend(problems.into_iter().take(room));
+        found.n_errors += problems.iter().filter(is_error).count();
+        let room = MAX_PROBLEMS.saturating_sub(found.problems.len());
+        found.n_more += problems.len().saturating_sub(room);
+        found.problems.extend(problems.into_iter().take(room));
     }
 
     /// Adds the problems of another sink for the same file that `keep` wants, by their codes.
-    pub fn take_from(&mut self, other: Self, keep: impl Fn(&str) -> bool) {
-        for problem in other.problems.into_iter().filter(|p| keep(p.code())) {
+    pub fn take_from(&self, other: Self, keep: impl Fn(&str) -> bool) {
+        let known = &mut self.found.borrow_mut().problems;
+        let others = other.found.into_inner().problems;
+        for problem in others.into_iter().filter(|p| keep(p.code())) {
             let Some(place) = &problem.place else {
                 continue;
             };
             let is_known = |p: &Problem| p.place.as_ref().is_some_and(|p| p.line == place.line);
-            if !self.problems.iter().any(is_known) && self.problems.len() < MAX_PROBLEMS {
-                self.problems.push(problem);
+            if !known.iter().any(is_known) && known.len() < MAX_PROBLEMS {
+                known.push(problem);
             }
         }
     }
 
     /// All of them, from the top of the file to its end.
     pub fn into_problems(self) -> Vec<Problem> {
-        let mut problems = self.problems;
+        let file = &self.source.file;
+        let mut found = self.found.into_inner();
         // Those of files that this one names come after its own.
-        problems.sort_by_key(|problem| {
+        found.problems.sort_by_key(|problem| {
             let place = problem.place.as_ref();
             let place = place.map(|place| (place.line, place.column));
-            (problem.file != self.source.file, place)
+            (problem.file != *file, place)
         });
-        if self.n_more > 0 {
-            problems.push(Problem {
-                file: self.source.file.clone(),
+        if found.n_more > 0 {
+            let message = Message::new("problem-more").with("count", found.n_more);
+            found.problems.push(Problem {
+                file: file.clone(),
                 place: None,
-                severity: if self.n_errors > 0 {
+                severity: if found.n_errors > 0 {
                     Severity::Error
                 } else {
                     Severity::Warning
                 },
-                what: Message::new("problem-more")
-                    .with("count", self.n_more)
-                    .into(),
+                what: message.into(),
             });
         }
-        problems
-    }
-}
-
-/// A name from a file as a message quotes it: not longer than a line.
-pub(in crate::lesson) fn clipped(name: &str) -> String {
-    const MAX_CHARS: usize = 60;
-    match name.char_indices().nth(MAX_CHARS) {
-        Some((end, _)) => format!("{}…", &name[..end]),
-        None => name.to_owned(),
+        found.problems
     }
 }

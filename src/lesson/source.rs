@@ -9,19 +9,16 @@ use super::{
 
 /// Of a longer line, only what surrounds the place is kept.
 const MAX_LINE_CHARS: usize = 120;
-/// What is kept before the place.
 const LEAD_CHARS: usize = 50;
 
-/// A file's name and text, and the folder that it lies in.
 pub(crate) struct Source<'a> {
-    /// As the person who runs the program knows it.
     pub file: String,
     /// Without a byte order mark.
     pub text: Cow<'a, str>,
     /// Where the file stopped being UTF-8, and the byte that stands there.
     pub bad_byte: Option<(usize, u8)>,
     /// Where files beside it come from, and their folder; none of a file that stands alone.
-    folder: Option<(&'a dyn Files, &'a str)>,
+    pub folder: Option<(&'a dyn Files, &'a str)>,
 }
 
 impl<'a> Source<'a> {
@@ -37,12 +34,6 @@ impl<'a> Source<'a> {
             bad_byte,
             folder: None,
         }
-    }
-
-    /// The same file among others.
-    pub fn among(mut self, files: &'a dyn Files, folder: &'a str) -> Self {
-        self.folder = Some((files, folder));
-        self
     }
 
     /// A file beside it, as a person knows it, and what it holds; `None` where there is no such folder.
@@ -76,7 +67,6 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The line of a byte of the text, from 1.
     pub fn line(&self, at: usize) -> usize {
         let at = self.text.floor_char_boundary(at);
         self.text[..at].matches('\n').count() + 1

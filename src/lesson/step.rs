@@ -3,32 +3,27 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    figure::{Moment, MomentError, Run},
+    figure::{Moment, Run},
     labs::{Handle, Lock, Scene},
     text::{Diagnostic, Message},
 };
 
 use super::{
-    nearest::nearest,
+    nearest::{clipped, nearest, suggestion},
     problem::{Place, Problem, Severity},
-    sink::{Sink, clipped},
-    toml_fields::{Item, suggestion, text},
+    toml_fields::Node,
 };
 
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LessonStep {
-    /// Unique in the lesson.
     pub id: String,
     /// Shared by the steps that show it, since it may be large.
     pub scene: Arc<Scene>,
-    /// As the lesson names it.
     pub moment: Moment,
     /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
     pub figure: Option<String>,
-    /// Handles that cannot be dragged.
     pub locks: Vec<Lock>,
-    /// How the pseudocode is first shown.
     pub code: CodeView,
     pub(super) stop: Stop,
 }
@@ -55,7 +50,6 @@ impl LessonStep {
         *self.stop.found.get_or_init(find)
     }
 
-    /// What is wrong with its moment, if it never comes.
     pub fn problem(&self) -> Option<Problem> {
         if self.position().is_some() {
             return None;
@@ -87,15 +81,10 @@ impl PartialEq for Stop {
 /// The most moments that an error lists.
 const MAX_MOMENTS: usize = 60;
 
-/// A moment as a file spells it.
-pub(super) fn moment(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Moment> {
-    text(item, sink)?
-        .parse()
-        .map_err(|error: MomentError| sink.refuse(item.span(), error, []))
-        .ok()
+pub(super) fn moment(node: Node<'_>) -> Option<Moment> {
+    node.accept(node.text()?.parse::<Moment>())
 }
 
-/// What is said of a moment that never comes in this run.
 pub(super) fn never_comes(moment: &Moment, run: &dyn Run) -> Diagnostic {
     let mut moments: Vec<String> = (0..=run.n_steps().min(MAX_MOMENTS))
         .map(|step| run.moment(step).to_string())
@@ -125,23 +114,18 @@ fn short_names(moment: &str) -> Vec<String> {
     std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
-/// How the pseudocode is shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
 pub enum CodeView {
-    /// As code.
     #[default]
     Full,
-    /// In words.
     Words,
     /// Not at all, so that a class can be asked first.
     Hidden,
 }
 
 impl CodeView {
-    /// Every view, in the order in which they hide more and more.
     pub const ALL: [Self; 3] = [Self::Full, Self::Words, Self::Hidden];
 
-    /// As lesson files spell it.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Full => "full",

@@ -7,14 +7,14 @@ use crate::text::Message;
 use super::sink::Sink;
 
 /// Parses the file and reads what of it is TOML. Where not all is, what was read is checked but not used.
-pub(super) fn with_toml<'s, T>(
-    sink: &mut Sink<'s>,
-    read: impl FnOnce(&DeTable<'_>, &mut Sink<'s>) -> Option<T>,
+pub(super) fn with_toml<T>(
+    sink: &Sink<'_>,
+    read: impl Fn(&DeTable<'_>, &Sink<'_>) -> Option<T>,
 ) -> Option<T> {
-    if sink.source().bad_byte.is_some() {
+    if sink.source.bad_byte.is_some() {
         return None;
     }
-    let (table, errors) = DeTable::parse_recoverable(&sink.source().text);
+    let (table, errors) = DeTable::parse_recoverable(&sink.source.text);
     for (i, error) in errors.iter().enumerate() {
         // After a broken header the parser takes the tables that follow for each other.
         if i == 0 || !error.message().starts_with(DUPLICATE) {
@@ -25,8 +25,8 @@ pub(super) fn with_toml<'s, T>(
         return read(table.get_ref(), sink);
     }
     // What was left out while recovering would be reported as missing, and what depends on it as unknown.
-    let mut rest = Sink::new(sink.source());
-    read(table.get_ref(), &mut rest);
+    let rest = Sink::new(sink.source);
+    read(table.get_ref(), &rest);
     sink.take_from(rest, |code| {
         !code.starts_with("missing")
             && !matches!(code, "unknown-scene" | "no-steps" | "unused-scene")
@@ -37,8 +37,8 @@ pub(super) fn with_toml<'s, T>(
 const DUPLICATE: &str = "duplicate key";
 
 /// The parser speaks English only: its complaints have sentences in the catalogue, the rarest ones one for all.
-fn report(error: &Error, sink: &mut Sink<'_>) {
-    let end = sink.source().text.len();
+fn report(error: &Error, sink: &Sink<'_>) {
+    let end = sink.source.text.len();
     let span = error.span().unwrap_or(end..end);
     let (message, note) = sentence(error.message());
     sink.error(span, message, note.map(Message::new));

@@ -4,75 +4,65 @@ use std::ops::Range;
 
 use toml::{
     Spanned,
-    de::{DeTable, DeValue},
+    de::{DeString, DeTable, DeValue},
 };
 
 use crate::{
     input::{At, Dim, Got, Part, Presence, Shape, Table},
-    text::{Message, Value},
+    text::{Diagnostic, Message, Value},
 };
 
-use super::sink::{Sink, clipped};
+use super::{
+    nearest::{clipped, suggestion},
+    sink::Sink,
+};
 
-/// A value and where it stands.
-pub(crate) type Item<'t> = Spanned<DeValue<'t>>;
+/// A value, where it stands, and who hears what is wrong with it.
+#[derive(Clone, Copy)]
+pub(crate) struct Node<'t> {
+    item: &'t Spanned<DeValue<'t>>,
+    pub sink: &'t Sink<'t>,
+}
 
 /// A table of which only certain fields may be given.
 pub(crate) struct TomlFields<'t> {
     table: &'t DeTable<'t>,
     /// Where a field would be added: the table's header.
-    span: Range<usize>,
+    pub span: Range<usize>,
     /// Known fields that a misspelt one stands for: not reported as missing, too.
     misspelt: Vec<&'static str>,
+    pub sink: &'t Sink<'t>,
 }
 
 impl<'t> TomlFields<'t> {
-    /// A file's top level.
-    pub fn of_file(table: &'t DeTable<'t>, known: &[&'static str], sink: &mut Sink<'_>) -> Self {
-        Self::new(table, 0..0, known, sink)
-    }
-
-    /// A value that should be a table.
-    pub fn of(item: &'t Item<'t>, known: &[&'static str], sink: &mut Sink<'_>) -> Option<Self> {
-        let Some(table) = item.get_ref().as_table() else {
-            wrong_type(item, "expect-table", sink);
-            return None;
-        };
-        Some(Self::new(table, item.span(), known, sink))
-    }
-
-    fn new(
+    pub fn new(
         table: &'t DeTable<'t>,
         span: Range<usize>,
         known: &[&'static str],
-        sink: &mut Sink<'_>,
+        sink: &'t Sink<'t>,
     ) -> Self {
         let is_known = |name: &str| known.contains(&name);
         let mut misspelt = Vec::new();
         for key in table.keys().filter(|key| !is_known(key.get_ref())) {
-            let absent = known
-                .iter()
-                .copied()
-                .filter(|name| !table.contains_key(*name));
+            let absent = known.iter().copied();
+            let absent = absent.filter(|name| !table.contains_key(*name));
             let meant = sink.nearest(key.get_ref(), absent);
             misspelt.extend(known.iter().copied().find(|name| Some(*name) == meant));
-            let message =
-                Message::new("problem-unknown-field").with("name", clipped(key.get_ref()));
+            let message = Message::new("problem-unknown-field");
+            let message = message.with("name", clipped(key.get_ref()));
             sink.error(key.span(), message, suggestion(meant, known));
         }
         Self {
             table,
             span,
             misspelt,
+            sink,
         }
     }
 
-    pub fn span(&self) -> Range<usize> {
-        self.span.clone()
-    }
-
-    pub fn get(&self, name: &str) -> Option<&'t Item<'t>> {
-        self.table.get(name)
+    pub fn get(&self, name: &str) -> Option<Node<'t>> {
+        let (item, sink) = (self.table.get(name)?, self.sink);
+        Some(Node { item, sink })
     }
 
     /// Is a field like this one there under a wrong name?
@@ -81,195 +71,321 @@ impl<'t> TomlFields<'t> {
     }
 
     /// A field that must be there.
-    pub fn require(&self, name: &'static str, sink: &mut Sink<'_>) -> Option<&'t Item<'t>> {
-        let item = self.get(name);
-        if item.is_none() && !self.is_misspelt(name) {
-            let message = Message::new("problem-missing-field").with("name", name.to_owned());
-            sink.error(self.span(), message, []);
+    pub fn require(&self, name: &'static str) -> Option<Node<'t>> {
+        let node = self.get(name);
+        if node.is_none() && !self.is_misspelt(name) {
+            self.missing(name, []);
         }
-        item
+        node
     }
 
-    /// A part that must be there.
-    pub fn need<T>(&self, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
-        made(self.require(part.name(), sink)?, part, sink)
+    pub fn missing(&self, name: &'static str, notes: impl IntoIterator<Item = Message>) {
+        let message = Message::new("problem-missing-field").with("name", name.to_owned());
+        self.sink.error(self.span.clone(), message, notes);
     }
 
-    /// A part that may be left out.
-    pub fn part<T>(&self, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
-        made(self.get(part.name())?, part, sink)
+    pub fn need<T>(&self, part: &Part<T>) -> Option<T> {
+        self.require(part.name())?.made(part)
+    }
+
+    pub fn part<T>(&self, part: &Part<T>) -> Option<T> {
+        self.get(part.name())?.made(part)
     }
 }
 
-/// A table of which the keys are names that the author chose.
-pub(super) fn named<'t>(item: &'t Item<'t>, sink: &mut Sink<'_>) -> Option<&'t DeTable<'t>> {
-    let table = item.get_ref().as_table();
-    if table.is_none() {
-        wrong_type(item, "expect-table", sink);
+impl<'t> Node<'t> {
+    pub fn span(self) -> Range<usize> {
+        self.item.span()
     }
-    table
-}
 
-/// A text that says something.
-pub(super) fn text<'t>(item: &'t Item<'t>, sink: &mut Sink<'_>) -> Option<&'t str> {
-    let Some(text) = item.get_ref().as_str() else {
-        wrong_type(item, "expect-text", sink);
-        return None;
-    };
-    if text.trim().is_empty() {
-        sink.error(item.span(), Message::new("problem-empty-text"), []);
-        return None;
+    pub fn error(self, what: impl Into<Diagnostic>, notes: impl IntoIterator<Item = Message>) {
+        self.sink.error(self.span(), what, notes);
     }
-    Some(text)
-}
 
-/// A finite number, whole or not.
-pub(crate) fn number(item: &Item<'_>, expect: &'static str, sink: &mut Sink<'_>) -> Option<f64> {
-    let number = match item.get_ref() {
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse(),
-        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-            .map_or(Ok(f64::NAN), |n| Ok(n as f64)),
-        DeValue::Float(float) => float.as_str().parse::<f64>(),
-        _ => {
-            wrong_type(item, expect, sink);
+    /// What is `made` of the value, or why that is refused.
+    pub fn accept<T>(self, made: Result<T, impl Into<Diagnostic>>) -> Option<T> {
+        made.map_err(|error| self.error(error, [])).ok()
+    }
+
+    pub fn wrong_type(self, expect: &'static str) {
+        self.error(self.type_message(), [Message::new(expect)]);
+    }
+
+    fn type_message(self) -> Message {
+        let found = match self.item.get_ref() {
+            DeValue::String(_) => "type-text",
+            DeValue::Integer(_) => "type-integer",
+            DeValue::Float(_) => "type-float",
+            DeValue::Boolean(_) => "type-boolean",
+            DeValue::Datetime(_) => "type-date",
+            DeValue::Array(_) => "type-list",
+            DeValue::Table(_) => "type-table",
+        };
+        Message::new("problem-wrong-type").with("found", Value::Term(found))
+    }
+
+    /// `value`, where it is of the right type.
+    fn expecting<T>(self, value: Option<T>, expect: &'static str) -> Option<T> {
+        if value.is_none() {
+            self.wrong_type(expect);
+        }
+        value
+    }
+
+    pub fn fields(self, known: &[&'static str]) -> Option<TomlFields<'t>> {
+        Some(TomlFields::new(
+            self.expecting(self.item.get_ref().as_table(), "expect-table")?,
+            self.span(),
+            known,
+            self.sink,
+        ))
+    }
+
+    /// The fields of a table of which the keys are names that the author chose.
+    pub fn named(self) -> Option<impl Iterator<Item = (&'t Spanned<DeString<'t>>, Self)>> {
+        let Self { sink, .. } = self;
+        let fields = self
+            .expecting(self.item.get_ref().as_table(), "expect-table")?
+            .iter();
+        Some(fields.map(move |(key, item)| (key, Node { item, sink })))
+    }
+
+    pub fn as_str(self) -> Option<&'t str> {
+        self.item.get_ref().as_str()
+    }
+
+    /// A text that says something.
+    pub fn text(self) -> Option<&'t str> {
+        let text = self.expecting(self.as_str(), "expect-text")?;
+        if text.trim().is_empty() {
+            self.error(Message::new("problem-empty-text"), []);
             return None;
         }
+        Some(text)
     }
-    .unwrap_or(f64::NAN);
-    if !number.is_finite() {
-        sink.error(item.span(), Message::new("problem-not-finite"), []);
-        return None;
-    }
-    Some(number)
-}
 
-/// A whole number in a range.
-pub(super) fn whole(item: &Item<'_>, range: Range<u64>, sink: &mut Sink<'_>) -> Option<u64> {
-    let expected = || {
-        Message::new("expect-whole")
-            .with("min", range.start.to_string())
-            .with("max", (range.end - 1).to_string())
-    };
-    let DeValue::Integer(integer) = item.get_ref() else {
-        sink.error(item.span(), type_message(item), [expected()]);
-        return None;
-    };
-    let number = u64::from_str_radix(integer.as_str(), integer.radix());
-    let number = number.ok().filter(|n| range.contains(n));
-    if number.is_none() {
-        let message =
-            Message::new("problem-out-of-range").with("value", clipped(&integer.to_string()));
-        sink.error(item.span(), message, [expected()]);
+    pub fn is_number(self) -> bool {
+        self.item.get_ref().is_integer() || self.item.get_ref().is_float()
     }
-    number
-}
 
-/// A list of anything.
-pub(super) fn list<'t>(
-    item: &'t Item<'t>,
-    expect: &'static str,
-    sink: &mut Sink<'_>,
-) -> Option<&'t [Item<'t>]> {
-    let list = item.get_ref().as_array();
-    if list.is_none() {
-        wrong_type(item, expect, sink);
-    }
-    list.map(|list| &**list)
-}
-
-/// What a value means as this part of a file.
-pub(crate) fn made<T>(item: &Item<'_>, part: &Part<T>, sink: &mut Sink<'_>) -> Option<T> {
-    let got = got(item, part.optional.shape, part.expect, sink)?;
-    let fault = match (part.make)(&got) {
-        Ok(made) => return Some(made),
-        Err(fault) => fault,
-    };
-    let inner = match fault.at {
-        At::Whole => None,
-        At::Entry(i) => item.get_ref().get(i),
-        At::Field(name) => item.get_ref().get(name),
-    };
-    let span = inner.unwrap_or(item).span();
-    sink.refuse(span, fault.what, [Message::new(part.expect)]);
-    None
-}
-
-/// A value, once it has this shape.
-pub(super) fn got(
-    item: &Item<'_>,
-    shape: &Shape,
-    expect: &'static str,
-    sink: &mut Sink<'_>,
-) -> Option<Got> {
-    match shape {
-        Shape::Number => number(item, expect, sink).map(Got::Number),
-        Shape::Whole(least, most) => {
-            let whole = whole(item, *least as u64..*most as u64 + 1, sink)?;
-            Some(Got::Wholes(vec![whole as i64]))
-        }
-        Shape::Text => Some(Got::Text(text(item, sink)?.to_owned())),
-        Shape::Word(words) => one_of(item, words, "problem-unknown-value", sink, |word| {
-            words.contains(&word).then(|| Got::Text(word.to_owned()))
-        }),
-        Shape::Numbers(dims) => {
-            let mut numbers = Vec::new();
-            let expect = [expect, expected(dims)];
-            lists(item, dims, expect, sink, &mut |item, sink| {
-                numbers.extend(number(item, "expect-number", sink));
-            })?;
-            Some(Got::Numbers(numbers))
-        }
-        Shape::Wholes(dims, least, most) => {
-            let mut wholes = Vec::new();
-            let range = *least as u64..*most as u64 + 1;
-            lists(item, dims, [expect; 2], sink, &mut |item, sink| {
-                wholes.extend(whole(item, range.clone(), sink).map(|n| n as i64));
-            })?;
-            Some(Got::Wholes(wholes))
-        }
-        Shape::Table(table) => fields_of(item, table, sink).map(Got::Table),
-        Shape::List(entry) => each(item, expect, sink, |item, sink| {
-            got(item, entry, expect, sink)
-        })
-        .map(Got::List),
-        Shape::OrNull(shape) => got(item, shape, expect, sink),
-        // Answers alone have it.
-        Shape::Bool => None,
-    }
-}
-
-/// Lists in lists: calls back with each of the innermost entries. `None` where anything is wrong; `expect` says what was
-/// expected of the list, and of the lists in it.
-fn lists(
-    item: &Item<'_>,
-    dims: &[Dim],
-    [expect, inner_expect]: [&'static str; 2],
-    sink: &mut Sink<'_>,
-    entry: &mut dyn FnMut(&Item<'_>, &mut Sink<'_>),
-) -> Option<()> {
-    let n_errors = sink.n_errors();
-    let [dim, inner @ ..] = dims else {
-        entry(item, sink);
-        return (sink.n_errors() == n_errors).then_some(());
-    };
-    let items = list(item, expect, sink)?;
-    let is_wrong = matches!(dim, Dim::Exactly(n) if *n != items.len());
-    let is_flat = inner.is_empty();
-    if !(is_wrong && is_flat) {
-        for item in items {
-            lists(item, inner, [inner_expect; 2], sink, entry);
-        }
-    }
-    if is_wrong && sink.n_errors() == n_errors {
-        let key = if is_flat {
-            "problem-wrong-length"
-        } else {
-            "problem-too-few-places"
+    /// A finite number, whole or not.
+    pub fn number(self, expect: &'static str) -> Option<f64> {
+        let number = match self.item.get_ref() {
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .map_or(Ok(f64::NAN), |n| Ok(n as f64)),
+            DeValue::Float(float) => float.as_str().parse::<f64>(),
+            _ => {
+                self.wrong_type(expect);
+                return None;
+            }
         };
-        let message = Message::new(key).with("count", items.len());
-        sink.error(item.span(), message, [Message::new(expect)]);
+        let number = number.ok().filter(|number| number.is_finite());
+        if number.is_none() {
+            self.error(Message::new("problem-not-finite"), []);
+        }
+        number
     }
-    (sink.n_errors() == n_errors).then_some(())
+
+    pub fn whole(self, range: Range<u64>) -> Option<u64> {
+        let expected = || {
+            Message::new("expect-whole")
+                .with("min", range.start.to_string())
+                .with("max", (range.end - 1).to_string())
+        };
+        let DeValue::Integer(integer) = self.item.get_ref() else {
+            self.error(self.type_message(), [expected()]);
+            return None;
+        };
+        let number = u64::from_str_radix(integer.as_str(), integer.radix());
+        let number = number.ok().filter(|n| range.contains(n));
+        if number.is_none() {
+            let message = Message::new("problem-out-of-range");
+            let message = message.with("value", clipped(&integer.to_string()));
+            self.error(message, [expected()]);
+        }
+        number
+    }
+
+    /// The entries, where it is a list.
+    pub fn entries(self) -> Option<impl ExactSizeIterator<Item = Self> + Clone + use<'t>> {
+        let Self { item, sink } = self;
+        let entries = item.get_ref().as_array()?.iter();
+        Some(entries.map(move |item| Node { item, sink }))
+    }
+
+    pub fn list(
+        self,
+        expect: &'static str,
+    ) -> Option<impl ExactSizeIterator<Item = Self> + Clone + use<'t>> {
+        self.expecting(self.entries(), expect)
+    }
+
+    /// What it means as this part of a file.
+    pub fn made<T>(self, part: &Part<T>) -> Option<T> {
+        let got = self.got(part.optional.shape, part.expect)?;
+        let fault = match (part.make)(&got) {
+            Ok(made) => return Some(made),
+            Err(fault) => fault,
+        };
+        let place = self.at(fault.at);
+        place.error(fault.what, [Message::new(part.expect)]);
+        None
+    }
+
+    /// A place in it; it itself where there is no such place.
+    pub fn at(self, at: At) -> Self {
+        let Self { item, sink } = self;
+        let inner = match at {
+            At::Whole => None,
+            At::Entry(i) => item.get_ref().get(i),
+            At::Field(name) => item.get_ref().get(name),
+        };
+        inner.map_or(self, |item| Node { item, sink })
+    }
+
+    pub fn got(self, shape: &Shape, expect: &'static str) -> Option<Got> {
+        match shape {
+            Shape::Number => self.number(expect).map(Got::Number),
+            Shape::Whole(least, most) => {
+                let whole = self.whole(*least as u64..*most as u64 + 1)?;
+                Some(Got::Wholes(vec![whole as i64]))
+            }
+            Shape::Text => Some(Got::Text(self.text()?.to_owned())),
+            Shape::Word(words) => self.one_of(words, "problem-unknown-value", |word| {
+                words.contains(&word).then(|| Got::Text(word.to_owned()))
+            }),
+            Shape::Numbers(dims) => {
+                let mut numbers = Vec::new();
+                self.lists(dims, [expect, expected(dims)], &mut |node| {
+                    numbers.extend(node.number("expect-number"));
+                })?;
+                Some(Got::Numbers(numbers))
+            }
+            Shape::Wholes(dims, least, most) => {
+                let mut wholes = Vec::new();
+                let range = *least as u64..*most as u64 + 1;
+                self.lists(dims, [expect; 2], &mut |node| {
+                    wholes.extend(node.whole(range.clone()).map(|n| n as i64));
+                })?;
+                Some(Got::Wholes(wholes))
+            }
+            Shape::Table(table) => self.fields_of(table).map(Got::Table),
+            Shape::List(entry) => self
+                .each(expect, |node| node.got(entry, expect))
+                .map(Got::List),
+            Shape::OrNull(shape) => self.got(shape, expect),
+            // Answers alone have it.
+            Shape::Bool => None,
+        }
+    }
+
+    /// Lists in lists: calls back with each of the innermost entries. `None` where anything is wrong; `expect` says what was
+    /// expected of the list, and of the lists in it.
+    fn lists(
+        self,
+        dims: &[Dim],
+        [expect, inner_expect]: [&'static str; 2],
+        entry: &mut dyn FnMut(Self),
+    ) -> Option<()> {
+        let n_errors = self.sink.n_errors();
+        let is_right = || (self.sink.n_errors() == n_errors).then_some(());
+        let [dim, inner @ ..] = dims else {
+            entry(self);
+            return is_right();
+        };
+        let nodes = self.list(expect)?;
+        let count = nodes.len();
+        let is_wrong = matches!(dim, Dim::Exactly(n) if *n != count);
+        let is_flat = inner.is_empty();
+        if !(is_wrong && is_flat) {
+            for node in nodes {
+                node.lists(inner, [inner_expect; 2], entry);
+            }
+        }
+        if is_wrong && is_right().is_some() {
+            let key = if is_flat {
+                "problem-wrong-length"
+            } else {
+                "problem-too-few-places"
+            };
+            let message = Message::new(key).with("count", count);
+            self.error(message, [Message::new(expect)]);
+        }
+        is_right()
+    }
+
+    /// All fields of a table that are right; `None` where one is not.
+    fn fields_of(self, table: &Table) -> Option<Vec<(&'static str, Got)>> {
+        let n_errors = self.sink.n_errors();
+        let names: Vec<&str> = table.fields.iter().map(|field| field.name).collect();
+        let fields = self.fields(&names)?;
+        let choices = table.fields.iter().filter(|f| f.need == Presence::Choice);
+        let names = choices.map(|field| field.name);
+        let mut chosen = names.clone().filter_map(|name| fields.get(name));
+        if let Some(name) = names.clone().next()
+            && chosen.next().is_none()
+        {
+            fields.require(name);
+        }
+        if let Some(second) = chosen.next() {
+            second.error(Message::new(table.both_key), []);
+        }
+        let mut all = Vec::new();
+        for field in table.fields {
+            let given = match field.need {
+                Presence::Required => fields.require(field.name),
+                Presence::Choice | Presence::Optional => fields.get(field.name),
+            };
+            let expect = match field.shape {
+                Shape::Numbers(dims) => expected(dims),
+                Shape::Wholes(..) => "expect-pixel",
+                _ => "expect-number",
+            };
+            let got = given.and_then(|node| node.got(field.shape, expect));
+            all.extend(got.map(|got| (field.name, got)));
+        }
+        (self.sink.n_errors() == n_errors).then_some(all)
+    }
+
+    /// A list, each entry read; `None` where one of them is wrong.
+    pub fn each<T>(
+        self,
+        expect: &'static str,
+        read: impl FnMut(Self) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let nodes = self.list(expect)?;
+        let read: Vec<T> = nodes.clone().filter_map(read).collect();
+        (read.len() == nodes.len()).then_some(read)
+    }
+
+    /// A word that `parse` knows; `key` is what is said of another one.
+    pub fn one_of<T>(
+        self,
+        known: &[&str],
+        key: &'static str,
+        parse: impl FnOnce(&'t str) -> Option<T>,
+    ) -> Option<T> {
+        let name = self.text()?;
+        let value = parse(name);
+        if value.is_none() {
+            let message = Message::new(key).with("name", clipped(name));
+            let meant = self.sink.nearest(name, known.iter().copied());
+            self.error(message, suggestion(meant, known));
+        }
+        value
+    }
+
+    /// The one of these that is spelt so.
+    pub fn value<T: Copy, const N: usize>(
+        self,
+        all: [T; N],
+        spelt: fn(T) -> &'static str,
+    ) -> Option<T> {
+        self.one_of(&all.map(spelt), "problem-unknown-value", |name| {
+            all.into_iter().find(|&value| spelt(value) == name)
+        })
+    }
 }
 
 /// Catalogue key of what so many numbers are.
@@ -280,105 +396,4 @@ const fn expected(dims: &[Dim]) -> &'static str {
         [.., Dim::Exactly(4)] => "expect-segment",
         _ => "expect-number",
     }
-}
-
-/// All fields of a table that are right; `None` where one is not.
-fn fields_of(
-    item: &Item<'_>,
-    table: &Table,
-    sink: &mut Sink<'_>,
-) -> Option<Vec<(&'static str, Got)>> {
-    let n_errors = sink.n_errors();
-    let names: Vec<&str> = table.fields.iter().map(|field| field.name).collect();
-    let fields = TomlFields::of(item, &names, sink)?;
-    let choices = table.fields.iter().filter(|f| f.need == Presence::Choice);
-    let names = choices.map(|field| field.name);
-    let mut chosen = names.clone().filter_map(|name| fields.get(name));
-    if let Some(name) = names.clone().next()
-        && chosen.next().is_none()
-    {
-        fields.require(name, sink);
-    }
-    if let Some(second) = chosen.next() {
-        sink.error(second.span(), Message::new(table.both_key), []);
-    }
-    let mut all = Vec::new();
-    for field in table.fields {
-        let given = match field.need {
-            Presence::Required => fields.require(field.name, sink),
-            Presence::Choice | Presence::Optional => fields.get(field.name),
-        };
-        let expect = match field.shape {
-            Shape::Numbers(dims) => expected(dims),
-            Shape::Wholes(..) => "expect-pixel",
-            _ => "expect-number",
-        };
-        let got = given.and_then(|item| got(item, field.shape, expect, sink));
-        all.extend(got.map(|got| (field.name, got)));
-    }
-    (sink.n_errors() == n_errors).then_some(all)
-}
-
-/// A list, each entry read; `None` where one of them is wrong.
-pub(super) fn each<'t, T>(
-    item: &'t Item<'t>,
-    expect: &'static str,
-    sink: &mut Sink<'_>,
-    mut read: impl FnMut(&'t Item<'t>, &mut Sink<'_>) -> Option<T>,
-) -> Option<Vec<T>> {
-    let items = list(item, expect, sink)?;
-    let read: Vec<T> = items.iter().filter_map(|item| read(item, sink)).collect();
-    (read.len() == items.len()).then_some(read)
-}
-
-/// A word that `parse` knows; `key` is what is said of another one.
-pub(super) fn one_of<T>(
-    item: &Item<'_>,
-    known: &[&str],
-    key: &'static str,
-    sink: &mut Sink<'_>,
-    parse: impl FnOnce(&str) -> Option<T>,
-) -> Option<T> {
-    let name = text(item, sink)?;
-    let value = parse(name);
-    if value.is_none() {
-        let message = Message::new(key).with("name", clipped(name));
-        let meant = sink.nearest(name, known.iter().copied());
-        sink.error(item.span(), message, suggestion(meant, known));
-    }
-    value
-}
-
-/// The most names that an error lists.
-const MAX_NAMES: usize = 60;
-
-/// What may have been meant, then all that is known.
-pub(super) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
-    let meant = meant.map(|name| Message::new("expect-did-you-mean").with("name", clipped(name)));
-    let mut names: Vec<String> = known.iter().take(MAX_NAMES).copied().map(clipped).collect();
-    if known.len() > MAX_NAMES {
-        names.push("…".to_owned());
-    }
-    let known =
-        (!names.is_empty()).then(|| Message::new("expect-one-of").with("names", names.join(", ")));
-    meant.into_iter().chain(known).collect()
-}
-
-pub(super) fn wrong_type(item: &Item<'_>, expect: &'static str, sink: &mut Sink<'_>) {
-    sink.error(item.span(), type_message(item), [Message::new(expect)]);
-}
-
-fn type_message(item: &Item<'_>) -> Message {
-    Message::new("problem-wrong-type").with(
-        "found",
-        Value::Term(match item.get_ref() {
-            DeValue::String(_) => "type-text",
-            DeValue::Integer(_) => "type-integer",
-            DeValue::Float(_) => "type-float",
-            DeValue::Boolean(_) => "type-boolean",
-            DeValue::Datetime(_) => "type-date",
-            DeValue::Array(_) => "type-list",
-            DeValue::Table(_) => "type-table",
-        }),
-    )
 }

@@ -1,5 +1,4 @@
-//! The texture that shows whether texture coordinates are right: a board of squares with a dark corner, so
-//! that a turn, a mirror image and a stretch can all be told.
+//! The texture that shows whether texture coordinates are right: a turn, a mirror image and a stretch can all be told.
 
 use egui::{Color32, ColorImage, Context, Id, Mesh, Shape, TextureHandle, TextureOptions, lerp};
 
@@ -7,12 +6,9 @@ use crate::figure::Texel;
 
 use super::{Theme, Viewport};
 
-/// Squares along a side.
 const SQUARES: usize = 8;
-/// Texels along a side.
 const SIDE: usize = 256;
 
-/// The triangles with the board on them.
 pub fn textured(
     ctx: &Context,
     theme: &Theme,
@@ -35,7 +31,6 @@ pub fn textured(
     Shape::mesh(mesh)
 }
 
-/// Made once for a context and a theme.
 fn board(ctx: &Context, theme: &Theme) -> TextureHandle {
     let id = Id::unique(("checker", theme.accent.to_array()));
     if let Some(handle) = ctx.data(|data| data.get_temp::<TextureHandle>(id)) {

@@ -1,39 +1,26 @@
-//! Draws egui's triangles on the CPU, with the same bytes on every machine.
-//!
-//! egui tessellates everything, text included, to textured triangles in premultiplied sRGB.
-//! Filling them here needs no display and no GPU. Coordinates, weights, texture filtering and
-//! blending are integers, so a picture is a pure function of the triangles: figures can be
-//! compared byte for byte, and exported where there is no screen.
-//!
-//! Paint callbacks (someone's own GPU code) are ignored.
+//! Draws egui's triangles on the CPU, with no display and no GPU. Coordinates, weights, texture filtering and blending
+//! are integers: a picture has the same bytes on every machine. Paint callbacks are ignored.
 
 use std::collections::HashMap;
 
-use egui::epaint::{ClippedPrimitive, ImageData, Mesh, Primitive, Vertex};
+use egui::epaint::{ClippedPrimitive, ImageData, Primitive, Vertex};
 use egui::{Color32, Rect, TextureId, TexturesDelta};
 
-use super::image::Image;
 use super::texture::{CpuTexture, Rgba, Surroundings};
 use super::triangle::{PixelRect, PixelRun, RasterTriangle, mix};
 
-/// Paints tessellated egui output into an [`Image`].
 #[derive(Clone, Debug, Default)]
 pub struct CpuPainter {
     textures: HashMap<TextureId, CpuTexture>,
-    /// Freed by egui, but perhaps still used by the frame they came with.
     to_free: Vec<TextureId>,
 }
 
 impl CpuPainter {
-    /// A painter that knows no textures yet.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes over egui's new and changed textures, leaving `delta` empty.
-    ///
-    /// Call it once for every frame's output, before [`paint`](Self::paint). Textures that egui
-    /// freed with this frame are kept until the next call, as the frame may still show them.
+    /// Leaves `delta` empty. What egui freed with this frame is kept until the next call: the frame may still show it.
     pub fn apply(&mut self, delta: &mut TexturesDelta) {
         for id in self.to_free.drain(..) {
             self.textures.remove(&id);
@@ -57,10 +44,7 @@ impl CpuPainter {
         self.to_free.extend(delta.free.drain());
     }
 
-    /// Paints triangles over an opaque `background`.
-    ///
-    /// Triangles of unknown textures, with indices out of range or corners that are not finite,
-    /// are left out; nothing that egui or a widget can send makes it panic.
+    /// Over an opaque `background`. What cannot be drawn (unknown textures, bad indices, corners not finite) is left out.
     pub fn paint(
         &self,
         primitives: &[ClippedPrimitive],
@@ -73,16 +57,17 @@ impl CpuPainter {
             width: size_px[0],
             pixels: vec![[r, g, b, 255]; size_px[0] * size_px[1]],
         };
-        for ClippedPrimitive {
-            clip_rect,
-            primitive,
-        } in primitives
-        {
-            if let Primitive::Mesh(mesh) = primitive
+        for it in primitives {
+            if let Primitive::Mesh(mesh) = &it.primitive
                 && let Some(texture) = self.textures.get(&mesh.texture_id)
             {
-                let clip = clip_in_pixels(*clip_rect, pixels_per_point, size_px);
-                canvas.fill_mesh(mesh, texture, pixels_per_point, clip);
+                let clip = clip_in_pixels(it.clip_rect, pixels_per_point, size_px);
+                for corners in mesh.indices.as_chunks::<3>().0 {
+                    let corners = corners.map(|i| mesh.vertices.get(i as usize));
+                    if let [Some(a), Some(b), Some(c)] = corners {
+                        canvas.fill_triangle([a, b, c], texture, pixels_per_point, clip);
+                    }
+                }
             }
         }
         Image {
@@ -92,7 +77,6 @@ impl CpuPainter {
     }
 }
 
-/// The first texture of a context is its font atlas, always.
 fn surroundings(id: TextureId) -> Surroundings {
     if id == TextureId::default() {
         Surroundings::Empty
@@ -101,7 +85,6 @@ fn surroundings(id: TextureId) -> Surroundings {
     }
 }
 
-/// The pixels inside a clip rectangle, rounded as egui's GPU painters round it.
 fn clip_in_pixels(clip: Rect, pixels_per_point: f32, [width, height]: [usize; 2]) -> PixelRect {
     // Casting saturates, and makes 0 of what is not a number.
     let pixel =
@@ -114,28 +97,12 @@ fn clip_in_pixels(clip: Rect, pixels_per_point: f32, [width, height]: [usize; 2]
     }
 }
 
-/// The picture while it is painted.
 struct Painting {
     width: usize,
     pixels: Vec<Rgba>,
 }
 
 impl Painting {
-    fn fill_mesh(
-        &mut self,
-        mesh: &Mesh,
-        texture: &CpuTexture,
-        pixels_per_point: f32,
-        clip: PixelRect,
-    ) {
-        for corners in mesh.indices.as_chunks::<3>().0 {
-            let [Some(a), Some(b), Some(c)] = corners.map(|i| mesh.vertices.get(i as usize)) else {
-                continue;
-            };
-            self.fill_triangle([a, b, c], texture, pixels_per_point, clip);
-        }
-    }
-
     fn fill_triangle(
         &mut self,
         mut corners: [&Vertex; 3],
@@ -165,9 +132,11 @@ impl Painting {
             (true, false) => {
                 self.fill_shaded(&triangle, |w| tinted(texture.sample(at.at(w)), colors[0]));
             }
-            (false, false) => self.fill_shaded(&triangle, |w| {
-                tinted(texture.sample(at.at(w)), color.rgba(w))
-            }),
+            (false, false) => {
+                self.fill_shaded(&triangle, |w| {
+                    tinted(texture.sample(at.at(w)), color.rgba(w))
+                });
+            }
         }
     }
 
@@ -188,7 +157,6 @@ impl Painting {
         }
     }
 
-    /// Fills with a colour of the corner weights.
     fn fill_shaded(&mut self, triangle: &RasterTriangle, shade: impl Fn([i64; 2]) -> Rgba) {
         for span in triangle.rows().filter_map(|y| triangle.span(y)) {
             let weights = triangle.weights(&span);
@@ -204,7 +172,6 @@ impl Painting {
     }
 }
 
-/// An attribute with `N` components that changes linearly over a triangle.
 struct Varying<const N: usize> {
     start: [i64; N],
     deltas: [[i64; 2]; N],
@@ -236,7 +203,6 @@ fn scaled(a: u8, b: u8) -> u8 {
     ((product + (product >> 8)) >> 8) as u8
 }
 
-/// A texel times a vertex colour.
 fn tinted(texel: Rgba, color: Rgba) -> Rgba {
     if texel == [255; 4] {
         return color;
@@ -244,7 +210,6 @@ fn tinted(texel: Rgba, color: Rgba) -> Rgba {
     std::array::from_fn(|i| scaled(texel[i], color[i]))
 }
 
-/// A premultiplied colour over another one.
 fn blended(over: Rgba, under: Rgba) -> Rgba {
     // Opaque and empty are what images and glyphs mostly are.
     if over[3] == 255 {
@@ -256,6 +221,43 @@ fn blended(over: Rgba, under: Rgba) -> Rgba {
     let keep = 255 - over[3];
     // Saturating: egui's additive colours have less alpha than light.
     std::array::from_fn(|i| over[i].saturating_add(scaled(under[i], keep)))
+}
+
+/// An opaque picture: rows from the top, four bytes a pixel (R, G, B, 255), in sRGB.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    pub size: [usize; 2],
+    pub rgba: Vec<u8>,
+}
+
+impl Image {
+    /// # Panics
+    /// If `rgba` does not hold four bytes for every pixel of `size`, or there is no pixel.
+    pub fn to_png(&self) -> Vec<u8> {
+        let pixels = self.rgba.as_chunks::<4>().0.iter();
+        let rgb: Vec<u8> = pixels.flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+        let mut bytes = Vec::new();
+        encode(&mut bytes, self.size, &rgb)
+            .expect("an image with all its pixels, and memory takes every write");
+        bytes
+    }
+}
+
+fn encode(
+    bytes: &mut Vec<u8>,
+    [width, height]: [usize; 2],
+    rgb: &[u8],
+) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(bytes, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    // Measured on a page of interface at 1800 × 1040: 2 ms and 243 kB, where the best filter at
+    // `Balanced` takes 17 ms for 136 kB. A course is exported by the hundred.
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Paeth);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(rgb)?;
+    writer.finish()
 }
 
 #[cfg(test)]

@@ -21,7 +21,6 @@ pub fn cut_to([a, b]: [Pos2; 2], rect: Rect) -> Option<[Pos2; 2]> {
     Some([visible.p1, visible.p2].map(|p| pos2(p.x() as f32, p.y() as f32)))
 }
 
-/// Length of the part of a line that is inside a rectangle or on its border.
 pub fn length_in(ends: [Pos2; 2], rect: Rect) -> f32 {
     cut_to(ends, rect).map_or(0.0, |[a, b]| a.distance(b))
 }

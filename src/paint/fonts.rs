@@ -1,15 +1,10 @@
-//! The fonts that are shipped with the program: the same text everywhere, and no boxes.
-//!
-//! Inter for words, `JetBrains` Mono for codes and numbers. What they lack comes from `DejaVu`
-//! (a few signs of mathematics), Noto Sans SC (Chinese) and three transport symbols of our own.
-//! The files under `assets/fonts` are cut down to the characters in use; `make.sh` there
-//! remakes them, and `tests/glyphs.rs` says when that is due.
+//! The shipped fonts. Inter for words, `JetBrains` Mono for codes and numbers; what they lack comes from `DejaVu`, Noto
+//! Sans SC and symbols of our own. `assets/fonts/make.sh` cuts them down to the characters in use.
 
 use std::sync::Arc;
 
 use egui::{FontData, FontDefinitions, FontFamily};
 
-/// A font file by its name, which is also its name to egui.
 macro_rules! font {
     ($file:literal) => {
         (
@@ -53,16 +48,11 @@ const MONOSPACE: [&str; 5] = [
     "ClipscopeSymbols.otf",
 ];
 
-/// The family for the one thing that matters in a row: Inter's semibold cut.
 pub fn semibold() -> FontFamily {
     FontFamily::Name("semibold".into())
 }
 
-/// Every font and family, for [`egui::Context::set_fonts`].
-///
-/// The families are `Proportional`, `Monospace` and [`semibold`]. No font is scaled or shifted:
-/// egui sets them on one baseline, and their capitals are alike (0.727 to 0.733 of the size), as
-/// are the centres of Noto's Chinese characters.
+/// No font is scaled or shifted: their capitals are alike (0.727 to 0.733 of the size), on one baseline.
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in FILES {

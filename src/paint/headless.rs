@@ -3,37 +3,28 @@
 use egui::os::OperatingSystem;
 use egui::{Memory, Pos2, RawInput, Rect, Ui, Vec2, ViewportId};
 
-use super::cpu::CpuPainter;
+use super::cpu::{CpuPainter, Image};
 use super::fonts;
-use super::image::Image;
 use super::theme::{self, Theme, ThemeKind};
 
 /// Passes at least for one picture: what takes the focus shows it one pass later, unasked.
 const MIN_PASSES: usize = 2;
-/// Passes at most for one picture. A layout that measures itself settles in two or three; what
-/// still asks for another after eight (an animation that never ends) is drawn as it stands.
+/// A layout that measures itself settles in two or three passes; an animation that never ends is drawn as it stands.
 const MAX_PASSES: usize = 8;
 /// Seconds between passes. Pictures hold no motion; egui wants its clock to advance.
 const PASS_SECS: f64 = 1.0 / 60.0;
-/// Widest and highest picture, in pixels.
 const MAX_SIDE_PX: f32 = 16_384.0;
-/// Largest font atlas, in texels: room for a lesson in Chinese at four pixels a point.
 const MAX_ATLAS_SIDE: usize = 4096;
 
-/// Draws interfaces and figures into [`Image`]s with the shipped fonts and a theme.
-///
-/// Keep one for many pictures: parsed fonts and drawn glyphs are kept, all else is forgotten
-/// between pictures, so that each has the same bytes as if it were the first.
+/// Keep one for many pictures: fonts and glyphs are kept, and each picture has the same bytes as if it were the first.
 pub struct Headless {
     ctx: egui::Context,
     painter: CpuPainter,
     kind: ThemeKind,
-    /// What egui remembered before the first picture.
     pristine: Memory,
 }
 
 impl Headless {
-    /// A drawing table with a theme.
     pub fn new(kind: ThemeKind) -> Self {
         let ctx = egui::Context::default();
         // Shortcuts are written out differently on a Mac: not in a figure.
@@ -52,12 +43,10 @@ impl Headless {
         headless
     }
 
-    /// The theme it draws with.
     pub fn theme(&self) -> &'static Theme {
         Theme::of(self.kind)
     }
 
-    /// Changes the theme.
     pub fn set_theme(&mut self, kind: ThemeKind) {
         if kind != self.kind {
             self.ctx
@@ -67,11 +56,8 @@ impl Headless {
         }
     }
 
-    /// Draws an interface of `size_pts` points over the theme's background.
-    ///
-    /// The image has `size_pts · pixels_per_point` pixels, rounded. `ui` runs until
-    /// nothing asks for a repaint: twice at least, eight times at most. There is no pointer, no
-    /// keyboard, no animation, and no memory of earlier pictures. Paint callbacks are not drawn.
+    /// Over the theme's background, on `size_pts · pixels_per_point` pixels, rounded. There is no pointer, no keyboard, no
+    /// animation, and no memory of earlier pictures; paint callbacks are not drawn.
     pub fn draw(
         &mut self,
         size_pts: Vec2,
@@ -95,10 +81,8 @@ impl Headless {
         let (output, is_settled) = self.run(size_pts, pixels_per_point, &mut ui);
         let primitives = self.ctx.tessellate(output.shapes, pixels_per_point);
         let size_px = size_px.map(|side| side as usize);
-        let background = self.theme().background;
-        let image = self
-            .painter
-            .paint(&primitives, pixels_per_point, size_px, background);
+        let (ground, painter) = (self.theme().background, &self.painter);
+        let image = painter.paint(&primitives, pixels_per_point, size_px, ground);
         if !is_settled {
             // The pending repaints would give the next picture passes of its own.
             *self = Self::new(self.kind);
@@ -119,7 +103,6 @@ impl Headless {
             .options_mut(|options| options.warn_on_id_clash = false);
     }
 
-    /// Runs passes until none asks for another; the last one's output, and if it was quiet.
     fn run(
         &mut self,
         size_pts: Vec2,
@@ -128,15 +111,12 @@ impl Headless {
     ) -> (egui::FullOutput, bool) {
         let mut pass = 0;
         loop {
-            let mut output = self
-                .ctx
-                .run_ui(input(size_pts, pixels_per_point, pass), |root| ui(root));
+            let input = input(size_pts, pixels_per_point, pass);
+            let mut output = self.ctx.run_ui(input, |root| ui(root));
             self.painter.apply(&mut output.textures_delta);
             pass += 1;
-            let wants_another = output
-                .viewport_output
-                .get(&ViewportId::ROOT)
-                .is_some_and(|viewport| viewport.repaint_delay.is_zero());
+            let root = output.viewport_output.get(&ViewportId::ROOT);
+            let wants_another = root.is_some_and(|root| root.repaint_delay.is_zero());
             if pass >= MIN_PASSES && (!wants_another || pass == MAX_PASSES) {
                 return (output, !wants_another);
             }
@@ -151,10 +131,7 @@ fn input(size_pts: Vec2, pixels_per_point: f32, pass: usize) -> RawInput {
         time: Some(pass as f64 * PASS_SECS),
         ..RawInput::default()
     };
-    input
-        .viewports
-        .entry(ViewportId::ROOT)
-        .or_default()
-        .native_pixels_per_point = Some(pixels_per_point);
+    let root = input.viewports.entry(ViewportId::ROOT).or_default();
+    root.native_pixels_per_point = Some(pixels_per_point);
     input
 }

@@ -17,34 +17,22 @@ pub enum Layer {
     Wash,
     /// Lines that may be missed do not cross the window.
     Construction,
-    /// Areas.
     Area,
-    /// Under lines that cross tones.
     Casing,
-    /// What stands out glows under every stroke.
     Glow,
-    /// Lines.
     Stroke,
-    /// Arrows, and heads on lines.
     Head,
-    /// Markers, over the strokes that meet in them.
     Marker,
 }
 
-/// A part of a mark in its layer.
 #[derive(Clone, Debug)]
 pub struct LayeredPart<'a> {
-    /// Its layer.
     pub layer: Layer,
-    /// Whose part it is.
     pub mark: &'a Mark,
-    /// Where and what.
     pub part: Part<'a>,
 }
 
-/// An arrow's tip this near to a marker's centre points at the marker.
 const AT_MARKER: f32 = 1.5;
-/// White space between a tip and the marker that it points at.
 const GAP: f32 = 2.5;
 
 /// All parts of the marks, lowest first; arrows stop short of markers. What is about `lit` has a glow, too.
@@ -137,14 +125,8 @@ mod tests {
         let theme = Theme::of(ThemeKind::Light);
         let pieces = pieces(&viewport, theme, &marks, None);
         let layers: Vec<Layer> = pieces.iter().map(|piece| piece.layer).collect();
-        let expected = [
-            Layer::Wash,
-            Layer::Stroke,
-            Layer::Stroke,
-            Layer::Head,
-            Layer::Marker,
-        ];
-        assert_eq!(layers, expected);
+        let lines = [Layer::Wash, Layer::Stroke, Layer::Stroke];
+        assert_eq!(layers, [&lines[..], &[Layer::Head, Layer::Marker]].concat());
         let Part::Arrow([from, tip]) = pieces[3].part else {
             panic!("the arrow is the head's layer");
         };

@@ -1,8 +1,8 @@
-//! Lines from point to point: solid with round joins, or dashed.
+//! Lines from point to point: solid with round joins, or dashed; and crowds of segments.
 
-use egui::{Painter, Pos2, Shape, Stroke};
+use egui::{Mesh, Painter, Pos2, Shape, Stroke, Vec2};
 
-use super::cut::cut_to;
+use super::{Theme, Viewport, cut::cut_to, pen::Pen};
 
 /// Length of a dash and of the gap after it, as multiples of the pattern's scale, in points.
 const DASH: [f32; 2] = [6.0, 4.0];
@@ -10,19 +10,20 @@ const DASH: [f32; 2] = [6.0, 4.0];
 const MOST_DASHES: f32 = 4_000.0;
 /// Of more points than this, joins are too many to be seen one by one.
 const MOST_JOINS: usize = 1_000;
-/// Cosine of the turn past which a mitre would show: 45°.
 const SHARP: f32 = 0.7;
-/// Lines are cut this far outside the stage, so that no end shows.
 const BEYOND: f32 = 16.0;
 
-/// From point to point, and from the last to the first where it is closed.
+/// Beyond this number lines have no soft edges: these take most of the time.
+const MAX_SMOOTH: usize = 2_000;
+/// Of more than this, every second, third, … is drawn: they cover the same pixels, and a frame stays short.
+const MAX_DRAWN: usize = 20_000;
+
 pub struct Line {
     points: Vec<Pos2>,
     is_closed: bool,
 }
 
 impl Line {
-    /// Points that coincide with the one before are left out.
     pub fn new(points: &[Pos2], is_closed: bool) -> Self {
         let mut points = points.to_vec();
         points.dedup_by(|a, b| a.distance_sq(*b) < 1e-4);
@@ -33,7 +34,6 @@ impl Line {
         Self { points, is_closed }
     }
 
-    /// Draws it without gaps; turns are round.
     pub fn draw(&self, painter: &Painter, stroke: Stroke) {
         if let [a, b] = self.points[..] {
             let seen = cut_to([a, b], painter.clip_rect().expand(BEYOND));
@@ -59,7 +59,6 @@ impl Line {
         }
     }
 
-    /// Draws it with gaps, whose pattern grows with `scale`.
     pub fn dash(&self, painter: &Painter, stroke: Stroke, scale: f32) {
         let [dash, gap] = DASH.map(|length| length * scale);
         let whole = self.around(0);
@@ -78,7 +77,6 @@ impl Line {
         }
     }
 
-    /// All points beginning with this one, and this one again at the end where it is closed.
     fn around(&self, first: usize) -> Vec<Pos2> {
         let n = self.points.len();
         let n_ends = if self.is_closed { n + 1 } else { n };
@@ -106,11 +104,51 @@ impl Line {
         let mut cuts: Vec<usize> = turns.iter().map(|turn| turn - first).collect();
         cuts.insert(0, 0);
         cuts.push(whole.len() - 1);
-        cuts.windows(2)
-            .filter(|ends| ends[0] < ends[1])
-            .map(|ends| whole[ends[0]..=ends[1]].to_vec())
-            .collect()
+        let runs = cuts.windows(2).filter(|ends| ends[0] < ends[1]);
+        runs.map(|ends| whole[ends[0]..=ends[1]].to_vec()).collect()
     }
+}
+
+pub fn crowd(
+    painter: &Painter,
+    theme: &Theme,
+    viewport: &Viewport,
+    segments: &[[[f64; 2]; 2]],
+    pen: &Pen,
+) {
+    let each = segments.len().div_ceil(MAX_DRAWN).max(1);
+    let lines = segments.iter().step_by(each).filter_map(|ends| {
+        let ends = ends.map(|p| viewport.to_screen(p));
+        cut_to(ends, viewport.rect.expand(4.0))
+    });
+    if pen.is_dashed {
+        lines.for_each(|ends| {
+            Line::new(&ends, false).dash(painter, pen.stroke, theme.stroke_scale);
+        });
+    } else if segments.len() <= MAX_SMOOTH {
+        painter.extend(lines.map(|ends| Shape::line_segment(ends, pen.stroke)));
+    } else {
+        painter.add(quads(lines, segments.len().div_ceil(each), pen.stroke));
+    }
+}
+
+fn quads(lines: impl Iterator<Item = [Pos2; 2]>, most: usize, stroke: Stroke) -> Mesh {
+    let mut mesh = Mesh::default();
+    // Growing would copy megabytes, again and again.
+    mesh.reserve_vertices(4 * most);
+    mesh.reserve_triangles(2 * most);
+    for [a, b] in lines {
+        let along = (b - a).normalized();
+        let along = if along == Vec2::ZERO { Vec2::X } else { along };
+        let across = along.rot90() * (0.5 * stroke.width);
+        let first = mesh.vertices.len() as u32;
+        for corner in [a - across, a + across, b + across, b - across] {
+            mesh.colored_vertex(corner, stroke.color);
+        }
+        mesh.add_triangle(first, first + 1, first + 2);
+        mesh.add_triangle(first, first + 2, first + 3);
+    }
+    mesh
 }
 
 #[cfg(test)]

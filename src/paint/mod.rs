@@ -3,12 +3,9 @@
 mod area;
 mod checker;
 mod cpu;
-mod crowd;
 mod cut;
-mod fill_cache;
 pub mod fonts;
 mod headless;
-mod image;
 mod labels;
 mod layers;
 mod line;
@@ -16,7 +13,6 @@ mod parts;
 mod pen;
 mod solid_outlines;
 mod solid_samples;
-mod solid_tones;
 mod solids;
 mod stage;
 mod texture;
@@ -28,10 +24,9 @@ mod viewport;
 #[cfg(test)]
 mod tests;
 
-pub use cpu::CpuPainter;
+pub use cpu::{CpuPainter, Image};
 pub use cut::crosses;
 pub use headless::Headless;
-pub use image::Image;
 pub use labels::{Around, Obstacle, Placed};
 pub use parts::{Part, parts};
 pub use stage::{arrange, stage};

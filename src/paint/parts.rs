@@ -1,5 +1,4 @@
-//! What a shape comes to on the screen. The painter, the labels and the pointer all ask here, so that what is drawn is
-//! also what labels keep off and what can be pointed at.
+//! What a shape comes to on the screen: the painter, the labels and the pointer all ask here.
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
@@ -10,54 +9,35 @@ use crate::{
 
 use super::Viewport;
 
-/// Length of an arrowhead, in points.
 pub const HEAD: f32 = 9.0;
 
-/// Radius of the arc of an angle, and side of the square of a right one, in points.
 const ARC_RADIUS: f32 = 32.0;
 const SQUARE_SIDE: f32 = 9.0;
 /// Directions along an arc that two neighbouring points of it have between them, at most.
 const ARC_STEP_RAD: f32 = 0.1;
-/// An edge shorter than this has no room for a head in its middle.
 const LEAST_HEADED: f32 = 27.0;
 
-/// A piece of a shape, in points on the screen.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Part<'a> {
-    /// A half-plane's shade, convex.
     Wash(Vec<Pos2>),
     /// What an odd number of outlines goes round, in world coordinates.
     Fill(&'a [Vec<[f64; 2]>]),
-    /// Solids, on the picture of their own lens.
     Solids(&'a Solids),
-    /// Textured triangles, in world coordinates.
     Texture(&'a [[Texel; 3]]),
-    /// Many segments, in world coordinates.
     Crowd(&'a [[[f64; 2]; 2]]),
-    /// From point to point.
     Stroke(Vec<Pos2>),
-    /// From point to point and back to the first.
     Ring(Vec<Pos2>),
-    /// A shaft with a head at its end.
     Arrow([Pos2; 2]),
-    /// A head alone, its tip at the second point.
     Head([Pos2; 2]),
-    /// A mark of constant size at a point.
     Marker(Marker, Pos2),
 }
 
-/// Marks of constant size.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Marker {
-    /// Filled.
     Dot,
-    /// Filled, and small whatever its role.
     Vertex,
-    /// Hollow.
     Circle,
-    /// Two strokes.
     Cross,
-    /// A head with its flat side at the point, in this direction.
     Bound(Vec2),
 }
 
@@ -65,15 +45,16 @@ pub enum Marker {
 pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
     let at = |p: &[f64; 2]| viewport.to_screen(*p);
     let all = |points: &[[f64; 2]]| points.iter().map(at).collect::<Vec<_>>();
+    let endless = |a: Pos2, b: Pos2| {
+        let reach = reach(viewport.rect, a, b);
+        Part::Stroke(vec![a - reach, b + reach])
+    };
     match shape {
         Shape::Segment(ends) => vec![Part::Stroke(all(ends))],
         Shape::Arrow([a, b]) => vec![Part::Arrow([at(a), at(b)])],
         Shape::Heading([a, b]) => heading(at(a), at(b)).into_iter().collect(),
         Shape::Border(axis, c) => vec![Part::Stroke(border(viewport, *axis, *c).to_vec())],
-        Shape::Line([a, b]) => {
-            let reach = reach(viewport.rect, at(a), at(b));
-            vec![Part::Stroke(vec![at(a) - reach, at(b) + reach])]
-        }
+        Shape::Line([a, b]) => vec![endless(at(a), at(b))],
         Shape::Ray([a, b]) => {
             let end = at(b) + reach(viewport.rect, at(a), at(b));
             vec![Part::Stroke(vec![at(a), end])]
@@ -86,9 +67,8 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
         Shape::Outline(outline) => vec![Part::Ring(all(outline))],
         Shape::Path(points) => vec![Part::Stroke(all(points))],
         Shape::HalfPlane([a, b]) => {
-            let reach = reach(viewport.rect, at(a), at(b));
-            let line = vec![at(a) - reach, at(b) + reach];
-            vec![wash(viewport.rect, at(a), at(b)), Part::Stroke(line)]
+            let wash = wash(viewport.rect, at(a), at(b));
+            vec![wash, endless(at(a), at(b))]
         }
         Shape::Wash([a, b]) => vec![wash(viewport.rect, at(a), at(b))],
         Shape::Textured(triangles) => vec![Part::Texture(triangles)],
@@ -103,11 +83,8 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
         Shape::Angle([apex, a, b]) => vec![Part::Stroke(arc(at(apex), at(a), at(b)))],
         Shape::RightAngle([apex, a, b]) => {
             let [a, b] = [a, b].map(|p| (at(p) - at(apex)).normalized() * SQUARE_SIDE);
-            vec![Part::Stroke(vec![
-                at(apex) + a,
-                at(apex) + a + b,
-                at(apex) + b,
-            ])]
+            let apex = at(apex);
+            vec![Part::Stroke(vec![apex + a, apex + a + b, apex + b])]
         }
         Shape::Crowd(segments) => vec![Part::Crowd(segments)],
         Shape::Solids(solids) => vec![Part::Solids(solids)],
@@ -115,7 +92,6 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
     }
 }
 
-/// The part of a world rectangle, possibly without end, that is on the stage.
 pub fn visible(viewport: &Viewport, [a, b]: [[f64; 2]; 2]) -> Rect {
     let rect = viewport.rect;
     let along = |i: usize, value: f64, min: f32, max: f32| {
@@ -142,23 +118,17 @@ fn border(viewport: &Viewport, axis: Axis, c: f64) -> [Pos2; 2] {
     }
 }
 
-/// A step along a → b that leaves the stage from anywhere on it.
 fn reach(stage: Rect, a: Pos2, b: Pos2) -> Vec2 {
     let size = stage.size();
     (b - a).normalized() * (size.x + size.y + (b - a).length())
 }
 
-/// What lies to the left of a → b on the world's plane, whose y points up: to the right of it in the screen's
-/// numbers, to the left as it is seen.
+/// To the left of a → b as it is seen; the screen's y points down.
 fn wash<'a>(stage: Rect, a: Pos2, b: Pos2) -> Part<'a> {
     let along = reach(stage, a, b);
     let left = vec2(along.y, -along.x);
-    Part::Wash(vec![
-        a - along,
-        b + along,
-        b + along + left,
-        a - along + left,
-    ])
+    let [start, end] = [a - along, b + along];
+    Part::Wash(vec![start, end, end + left, start + left])
 }
 
 fn heading<'a>(a: Pos2, b: Pos2) -> Option<Part<'a>> {

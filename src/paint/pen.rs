@@ -10,7 +10,6 @@ use super::{
 };
 
 const DOT_RADIUS: f32 = 5.5;
-/// A given vertex, whose place matters and not what happens there.
 const SMALL_DOT_RADIUS: f32 = 3.5;
 const RING_RADIUS: f32 = 6.5;
 const CROSS_RADIUS: f32 = 6.0;
@@ -20,27 +19,19 @@ const FEW: usize = 3;
 /// And so many can still be told apart.
 const SOME: usize = 50;
 
-/// A line of a weight of its own that is thinner than this has shorter dashes, by this factor.
 const THIN: f32 = 1.9;
 const THIN_DASH: f32 = 0.6;
 
-/// What a mark is drawn with.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pen {
-    /// Of lines, heads and markers.
     pub stroke: Stroke,
-    /// Are its lines dashed?
     pub is_dashed: bool,
-    /// Of the dashes, as a part of those of a thick line.
     pub dash: f32,
-    /// Of areas.
     pub wash: Color32,
-    /// Of its label.
     pub text: Color32,
 }
 
 impl Pen {
-    /// For a mark.
     pub fn of(theme: &Theme, mark: &Mark) -> Self {
         let is_cut_off = mark.role == Role::Discarded && matches!(mark.shape, Shape::Segment(_));
         let colour = if is_cut_off {
@@ -112,8 +103,7 @@ pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
     }
 }
 
-/// Of areas. The window's is opaque: no other wash is blended with it. What is kept is a step stronger than what is
-/// discarded.
+/// The window's is opaque. What is kept is a step stronger than what is discarded.
 fn wash(theme: &Theme, role: Role) -> Color32 {
     let strength = match role {
         Role::Ink => return theme.accent_wash,
@@ -124,7 +114,6 @@ fn wash(theme: &Theme, role: Role) -> Color32 {
     stroke_colour(theme, role).gamma_multiply(strength)
 }
 
-/// Of a mark's lines, in points before the theme's factor.
 fn width(mark: &Mark) -> f32 {
     let role = mark.role;
     let is_living = matches!(role, Role::Accent | Role::Accepted | Role::Signal);
@@ -138,27 +127,7 @@ fn width(mark: &Mark) -> f32 {
         Shape::Path(_) if is_living || mark.is_dashed => 3.0,
         Shape::Arrow(_) => 2.5,
         Shape::Cross(_) if role == Role::Discarded => 1.75,
-        Shape::Segment(_)
-        | Shape::Path(_)
-        | Shape::Cross(_)
-        | Shape::Heading(_)
-        | Shape::Border(..)
-        | Shape::Line(_)
-        | Shape::Ray(_)
-        | Shape::Area(_)
-        | Shape::Fill(_)
-        | Shape::Outline(_)
-        | Shape::HalfPlane(_)
-        | Shape::Wash(_)
-        | Shape::Solids(_)
-        | Shape::Label(_)
-        | Shape::Textured(_)
-        | Shape::Dot(_)
-        | Shape::Vertex(_)
-        | Shape::Ring(_)
-        | Shape::Bound(_)
-        | Shape::Crowd(_)
-        | Shape::Region(_) => 2.0,
+        _ => 2.0,
     }
 }
 

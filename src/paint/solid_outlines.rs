@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-/// No facet is seen at a sample.
 pub const NONE: u32 = u32::MAX;
 
 /// Facets that turn from one another by more than this meet in a crease: the cosine, of 40°.
@@ -15,15 +14,12 @@ const LEAST_STEP: f32 = 0.002;
 /// Samples that are looked at together, as most are like their neighbours.
 const BLOCK: usize = 64;
 
-/// What is seen at the samples of some rows.
+#[derive(Default)]
 pub struct Seen {
-    /// Samples in a row.
     pub n_columns: usize,
-    /// From 0 to 1.
     pub depths: Vec<f32>,
     /// [`NONE`] where there is none.
     pub facets: Vec<u32>,
-    /// Of facets with a texture; empty where there is none on the picture.
     pub texels: Vec<Option<[u8; 3]>>,
 }
 
@@ -51,13 +47,11 @@ pub fn outlines(seen: &Seen, normals: &[[f32; 3]]) -> Vec<bool> {
 }
 
 impl Seen {
-    /// Shows each of these samples the same facet as the one so many further on?
     fn is_alike(&self, samples: Range<usize>, step: usize) -> bool {
         let further = self.facets.get(samples.start + step..samples.end + step);
         further.is_some_and(|further| self.facets[samples] == *further)
     }
 
-    /// Is there a line between a sample and the one so many further on?
     fn is_parted(&self, at: usize, step: usize, normals: &[[f32; 3]]) -> bool {
         let [a, b] = [at, at + step].map(|at| self.facets[at]);
         if a == b {
@@ -88,13 +82,12 @@ impl Seen {
 mod tests {
     use super::*;
 
-    /// Two rows of five samples.
     fn seen(facets: [u32; 5], depths: [f32; 5]) -> Seen {
         Seen {
             n_columns: 5,
             depths: [depths, depths].concat(),
             facets: [facets, facets].concat(),
-            texels: Vec::new(),
+            ..Seen::default()
         }
     }
 

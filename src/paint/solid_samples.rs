@@ -10,35 +10,26 @@ use super::solid_outlines::{NONE, Seen, outlines};
 
 /// Fewer samples are drawn sooner by one thread.
 const FEW: usize = 100_000;
-/// Fewer triangles are looked through again for every few rows.
 const FEW_TRIANGLES: usize = 5_000;
-/// Rows of pixels that are drawn at once then.
 const ROWS_AT_ONCE: u32 = 24;
 /// More threads have too little to do.
 const MOST_THREADS: usize = 4;
 
 /// Pixels beside each other that are looked at together, if anything is seen in them.
 const BLOCK: usize = 32;
-/// Samples for a pixel, in both directions, where it is drawn finely.
 pub const FINE: usize = 2;
 
-/// What pixels are made of.
 pub struct Samples<'a> {
-    /// Where facets are.
     pub picture: &'a SolidPicture<'a>,
-    /// Of each facet.
     pub tones: &'a [Color32],
     /// Of the lines between facets, and how these are turned, where such lines are drawn.
     pub outline: Option<(Color32, &'a [[f32; 3]])>,
-    /// Pixels in a row, and rows.
     pub size: [u32; 2],
-    /// Samples for a pixel, in both directions.
     pub fine: u32,
 }
 
 impl Samples<'_> {
-    /// Draws the rows in which something is seen, on pixels that are clear: each thread takes the next few, so that none waits
-    /// for one that is late.
+    /// On pixels that are clear; each thread takes the next few rows, so that none waits for one that is late.
     pub fn draw(&self, pixels: &mut [Color32]) {
         let [width, height] = self.size;
         let seen = self.picture.rows();
@@ -71,9 +62,7 @@ impl Samples<'_> {
     fn bands<'p>(&self, bands: &Mutex<impl Iterator<Item = (Range<u32>, &'p mut [Color32])>>) {
         let mut seen = Seen {
             n_columns: (self.size[0] * self.fine) as usize,
-            depths: Vec::new(),
-            facets: Vec::new(),
-            texels: Vec::new(),
+            ..Seen::default()
         };
         let next = || bands.lock().ok()?.next();
         while let Some((rows, pixels)) = next() {
@@ -81,7 +70,6 @@ impl Samples<'_> {
         }
     }
 
-    /// The samples beside these rows say where outlines are.
     fn few_rows(&self, rows: Range<u32>, seen: &mut Seen, pixels: &mut [Color32]) {
         let first = (rows.start * self.fine).saturating_sub(1);
         let end = (rows.end * self.fine + 1).min(self.size[1] * self.fine);
@@ -95,13 +83,9 @@ impl Samples<'_> {
             seen.texels.clear();
             seen.texels.resize(n_samples, None);
         }
-        let Seen {
-            depths,
-            facets,
-            texels,
-            ..
-        } = seen;
-        self.picture.draw_rows(first..end, depths, facets, texels);
+        let (depths, facets) = (&mut seen.depths, &mut seen.facets);
+        self.picture
+            .draw_rows(first..end, depths, facets, &mut seen.texels);
         let is_dark = match self.outline {
             Some((_, normals)) => outlines(seen, normals),
             None => vec![false; n_samples],
@@ -134,9 +118,8 @@ impl Samples<'_> {
             let start = left + i * seen.n_columns;
             start..start + N * pixels.len()
         });
-        let facets = rows
-            .each_ref()
-            .map(|row| chunks::<_, N>(&seen.facets[row.clone()]));
+        let rows_of = rows.each_ref();
+        let facets = rows_of.map(|row| chunks::<_, N>(&seen.facets[row.clone()]));
         let dark = rows.map(|row| chunks::<_, N>(&is_dark[row]));
         let has_texels = !seen.texels.is_empty();
         for (column, pixel) in pixels.iter_mut().enumerate() {
@@ -157,7 +140,6 @@ impl Samples<'_> {
         }
     }
 
-    /// The mean of some samples.
     fn pixel(
         &self,
         seen: &Seen,
@@ -186,7 +168,6 @@ impl Samples<'_> {
     }
 }
 
-/// As many beside each other as make a pixel.
 fn chunks<T, const N: usize>(samples: &[T]) -> &[[T; N]] {
     samples.as_chunks().0
 }
@@ -201,7 +182,6 @@ fn painted(texel: [u8; 3], tone: Color32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Is nothing in so many columns and rows of samples?
 fn is_empty(seen: &Seen, is_dark: &[bool], left: usize, [width, n_rows]: [usize; 2]) -> bool {
     (0..n_rows).all(|row| {
         let start = left + row * seen.n_columns;

@@ -1,40 +1,42 @@
-//! Solids, in flat tones: each facet in one of three of its role, by how it is turned to a light that is fixed to the
-//! world. Drawn at twice the pixels of the screen in both directions and averaged, and kept until something changes.
+//! Solids in flat tones: each facet in one of three of its role, by how it is turned to a light fixed to the world. Drawn
+//! at twice the pixels of the screen and averaged, and kept until something changes.
 
 use std::sync::Arc;
 
 use egui::{
     Color32, ColorImage, Context, Id, Mesh, Rect, Shape, TextureHandle, TextureOptions, Vec2, pos2,
 };
+use glam::DVec3;
 
-use crate::figure::{Facet, Link, SolidMesh, SolidPicture, Solids};
+use crate::figure::{Facet, Link, Role, SolidMesh, SolidPicture, Solids};
 
 use super::{
-    Theme, Viewport,
+    Theme, ThemeKind, Viewport,
+    pen::stroke_colour,
     solid_samples::{FINE, Samples},
-    solid_tones::tones,
 };
 
+/// Where light comes from: from the left, from above, and from before.
+const LIGHT: DVec3 = DVec3::new(-0.35, 0.8, 0.48);
+/// Cosines of the angle to it: what is turned to it more than the first is lit, more than the second half.
+const LIT: [f64; 2] = [0.62, 0.15];
+
+const STANDS_OUT: f32 = 0.28;
 /// While the eye turns, more facets than this are drawn coarsely.
 const MANY: usize = 20_000;
 
-/// What a picture is asked for.
-struct Asked<'a> {
-    solids: &'a Solids,
+#[derive(Clone)]
+struct Asked {
+    solids: Solids,
     place: Place,
-    theme: &'a Theme,
+    theme: ThemeKind,
     lit: Option<Link>,
 }
 
-/// A picture of solids, and what it was drawn for.
 #[derive(Clone)]
 struct Drawn {
-    solids: Solids,
-    place: Place,
-    theme: &'static str,
-    lit: Option<Link>,
+    asked: Asked,
     is_fine: bool,
-    /// In which frame it was last asked for.
     frame: u64,
     surface: Surface,
     texture: TextureHandle,
@@ -44,7 +46,6 @@ struct Drawn {
 #[derive(Clone)]
 struct Surface {
     mesh: Arc<SolidMesh>,
-    /// Of facets: of length 1.
     normals: Arc<[[f32; 3]]>,
     tones: Arc<[Color32]>,
 }
@@ -57,11 +58,9 @@ struct Place {
     part: [[f64; 2]; 2],
 }
 
-/// All pictures of a context.
 #[derive(Clone, Default)]
 struct Kept(Vec<Drawn>);
 
-/// What is seen of solids, where it was not yet, drawn; what is about `lit` stands out.
 pub fn solids(
     ctx: &Context,
     theme: &Theme,
@@ -77,19 +76,22 @@ pub fn solids(
     let frame = ctx.cumulative_frame_nr();
     // What has not been asked for since the last frame is not on the screen any more.
     kept.0.retain(|drawn| drawn.frame + 1 >= frame);
-    let found = kept.0.iter().position(|it| it.place.rect == place.rect);
+    let found = kept
+        .0
+        .iter()
+        .position(|it| it.asked.place.rect == place.rect);
     let before = found.map(|found| kept.0.swap_remove(found));
     let is_moving = ctx.input(|input| input.pointer.any_down());
     let is_lit = |lit: &Link| solids.facets.iter().any(|facet| facet.link == Some(*lit));
     let asked = Asked {
-        solids,
+        solids: solids.clone(),
         place,
-        theme,
+        theme: theme.kind,
         lit: lit.filter(is_lit),
     };
     let mut drawn = match before {
-        Some(drawn) if drawn.is_of(&asked) && (drawn.is_fine || is_moving) => drawn,
-        before => Drawn::new(ctx, &asked, is_moving, before),
+        Some(drawn) if asked.is_seen_in(&drawn) && (drawn.is_fine || is_moving) => drawn,
+        before => Drawn::new(ctx, asked, is_moving, before),
     };
     drawn.frame = frame;
     if !drawn.is_fine {
@@ -119,30 +121,63 @@ impl Place {
     }
 }
 
-impl Drawn {
-    fn new(ctx: &Context, asked: &Asked<'_>, is_moving: bool, before: Option<Self>) -> Self {
-        let &Asked {
-            solids,
-            place,
-            theme,
-            lit,
-        } = asked;
+impl Asked {
+    fn has_surface_of(&self, drawn: &Drawn) -> bool {
+        Arc::ptr_eq(&self.solids.facets, &drawn.asked.solids.facets)
+            && self.theme == drawn.asked.theme
+    }
+
+    fn is_seen_in(&self, drawn: &Drawn) -> bool {
+        self.has_surface_of(drawn)
+            && self.place == drawn.asked.place
+            && self.lit == drawn.asked.lit
+            && self.solids.lens == drawn.asked.solids.lens
+    }
+
+    fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
+        let facets = &self.solids.facets;
+        tones(Theme::of(self.theme), facets, normals, self.lit).into()
+    }
+
+    fn image(&self, surface: &Surface, is_fine: bool) -> ColorImage {
+        let size = self.place.size;
         let has_room = |side: &u32| FINE as u32 * side <= SolidPicture::MAX_SIDE;
-        let is_fine = !(is_moving && solids.facets.len() > MANY);
-        let known = before.as_ref().filter(|drawn| drawn.has_surface(asked));
-        let mut surface = match known {
-            Some(drawn) => drawn.surface.clone(),
-            None => Surface::of(&solids.facets, theme, lit),
-        };
-        if known.is_some_and(|drawn| drawn.lit != lit) {
-            surface.tones = tones(theme, &solids.facets, &surface.normals, lit).into();
+        let is_doubled = is_fine && size.iter().all(has_room);
+        let fine = if is_doubled { FINE as u32 } else { 1 };
+        let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
+        let samples = size.map(|side| side * fine);
+        let (lens, part) = (&self.solids.lens, self.place.part);
+        if let Some(picture) = SolidPicture::new(&surface.mesh, lens, part, samples) {
+            let ink = Theme::of(self.theme).ink;
+            let is_outlined = self.solids.is_outlined;
+            let samples = Samples {
+                picture: &picture,
+                tones: &surface.tones,
+                outline: is_outlined.then_some((ink, &surface.normals[..])),
+                size,
+                fine,
+            };
+            samples.draw(&mut pixels);
         }
-        let fine = if is_fine && place.size.iter().all(has_room) {
-            FINE as u32
-        } else {
-            1
+        ColorImage::new(size.map(|side| side as usize), pixels)
+    }
+}
+
+impl Drawn {
+    fn new(ctx: &Context, asked: Asked, is_moving: bool, before: Option<Self>) -> Self {
+        let is_fine = !(is_moving && asked.solids.facets.len() > MANY);
+        let known = before.as_ref().filter(|drawn| asked.has_surface_of(drawn));
+        let surface = match known {
+            Some(Self {
+                asked: it, surface, ..
+            }) if it.lit == asked.lit => surface.clone(),
+            Some(drawn) => Surface {
+                tones: asked.tones(&drawn.surface.normals),
+                ..drawn.surface.clone()
+            },
+            None => Surface::of(&asked),
         };
-        let image = image(&surface, solids, place, fine, theme);
+        let image = asked.image(&surface, is_fine);
         let options = TextureOptions::LINEAR;
         let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {
@@ -152,10 +187,7 @@ impl Drawn {
             None => ctx.load_texture("solids", image, options),
         };
         Self {
-            solids: solids.clone(),
-            place,
-            theme: theme.kind.id(),
-            lit,
+            asked,
             is_fine,
             frame: 0,
             surface,
@@ -163,56 +195,63 @@ impl Drawn {
         }
     }
 
-    fn has_surface(&self, asked: &Asked<'_>) -> bool {
-        Arc::ptr_eq(&self.solids.facets, &asked.solids.facets)
-            && self.theme == asked.theme.kind.id()
-    }
-
-    fn is_of(&self, asked: &Asked<'_>) -> bool {
-        self.has_surface(asked)
-            && self.place == asked.place
-            && self.lit == asked.lit
-            && self.solids.lens == asked.solids.lens
-    }
-
-    /// Texel on pixel.
     fn shape(&self) -> Shape {
         let mut mesh = Mesh::with_texture(self.texture.id());
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        mesh.add_rect_with_uv(self.place.rect, whole, Color32::WHITE);
+        mesh.add_rect_with_uv(self.asked.place.rect, whole, Color32::WHITE);
         Shape::mesh(mesh)
     }
 }
 
 impl Surface {
-    fn of(facets: &[Facet], theme: &Theme, lit: Option<Link>) -> Self {
+    fn of(asked: &Asked) -> Self {
+        let facets = &asked.solids.facets;
         let normal = |facet: &Facet| facet.normal().as_vec3().to_array();
         let normals: Arc<[[f32; 3]]> = facets.iter().map(normal).collect();
         Self {
             mesh: Arc::new(SolidMesh::of(facets)),
-            tones: tones(theme, facets, &normals, lit).into(),
+            tones: asked.tones(&normals),
             normals,
         }
     }
 }
 
-/// With `fine` samples for a pixel in both directions.
-fn image(surface: &Surface, solids: &Solids, place: Place, fine: u32, theme: &Theme) -> ColorImage {
-    let [width, height] = place.size;
-    let mut pixels = vec![Color32::TRANSPARENT; (width * height) as usize];
-    let size = place.size.map(|side| side * fine);
-    let picture = SolidPicture::new(&surface.mesh, &solids.lens, place.part, size);
-    if let Some(picture) = picture {
-        let samples = Samples {
-            picture: &picture,
-            tones: &surface.tones,
-            outline: solids
-                .is_outlined
-                .then_some((theme.ink, &surface.normals[..])),
-            size: place.size,
-            fine,
-        };
-        samples.draw(&mut pixels);
+fn tones(theme: &Theme, facets: &[Facet], normals: &[[f32; 3]], lit: Option<Link>) -> Vec<Color32> {
+    let light = LIGHT.normalize();
+    let tone = |(facet, normal): (&Facet, &[f32; 3])| {
+        let cosine = DVec3::from(normal.map(f64::from)).dot(light);
+        let darkness = LIT.iter().filter(|least| cosine <= **least).count();
+        let tone = tone(theme, facet.role, darkness);
+        if lit.is_some() && facet.link == lit {
+            tone.lerp_to_gamma(theme.accent, STANDS_OUT)
+        } else {
+            tone
+        }
+    };
+    facets.iter().zip(normals).map(tone).collect()
+}
+
+fn tone(theme: &Theme, role: Role, darkness: usize) -> Color32 {
+    let (hue, strengths) = match role {
+        Role::Ink => (theme.ink, [0.72_f32, 0.80, 0.88]),
+        Role::Soft | Role::Faint => (theme.soft, [0.045, 0.11, 0.19]),
+        Role::Discarded => (theme.soft, [0.025, 0.085, 0.16]),
+        Role::Accent | Role::Signal | Role::Accepted => {
+            (stroke_colour(theme, role), [0.07, 0.19, 0.337])
+        }
+    };
+    let strength = match theme.kind {
+        ThemeKind::Light => strengths[darkness],
+        // Projectors wash out.
+        ThemeKind::Projector => (1.25 * strengths[darkness]).min(0.95),
+        // On a dark ground what is lit is the farthest from it.
+        ThemeKind::Dark => strengths[2 - darkness] + 0.06,
+    };
+    match role {
+        // The ground shows through what is cut away.
+        Role::Discarded => hue.gamma_multiply(strength),
+        Role::Ink | Role::Soft | Role::Faint | Role::Accent | Role::Signal | Role::Accepted => {
+            theme.background.lerp_to_gamma(hue, strength)
+        }
     }
-    ColorImage::new([width as usize, height as usize], pixels)
 }

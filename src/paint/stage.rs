@@ -9,19 +9,16 @@ use crate::{
 
 use super::{
     Theme, Viewport,
-    area::filled,
+    area::{LARGE, filled, filled_large},
     checker::textured,
-    crowd::crowd,
-    fill_cache::{LARGE, filled_large},
     labels::{Around, Labels, Obstacle, Placed},
     layers::{Layer, LayeredPart, pieces},
-    line::Line,
+    line::{Line, crowd},
     parts::{HEAD, Marker, Part},
     pen::{Pen, radius},
     solids::solids,
 };
 
-/// White on either side of a line that crosses tones, in points before the theme's factor.
 const CASING: f32 = 1.25;
 
 /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
@@ -46,12 +43,7 @@ pub fn stage(
         match piece.layer {
             Layer::Glow => stage.glow(piece),
             Layer::Casing => stage.casing(piece),
-            Layer::Wash
-            | Layer::Construction
-            | Layer::Area
-            | Layer::Stroke
-            | Layer::Head
-            | Layer::Marker => stage.part(piece),
+            _ => stage.part(piece),
         }
     }
     let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
@@ -59,7 +51,6 @@ pub fn stage(
     labels.placed
 }
 
-/// Where the labels of these marks would stand, and what they keep off.
 pub fn arrange(
     painter: &Painter,
     viewport: &Viewport,
@@ -69,10 +60,8 @@ pub fn arrange(
     before: &[Placed],
 ) -> (Vec<Placed>, Vec<Obstacle>) {
     let pieces = pieces(viewport, theme, marks, None);
-    let around = Around {
-        before,
-        covered: &[],
-    };
+    let covered = &[];
+    let around = Around { before, covered };
     let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
     (labels.placed, labels.obstacles)
 }
@@ -87,19 +76,12 @@ struct Stage<'a> {
 impl Stage<'_> {
     fn part(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
         let pen = Pen::of(self.theme, mark);
+        let ctx = self.painter.ctx();
         let shape = match part {
             Part::Wash(corners) => Egui::convex_polygon(corners.clone(), pen.wash, Stroke::NONE),
             Part::Fill(outlines) => self.fill(outlines, pen.wash),
-            Part::Texture(triangles) => {
-                textured(self.painter.ctx(), self.theme, self.viewport, triangles)
-            }
-            Part::Solids(shown) => solids(
-                self.painter.ctx(),
-                self.theme,
-                self.viewport,
-                shown,
-                self.lit,
-            ),
+            Part::Texture(triangles) => textured(ctx, self.theme, self.viewport, triangles),
+            Part::Solids(shown) => solids(ctx, self.theme, self.viewport, shown, self.lit),
             Part::Crowd(segments) => {
                 let pen = Pen::of_crowd(self.theme, mark, segments.len());
                 return crowd(self.painter, self.theme, self.viewport, segments, &pen);
@@ -125,16 +107,13 @@ impl Stage<'_> {
         }
     }
 
-    /// Of any shape; the stroke over it is another part.
     fn fill(&self, outlines: &[Vec<[f64; 2]>], colour: Color32) -> Egui {
         if outlines.iter().map(Vec::len).sum::<usize>() >= LARGE {
             return filled_large(self.painter.ctx(), self.viewport, outlines, colour);
         }
         let on_screen = |outline: &Vec<[f64; 2]>| -> Vec<Pos2> {
-            outline
-                .iter()
-                .map(|&p| self.viewport.to_screen(p))
-                .collect()
+            let points = outline.iter();
+            points.map(|&p| self.viewport.to_screen(p)).collect()
         };
         filled(&outlines.iter().map(on_screen).collect::<Vec<_>>(), colour)
     }
@@ -172,7 +151,6 @@ impl Stage<'_> {
         }
     }
 
-    /// A line in the ground's colour that is a little wider than what will lie over it.
     fn casing(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
         let pen = Pen::of(self.theme, mark);
         let around = self.theme.stroke(2.0 * CASING, self.theme.background);
@@ -181,13 +159,7 @@ impl Stage<'_> {
             Part::Stroke(points) => Line::new(points, false).draw(self.painter, stroke),
             Part::Ring(points) => Line::new(points, true).draw(self.painter, stroke),
             Part::Arrow(ends) => Line::new(ends, false).draw(self.painter, stroke),
-            Part::Wash(_)
-            | Part::Fill(_)
-            | Part::Texture(_)
-            | Part::Solids(_)
-            | Part::Crowd(_)
-            | Part::Head(_)
-            | Part::Marker(..) => {}
+            _ => {}
         }
     }
 
@@ -205,12 +177,7 @@ impl Stage<'_> {
                     .circle(*at, radius, self.theme.accent_wash, rim);
             }
             // An outline shows well enough what is meant, and a glow of all its edges would hide what is inside.
-            Part::Wash(_)
-            | Part::Fill(_)
-            | Part::Solids(_)
-            | Part::Texture(_)
-            | Part::Crowd(_)
-            | Part::Ring(_) => {}
+            _ => {}
         }
     }
 }

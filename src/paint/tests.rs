@@ -16,7 +16,6 @@ const ROLES: [Role; 7] = [
     Role::Discarded,
 ];
 
-/// Relative luminance, as WCAG 2.2 defines it.
 fn luminance(color: Color32) -> f64 {
     let [r, g, b, _] = color.to_array().map(|byte| {
         let c = f64::from(byte) / 255.0;
@@ -38,7 +37,6 @@ fn pen(theme: &Theme, role: Role, shape: Shape) -> Pen {
     Pen::of(theme, &Mark::new(role, shape))
 }
 
-/// What a role's lines and labels are drawn on: the stage, the window, this step's half-plane, the subject's area.
 fn grounds(theme: &Theme) -> [Color32; 4] {
     let wash = |role| pen(theme, role, Shape::Region([[0.0; 2]; 2])).wash;
     let stage = theme.background;
@@ -59,18 +57,17 @@ fn contrast_is_that_of_wcag() {
 fn text_stands_out_on_every_surface() {
     for kind in ThemeKind::ALL {
         let theme = Theme::of(kind);
-        for surface in [
-            theme.background,
-            theme.panel,
-            theme.hover,
-            theme.accent_wash,
-        ] {
+        let Theme {
+            background,
+            panel,
+            hover,
+            accent_wash,
+            ..
+        } = *theme;
+        for surface in [background, panel, hover, accent_wash] {
             for text in [theme.ink, theme.soft] {
                 let ratio = contrast(text, surface);
-                assert!(
-                    ratio >= 4.5,
-                    "{kind}: {text:?} on {surface:?} is {ratio:.2}"
-                );
+                assert!(ratio >= 4.5, "{kind}: {text:?} on {surface:?}: {ratio:.2}");
             }
         }
     }
@@ -103,36 +100,21 @@ fn every_role_is_seen_on_every_ground() {
     assert!(weak.is_empty(), "{weak:#?}");
 }
 
-/// As many as carry a point are seen as well as what is in focus.
 #[test]
-fn few_segments_out_of_focus_are_as_strong_as_the_one_in_focus() {
+fn few_segments_are_as_strong_as_the_one_in_focus_and_many_recede_the_further_the_more_there_are() {
     for kind in ThemeKind::ALL {
         let theme = Theme::of(kind);
         for role in [Role::Accent, Role::Discarded] {
             let mark = Mark::new(role, Shape::Crowd(Vec::new()));
-            let (few, focused) = (
-                Pen::of_crowd(theme, &mark, 2),
-                pen(theme, role, Shape::Segment([[0.0; 2]; 2])),
-            );
-            assert_eq!(few.stroke.width, focused.stroke.width, "{kind}");
-            let ratio = contrast(few.stroke.color, theme.background);
+            let stroke = |n| Pen::of_crowd(theme, &mark, n).stroke;
+            let focused = pen(theme, role, Shape::Segment([[0.0; 2]; 2])).stroke;
+            assert_eq!(stroke(2).width, focused.width, "{kind}");
+            let ratio = contrast(stroke(2).color, theme.background);
             assert!(ratio >= 3.0, "{kind}, {role:?}: {ratio:.2}");
-        }
-    }
-}
-
-/// Of very many none is as strong as the one in focus, whose colour they have.
-#[test]
-fn many_segments_recede_the_further_the_more_there_are() {
-    for kind in ThemeKind::ALL {
-        let theme = Theme::of(kind);
-        for role in [Role::Accent, Role::Discarded] {
-            let mark = Mark::new(role, Shape::Crowd(Vec::new()));
-            let ratio = |n| {
-                let stroke = Pen::of_crowd(theme, &mark, n).stroke;
-                contrast(theme.background.blend(stroke.color), theme.background)
-            };
-            let ratios = [2, 200, 2_000, 10_000].map(ratio);
+            let ratios = [2, 200, 2_000, 10_000].map(|n| {
+                let seen = theme.background.blend(stroke(n).color);
+                contrast(seen, theme.background)
+            });
             assert!(ratios[1] < 1.6, "{kind}, {role:?}: {ratios:?}");
             assert!(ratios.is_sorted_by(|more, less| more > less), "{ratios:?}");
         }

@@ -6,14 +6,11 @@ use egui::{ColorImage, Pos2};
 /// A premultiplied colour in a register's width: channels in the order R, G, B, A.
 pub(super) type Rgba = [u8; 4];
 
-/// Fractional bits of a texel coordinate.
 const TEXEL_BITS: u32 = 16;
-/// One texel in fixed point.
 const TEXEL: i64 = 1 << TEXEL_BITS;
 /// Texel coordinates are kept within ±2^15, so that interpolating them fits an `i64`.
 const FARTHEST_TEXEL: f64 = 32_768.0;
 
-/// An image that triangles are filled with.
 #[derive(Clone, Debug)]
 pub(super) struct CpuTexture {
     size: [usize; 2],
@@ -22,10 +19,8 @@ pub(super) struct CpuTexture {
     surroundings: Surroundings,
 }
 
-/// What lies beside the outermost texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Surroundings {
-    /// More of the image, as its wrap mode says.
     Wrapped,
     /// Nothing: the image is egui's font atlas. All its glyphs have empty texels around them,
     /// but those at the atlas' rim; with these there, too, the pixels of turned text do not
@@ -34,7 +29,6 @@ pub(super) enum Surroundings {
 }
 
 impl CpuTexture {
-    /// `None` if the image has no texels: there is nothing to sample.
     pub fn new(
         image: &ColorImage,
         options: TextureOptions,
@@ -54,7 +48,6 @@ impl CpuTexture {
         })
     }
 
-    /// Replaces a rectangle; what would lie outside is dropped.
     pub fn update(&mut self, [x, y]: [usize; 2], image: &ColorImage, options: TextureOptions) {
         self.options = options;
         let [width, height] = self.size;
@@ -72,7 +65,6 @@ impl CpuTexture {
         }
     }
 
-    /// A texture coordinate in fixed-point texels.
     pub fn texel_position(&self, uv: Pos2) -> [i64; 2] {
         let fixed = |at: f32, size: usize| {
             let texels = f64::from(at) * size as f64;
@@ -82,7 +74,6 @@ impl CpuTexture {
         [fixed(uv.x, self.size[0]), fixed(uv.y, self.size[1])]
     }
 
-    /// The colour of a triangle all of whose corners have the same texture coordinates.
     pub fn sample_point(&self, at: [i64; 2]) -> Rgba {
         match self.surroundings {
             Surroundings::Wrapped => self.sample(at),
@@ -91,7 +82,6 @@ impl CpuTexture {
         }
     }
 
-    /// The colour at fixed-point texel coordinates, with the filter for enlarging.
     pub fn sample(&self, [u, v]: [i64; 2]) -> Rgba {
         if self.options.magnification == TextureFilter::Nearest {
             return self.texel(u >> TEXEL_BITS, v >> TEXEL_BITS);
@@ -127,7 +117,6 @@ impl CpuTexture {
     }
 }
 
-/// Brings a texel index into `0..size`.
 fn wrap(at: i64, size: usize, mode: TextureWrapMode) -> usize {
     let size = size as i64;
     let wrapped = match mode {

@@ -1,9 +1,5 @@
-//! Colours and sizes: three themes, one set of names.
-//!
-//! One accent, one signal: blue is the living result and the selection, vermilion the thing
-//! that happens at this step. Everything else is ink in three strengths on two surfaces. The
-//! hues are Okabe and Ito's, told apart by colour-blind eyes; still, a role never depends on
-//! its hue alone.
+//! Colours and sizes: three themes, one set of names. Blue is the living result and the selection, vermilion what happens
+//! at this step, all else ink in three strengths. The hues are Okabe and Ito's; a role never depends on its hue alone.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -18,24 +14,18 @@ use serde::{Deserialize, Serialize};
 
 use super::fonts::semibold;
 
-/// The themes to choose from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ThemeKind {
-    /// Dark ink on white: print and daylight.
     #[default]
     Light,
-    /// Light ink on near-black.
     Dark,
-    /// For a lecture hall: white, thicker strokes, larger text, stronger greys.
     Projector,
 }
 
 impl ThemeKind {
-    /// Every theme, in the order of a menu.
     pub const ALL: [Self; 3] = [Self::Light, Self::Dark, Self::Projector];
 
-    /// The name used in files and on the command line.
     pub fn id(self) -> &'static str {
         match self {
             Self::Light => "light",
@@ -51,7 +41,6 @@ impl fmt::Display for ThemeKind {
     }
 }
 
-/// There is no theme of this name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTheme(pub String);
 
@@ -73,40 +62,26 @@ impl FromStr for ThemeKind {
     }
 }
 
-/// Colours by use, and how large things are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theme {
-    /// Which theme this is.
     pub kind: ThemeKind,
-    /// The stage.
     pub background: Color32,
     /// Panels, one shade off the stage.
     pub panel: Color32,
-    /// A quiet button under the pointer.
     pub hover: Color32,
-    /// Lines of 1 px between places.
     pub hairline: Color32,
-    /// Text, and the outline of a window.
     pub ink: Color32,
-    /// Text of the second rank.
     pub soft: Color32,
-    /// Only for what may be missed.
     pub faint: Color32,
-    /// The living result and the selection.
     pub accent: Color32,
     /// Accent as a surface: a selected row, the inside of a window.
     pub accent_wash: Color32,
-    /// What happens at this step.
     pub signal: Color32,
-    /// The signal as text, whose strokes are thinner.
     pub signal_text: Color32,
     /// What has been accepted: darker than Okabe and Ito's green, which is as light as the grey of what is discarded.
     pub accepted: Color32,
-    /// What has been discarded (always dashed, too).
     pub discarded: Color32,
-    /// Factor on the strokes of a figure.
     pub stroke_scale: f32,
-    /// Factor on every text size.
     pub text_scale: f32,
     /// The same of titles and captions: what is large already grows less, so that figures keep their room.
     pub title_scale: f32,
@@ -173,23 +148,19 @@ const PROJECTOR: Theme = Theme {
     ..LIGHT
 };
 
-/// The text style of the caption: 14.5 px.
 pub fn caption() -> TextStyle {
     TextStyle::Name("caption".into())
 }
 
-/// The caption's first words, the decision: semibold.
 pub fn caption_strong() -> TextStyle {
     TextStyle::Name("caption strong".into())
 }
 
-/// Body text in semibold: the one thing that matters in a row.
 pub fn strong() -> TextStyle {
     TextStyle::Name("strong".into())
 }
 
 impl Theme {
-    /// The theme of a kind.
     pub fn of(kind: ThemeKind) -> &'static Self {
         match kind {
             ThemeKind::Light => &LIGHT,
@@ -203,7 +174,6 @@ impl Theme {
         Stroke::new(width * self.stroke_scale, color)
     }
 
-    /// The egui style of this theme.
     pub fn style(&self) -> Style {
         let mut style = Style {
             text_styles: self.text_styles(),
@@ -305,10 +275,7 @@ impl Theme {
     }
 }
 
-/// Gives a context the look of a theme; the fonts are [`super::fonts::definitions`].
-///
-/// egui keeps a style for light and one for dark surroundings: both are set, and the one of
-/// `kind` is chosen.
+/// egui keeps a style for light and one for dark surroundings: both are set, and the one of `kind` is chosen.
 pub fn install(ctx: &egui::Context, kind: ThemeKind) {
     let (light, preference) = match kind {
         ThemeKind::Light => (&LIGHT, ThemePreference::Light),

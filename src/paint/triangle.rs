@@ -16,20 +16,14 @@
 //!
 //! Source: J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988, 17–20.
 
-/// Fractional bits of a snapped coordinate.
 const SUBPIXEL_BITS: u32 = 8;
-/// One pixel in snapped units.
 const PIXEL: i64 = 1 << SUBPIXEL_BITS;
-/// Farthest snapped coordinate: 2^20 pixels. Differences then fit 2^29 and an edge function
-/// 2^60, well inside an `i64`. What lies farther out is moved to this line.
+/// 2^20 pixels: differences fit 2^29 and an edge function 2^60. What lies farther out is moved to this line.
 const FARTHEST: f64 = (1_i64 << (20 + SUBPIXEL_BITS)) as f64;
-/// Fractional bits of a weight λ.
 pub(super) const WEIGHT_BITS: u32 = 29;
-/// Areas are shifted below this many bits before they are inverted, so that the reciprocal
-/// keeps at least 23 significant bits.
+/// An area's bits before it is inverted: the reciprocal keeps at least 23 significant bits.
 const AREA_BITS: u32 = 40;
 
-/// A half-open rectangle of pixels, inside the image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct PixelRect {
     pub left: i64,
@@ -41,7 +35,6 @@ pub(super) struct PixelRect {
 /// An edge function: its value at a pixel centre is `dx · x + dy · y` more than at the corner.
 #[derive(Clone, Copy, Debug, Default)]
 struct EdgeFunction {
-    /// A point of the edge.
     from: [i64; 2],
     /// Change for one snapped unit to the right, and downwards.
     step: [i64; 2],
@@ -60,14 +53,12 @@ impl EdgeFunction {
         }
     }
 
-    /// Value at the centre of a pixel.
     fn at(&self, x_px: i64, y_px: i64) -> i64 {
         self.step[0] * (x_px * PIXEL + PIXEL / 2 - self.from[0])
             + self.step[1] * (y_px * PIXEL + PIXEL / 2 - self.from[1])
     }
 
-    /// Narrows the half-open range of `offsets` from a pixel to those inside the edge,
-    /// where `value` is the edge function at offset 0.
+    /// Narrows the half-open range of `offsets` from a pixel where the edge function is `value`.
     fn narrow(&self, value: i64, offsets: &mut (i64, i64)) {
         let (value, step) = (value - self.least, self.step[0] * PIXEL);
         if step > 0 {
@@ -82,7 +73,6 @@ impl EdgeFunction {
     }
 }
 
-/// A run of covered pixels in one row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PixelRun {
     pub y: usize,
@@ -92,7 +82,6 @@ pub(super) struct PixelRun {
     w: [i64; 2],
 }
 
-/// A triangle ready to be filled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RasterTriangle {
     edges: [EdgeFunction; 3],
@@ -104,9 +93,7 @@ pub(super) struct RasterTriangle {
 }
 
 impl RasterTriangle {
-    /// Snaps a triangle given in pixels.
-    ///
-    /// `None` if nothing can be covered: a corner that is not finite, no area, or out of `clip`.
+    /// In pixels; none where a corner is not finite, there is no area, or all of it is out of `clip`.
     pub fn new(corners_px: [[f64; 2]; 3], clip: PixelRect) -> Option<Self> {
         if !corners_px.iter().flatten().all(|c| c.is_finite()) {
             return None;
@@ -137,12 +124,10 @@ impl RasterTriangle {
         })
     }
 
-    /// The rows to look at.
     pub fn rows(&self) -> std::ops::Range<i64> {
         self.bounds.top..self.bounds.bottom
     }
 
-    /// The covered pixels of one row.
     pub fn span(&self, y: i64) -> Option<PixelRun> {
         let left = self.bounds.left;
         let mut offsets = (0, self.bounds.right - left);
@@ -176,7 +161,6 @@ impl RasterTriangle {
     }
 }
 
-/// Interpolates one attribute, rounding to nearest.
 pub(super) fn mix(start: i64, deltas: [i64; 2], weights: [i64; 2]) -> i64 {
     let sum = deltas[0] * weights[0] + deltas[1] * weights[1];
     start + ((sum + (1 << (WEIGHT_BITS - 1))) >> WEIGHT_BITS)
@@ -186,7 +170,6 @@ fn snap(pixels: f64) -> i64 {
     (pixels * PIXEL as f64).round().clamp(-FARTHEST, FARTHEST) as i64
 }
 
-/// The pixels whose centres may be inside, cut to `clip`.
 fn bounds_of(p: &[[i64; 2]; 3], clip: PixelRect) -> PixelRect {
     let least = |axis: usize| p[0][axis].min(p[1][axis]).min(p[2][axis]);
     let most = |axis: usize| p[0][axis].max(p[1][axis]).max(p[2][axis]);

@@ -1,23 +1,19 @@
-//! Values, formulas and sentences set for reading: quotients stacked, subscripts lowered, on one line or on
-//! lines of a given width. What is set is a galley, so that it can be selected, and copied as plain text.
+//! Text set for reading: quotients stacked, subscripts lowered. It is a galley: selected, and copied as plain text.
 
-mod breaks;
 mod row;
 mod script;
-mod span;
 
 use std::sync::Arc;
 
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2};
 
-use crate::text::{Catalog, Formula, Message, Piece, Value};
+use crate::text::{Catalog, Piece, Value};
 
 use row::SetRow;
-use script::Script;
+use script::{Script, break_rows};
 
-pub use span::Span;
+pub use script::Span;
 
-/// Text that has been laid out.
 #[derive(Clone)]
 pub struct Typeset {
     galley: Arc<Galley>,
@@ -26,7 +22,6 @@ pub struct Typeset {
 }
 
 impl Typeset {
-    /// A value as it stands alone: in a table, beside a mark.
     pub fn value(
         painter: &Painter,
         catalog: &Catalog,
@@ -37,42 +32,17 @@ impl Typeset {
         Self::line(painter, &[Span::value(catalog, value, font, colour)])
     }
 
-    /// A formula.
-    pub fn formula(
-        painter: &Painter,
-        catalog: &Catalog,
-        formula: &Formula,
-        font: FontId,
-        colour: Color32,
-    ) -> Self {
-        Self::line(painter, &[Span::formula(catalog, formula, font, colour)])
-    }
-
-    /// A sentence on one line.
-    pub fn message(
-        painter: &Painter,
-        catalog: &Catalog,
-        message: &Message,
-        font: FontId,
-        colour: Color32,
-    ) -> Self {
-        Self::line(painter, &[Span::message(catalog, message, font, colour)])
-    }
-
-    /// Words.
     pub fn text(painter: &Painter, text: impl AsRef<str>, font: FontId, colour: Color32) -> Self {
         Self::line(painter, &[Span::text(text.as_ref(), font, colour)])
     }
 
-    /// Spans after each other on one line.
     pub fn line(painter: &Painter, spans: &[Span]) -> Self {
         let script = Script::new(spans);
         let row = SetRow::new(painter, &script, 0..script.chars.len());
         Self::of_rows(&[row], &script)
     }
 
-    /// Spans after each other on lines of at most this width. A line does not break within a coordinate, a
-    /// formula or a term that fits on one; where a formula does not, it goes on before a relation.
+    /// No line breaks within a coordinate, a formula or a term that fits on one; a longer one breaks before a relation.
     pub fn wrapped(painter: &Painter, spans: &[Span], width: f32) -> Self {
         let script = Script::new(spans);
         Self::of_rows(&wrapped(painter, &script, width), &script)
@@ -100,10 +70,8 @@ impl Typeset {
     }
 
     fn of_rows(rows: &[SetRow], script: &Script) -> Self {
-        let colour = script
-            .spans
-            .first()
-            .map_or(Color32::PLACEHOLDER, |span| span.colour);
+        let first = script.spans.first();
+        let colour = first.map_or(Color32::PLACEHOLDER, |span| span.colour);
         let baseline = rows.first().map_or(0.0, |row| row.baseline);
         let galley = match rows {
             [row] => row.galley.clone(),
@@ -116,41 +84,28 @@ impl Typeset {
         }
     }
 
-    /// Of the box around it, in points. What is set on one line has its capitals in the middle of its height,
-    /// with a quotient as without.
+    /// In points. The capitals of one line are in the middle of its height, with a quotient as without.
     pub fn size(&self) -> Vec2 {
         self.galley.size()
     }
 
-    /// From the top of the box to the line that the letters of the first row stand on.
     pub const fn baseline(&self) -> f32 {
         self.baseline
     }
 
-    /// How many lines it takes.
     pub fn n_rows(&self) -> usize {
         self.galley.rows.len()
     }
 
-    /// For a [`Label`](egui::Label) whose text can be selected.
     pub fn galley(&self) -> Arc<Galley> {
         self.galley.clone()
     }
 
     /// Paints it with this corner, edge or middle of its box at `at`; the box.
-    #[expect(
-        clippy::must_use_candidate,
-        reason = "painting is what it is called for"
-    )]
     pub fn paint(&self, painter: &Painter, at: Pos2, align: Align2) -> Rect {
         self.paint_in(painter, at, align, self.colour)
     }
 
-    /// The same in this colour, where it was set in [`Color32::PLACEHOLDER`].
-    #[expect(
-        clippy::must_use_candidate,
-        reason = "painting is what it is called for"
-    )]
     pub fn paint_in(&self, painter: &Painter, at: Pos2, align: Align2, colour: Color32) -> Rect {
         let rect = align.anchor_size(at, self.size());
         painter.galley(rect.min, self.galley.clone(), colour);
@@ -158,10 +113,9 @@ impl Typeset {
     }
 }
 
-/// Rows of at most this width: at least one.
 fn wrapped(painter: &Painter, script: &Script, width: f32) -> Vec<SetRow> {
     let whole = SetRow::new(painter, script, 0..script.chars.len());
-    let rows = breaks::rows(&script.chars, &whole.places, width);
+    let rows = break_rows(&script.chars, &whole.places, width);
     if rows.len() < 2 {
         return vec![whole];
     }
@@ -169,7 +123,6 @@ fn wrapped(painter: &Painter, script: &Script, width: f32) -> Vec<SetRow> {
     rows.into_iter().map(set).collect()
 }
 
-/// Spans of words, parted at line feeds.
 fn lines(spans: &[Span]) -> Vec<Vec<Span>> {
     let mut lines = vec![Vec::new()];
     for span in spans {
@@ -185,13 +138,12 @@ fn lines(spans: &[Span]) -> Vec<Vec<Span>> {
             lines
                 .last_mut()
                 .into_iter()
-                .for_each(|line| line.push(part.clone()));
+                .for_each(|it| it.push(part.clone()));
         }
     }
     lines
 }
 
-/// One galley of several rows, each at least so high.
 fn joined(rows: &[SetRow], least: f32) -> Galley {
     let mut whole = (*rows[0].galley).clone();
     let mut job = (*whole.job).clone();

@@ -6,11 +6,8 @@ use glam::DVec2;
 /// What part of the world a stage shows: y is up in the world and down on the screen.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Viewport {
-    /// On the screen, in points.
     pub rect: Rect,
-    /// The world point in the middle of the rectangle.
     pub centre: [f64; 2],
-    /// Points on the screen for one unit of the world; the same along both axes.
     pub scale: f64,
 }
 
@@ -20,7 +17,6 @@ const MARGIN: f64 = 0.14;
 const LEAST_MARGIN_PTS: f64 = 26.0;
 
 impl Viewport {
-    /// Shows the world rectangle from `min` to `max` as large as it fits, with a margin.
     pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
         let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));
         let shorter = available[0].min(available[1]);
@@ -37,8 +33,7 @@ impl Viewport {
         }
     }
 
-    /// Where a world point is drawn. Far outside it is moved to a distance that f32 can hold, in its own
-    /// direction from the centre, so that lines keep their slope.
+    /// What is far outside is moved to where f32 can hold it, in its direction from the centre: lines keep their slope.
     pub fn to_screen(&self, at: [f64; 2]) -> Pos2 {
         const FAR: f64 = 1e6;
         let from_centre = DVec2::from(at) - DVec2::from(self.centre);
@@ -51,7 +46,6 @@ impl Viewport {
         self.rect.center() + vec2(offset.x as f32, offset.y as f32)
     }
 
-    /// The world point under a place on the screen.
     pub fn to_world(&self, at: Pos2) -> [f64; 2] {
         let offset = at - self.rect.center();
         let offset = DVec2::new(f64::from(offset.x), -f64::from(offset.y));

@@ -8,7 +8,6 @@ use crate::{labs::Scene, widgets::Look};
 /// Work in one frame, in seconds.
 const SLICE_SECS: f64 = 0.008;
 
-/// A lab's window with measured costs.
 pub trait Bench {
     /// Draws the window's content; false where it is to be closed.
     fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> bool;
@@ -17,9 +16,7 @@ pub trait Bench {
     fn work(&mut self, clock: &dyn Fn() -> f64) -> bool;
 }
 
-/// Costs that are measured in small pieces of work.
 pub trait Measuring {
-    /// Is there nothing left to do?
     fn is_done(&self) -> bool;
 
     /// The part of the work that is done, from 0 to 1.
@@ -29,7 +26,6 @@ pub trait Measuring {
     fn one(&mut self, clock: &dyn Fn() -> f64);
 }
 
-/// Works for a slice of a frame, if there are costs that are not known yet; is there more to do?
 pub fn work_on<C: Measuring>(costs: Option<&mut C>, clock: &dyn Fn() -> f64) -> bool {
     let Some(costs) = costs.filter(|costs| !costs.is_done()) else {
         return false;
@@ -41,7 +37,6 @@ pub fn work_on<C: Measuring>(costs: Option<&mut C>, clock: &dyn Fn() -> f64) -> 
     true
 }
 
-/// Draws the window's title, what is measured, and while it is measured how far that has come.
 pub fn head<C: Measuring>(
     ui: &mut Ui,
     look: Look<'_>,
@@ -57,12 +52,10 @@ pub fn head<C: Measuring>(
     }
 }
 
-/// Draws what has to be kept in mind, in small letters.
 pub fn note(ui: &mut Ui, look: Look<'_>, text: String) {
     ui.label(RichText::new(text).small().color(look.theme.soft));
 }
 
-/// A clock that a test can rely on: each look at it takes so many seconds.
 #[cfg(test)]
 pub fn ticking(secs: f64) -> impl Fn() -> f64 {
     let now = std::cell::Cell::new(0.0);

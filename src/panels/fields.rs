@@ -55,15 +55,11 @@ fn read(text: &str, unit: &str) -> Option<f64> {
     }
 }
 
-/// Seeds of more digits are not for people.
 const LAST_SEED: u64 = 999_999;
 
-/// How many, and from which seed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Seeded {
-    /// Segments, or vertices.
     pub count: usize,
-    /// The same seed gives the same.
     pub seed: u64,
 }
 
@@ -88,7 +84,6 @@ impl Seeded {
         })
     }
 
-    /// The same with another field for how many.
     pub fn show_with(
         &mut self,
         ui: &mut Ui,

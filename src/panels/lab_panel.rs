@@ -10,23 +10,18 @@ use crate::{
 
 use super::bench::Bench;
 
-/// What a person asked for in a lab's menu.
 #[derive(Clone, Debug)]
 pub enum PanelAsk {
-    /// A change of the scene.
     Edit(Edit),
     /// One of many while a number is dragged, of which this is the place in the menu: they are undone together.
     Tune(Edit, usize),
-    /// To draw an outline by clicking.
     Draw(&'static OutlineKind),
 }
 
 /// A lab's part of the window, with what it remembers that is no part of the scene.
 pub trait LabPanel {
-    /// Its lab.
-    fn lab(&self) -> &'static dyn Lab;
+    fn lab(&self) -> &'static Lab;
 
-    /// Its part of the scene menu; what was asked for.
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
 
     /// What puts a mesh of this name into its scenes, if the lab shows meshes. It lies around the origin, between −1 and 1.
@@ -34,18 +29,15 @@ pub trait LabPanel {
         None
     }
 
-    /// Has it methods that give the same answer, so that their costs can be measured?
     fn measures(&self) -> bool {
         false
     }
 
-    /// Its window with measured costs, where it measures.
     fn bench(&mut self) -> Option<&mut dyn Bench> {
         None
     }
 }
 
-/// The panel of a scene's lab.
 pub fn panel_of<'a>(
     panels: &'a mut [Box<dyn LabPanel>],
     scene: &Scene,
@@ -54,7 +46,6 @@ pub fn panel_of<'a>(
     panels.iter_mut().find(|panel| panel.lab() == lab)
 }
 
-/// Wakes the window as long as something is measured.
 pub fn work(panels: &mut [Box<dyn LabPanel>], ctx: &Context, clock: &dyn Fn() -> f64) {
     for bench in panels.iter_mut().filter_map(|panel| panel.bench()) {
         if bench.work(clock) {

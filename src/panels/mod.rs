@@ -21,7 +21,6 @@ pub use pickers::{compare_choices, compare_picker, method_picker};
 pub use plots::{PowerLine, power_plot, still_plot};
 pub use spots::{Reach, spots};
 
-/// The panels of all labs, in the order of their tabs.
 pub fn all() -> Vec<Box<dyn LabPanel>> {
     vec![
         Box::<lines::LinesPanel>::default(),

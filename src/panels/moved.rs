@@ -18,7 +18,6 @@ pub fn moved_to(lens: &Lens, motion: Motion, from: [f64; 3], to: [f64; 2]) -> [f
     }
 }
 
-/// As far along the axis as its picture is followed.
 fn along(lens: &Lens, axis: [f64; 3], from: [f64; 3], to: [f64; 2]) -> Option<[f64; 3]> {
     let at = DVec2::from(lens.drawing_from_world(from)?);
     let step = (DVec3::from(from) + DVec3::from(axis)).into();

@@ -25,51 +25,31 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     } else {
         name(now)
     };
-    let combo = ComboBox::from_id_salt("method")
-        .height(LIST_PTS)
-        .icon(chevron)
-        .popup_style(StyleModifier::new(menu_style))
-        .selected_text(shown)
-        .truncate()
-        .show_ui(ui, |ui| {
-            for card in scene.document().lab().methods() {
-                if card.is_faulty {
-                    continue;
-                }
-                if ui.selectable_label(card.id == now.id, name(card)).clicked() {
-                    asked = Some(Edit::Method(card.id));
-                }
+    let combo = list("method", shown).truncate().show_ui(ui, |ui| {
+        let methods = (scene.document().lab().methods)().into_iter();
+        for card in methods.filter(|card| !card.is_faulty) {
+            if ui.selectable_label(card.id == now.id, name(card)).clicked() {
+                asked = Some(Edit::Method(card.id));
             }
-        });
+        }
+    });
     combo.response.on_hover_text(look.say("panel-algorithm"));
     asked
 }
 
-/// The methods beside it; the change that was asked for.
 pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
-    let names: Vec<String> = scene
-        .document()
-        .methods()
-        .into_iter()
-        .skip(1)
-        .map(|card| look.say(card.name_key))
-        .collect();
+    let beside = scene.document().methods().into_iter().skip(1);
+    let names: Vec<String> = beside.map(|card| look.say(card.name_key)).collect();
     let shown = if names.is_empty() {
         look.say("cost-compare")
     } else {
         names.join(" + ")
     };
-    let combo = ComboBox::from_id_salt("compare")
-        .height(LIST_PTS)
-        .icon(chevron)
-        .popup_style(StyleModifier::new(menu_style))
-        .selected_text(shown)
-        .show_ui(ui, |ui| compare_choices(ui, look, scene));
+    let combo = list("compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene));
     combo.response.on_hover_text(look.say("cost-compare"));
     combo.inner.flatten()
 }
 
-/// The methods that can stand beside it, as rows of a menu; the change that was asked for.
 pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
     let mut asked = None;
     let methods = scene.document().methods();
@@ -79,13 +59,9 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edi
         asked = Some(Edit::Compare(None));
     }
     // The ones that are wrong on purpose come last, under their question.
-    let (faulty, right): (Vec<&MethodCard>, Vec<_>) = scene
-        .document()
-        .lab()
-        .methods()
-        .into_iter()
-        .filter(|card| card.id != main.id)
-        .partition(|card| card.is_faulty);
+    let others = (scene.document().lab().methods)().into_iter();
+    let others = others.filter(|card| card.id != main.id);
+    let (faulty, right): (Vec<&MethodCard>, Vec<_>) = others.partition(|card| card.is_faulty);
     let first_faulty = faulty.first().map(|card| card.id);
     for card in right.into_iter().chain(faulty) {
         if first_faulty == Some(card.id) {
@@ -93,17 +69,22 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edi
             section(ui, look, &look.say("faulty-title"));
         }
         let chosen = beside.iter().any(|beside| beside.id == card.id);
-        if ui
-            .selectable_label(chosen, look.say(card.name_key))
-            .clicked()
-        {
+        let name = look.say(card.name_key);
+        if ui.selectable_label(chosen, name).clicked() {
             asked = Some(Edit::Compare(Some(card.id)));
         }
     }
     asked
 }
 
-/// A small angle that points down: quieter than egui's triangle.
+fn list(id: &str, shown: String) -> ComboBox<'_> {
+    ComboBox::from_id_salt(id)
+        .height(LIST_PTS)
+        .icon(chevron)
+        .popup_style(StyleModifier::new(menu_style))
+        .selected_text(shown)
+}
+
 fn chevron(ui: &Ui, rect: Rect, _visuals: &WidgetVisuals, _is_open: bool) {
     let centre = rect.center().round();
     let line = [vec2(-3.5, -1.75), vec2(0.0, 1.75), vec2(3.5, -1.75)];

@@ -5,7 +5,6 @@ use egui_plot::{Line, LineStyle, Plot, PlotPoint, Text};
 
 use crate::widgets::Look;
 
-/// A plot that only shows: it has no axes and cannot be moved.
 pub fn still_plot(key: &str) -> Plot<'static> {
     Plot::new(key)
         .show_axes(false)
@@ -22,13 +21,9 @@ pub fn still_plot(key: &str) -> Plot<'static> {
         .auto_bounds(Vec2b::FALSE)
 }
 
-/// One line, with its name at its end.
 pub struct PowerLine {
-    /// Catalogue key of its name.
     pub name_key: &'static str,
-    /// Of the line and its name.
     pub color: Color32,
-    /// Tells it from the others where colours do not.
     pub style: LineStyle,
     /// All above 0.
     pub points: Vec<[f64; 2]>,

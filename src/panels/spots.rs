@@ -16,18 +16,13 @@ const NEAR_PTS: f32 = 48.0;
 /// and of these the nearest.
 const MOST_NEAR: usize = 64;
 
-/// What of a scene with very many handles is within reach.
 #[derive(Clone, Copy)]
 pub struct Reach<'a> {
-    /// The part of the world that is seen.
     pub viewport: &'a Viewport,
-    /// What it is seen through.
     pub lens: Lens,
-    /// Where the pointer is, if it is on the stage.
     pub pointer: Option<Pos2>,
     /// The handle that has the keyboard's focus: its neighbours are within reach of Tab.
     pub focused: Option<Handle>,
-    /// The vertex that was clicked or dragged last.
     pub selected: Option<Handle>,
     /// The index of the handle that is being dragged.
     pub gripped: Option<usize>,
@@ -68,20 +63,15 @@ pub fn spots(
 }
 
 impl Reach<'_> {
-    /// Where a handle lies on the drawing.
     fn at(&self, scene: &Scene, handle: Handle) -> Option<[f64; 2]> {
         let world = scene.document().position(handle)?;
         self.lens.drawing_from_world(world)
     }
 
-    /// Indices of the vertices within reach, in order.
     fn vertices(&self, scene: &Scene, handles: &[Handle]) -> Vec<usize> {
         let index_of = |handle: Handle| handles.iter().position(|&known| known == handle);
-        let mut within: Vec<usize> = handles
-            .iter()
-            .position(|h| h.kind().is_vertex)
-            .into_iter()
-            .collect();
+        let first = handles.iter().position(|h| h.kind().is_vertex);
+        let mut within: Vec<usize> = first.into_iter().collect();
         if let Some(i) = self.focused.and_then(index_of) {
             within.extend([i.saturating_sub(1), i, i + 1]);
         }

@@ -59,31 +59,24 @@ catalogues!(
     "errors"
 );
 
-/// One language's messages, falling back to English for a missing key.
-///
-/// Shared by all threads; each language is parsed once, when it is first asked for.
+/// One language's messages, parsed once; English for a missing key.
 pub struct Catalog {
     lang: Lang,
     bundle: FluentBundle<FluentResource>,
 }
 
 impl Catalog {
-    /// The catalogue of one language.
     pub fn of(lang: Lang) -> &'static Self {
         static CATALOGS: [OnceLock<Catalog>; Lang::ALL.len()] =
             [const { OnceLock::new() }; Lang::ALL.len()];
         CATALOGS[lang as usize].get_or_init(|| Self::parse(lang))
     }
 
-    /// Which language this is.
     pub fn lang(&self) -> Lang {
         self.lang
     }
 
-    /// The sentence, with its values filled in.
-    ///
-    /// A missing key is shown as `⟦key⟧` and a missing value as `⟦$name⟧`: a fault to see, never a
-    /// reason to stop a lecture.
+    /// A missing key is shown as `⟦key⟧` and a missing value as `⟦$name⟧`: no reason to stop a lecture.
     pub fn message(&self, message: &Message) -> String {
         Piece::plain(&self.message_pieces(message))
     }
@@ -94,7 +87,6 @@ impl Catalog {
         self.message_pieces_as(message, notation)
     }
 
-    /// The same with its numbers written in this way.
     pub fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {
         let text = self.resolve(message.key, &message.args);
         let mut pieces = Vec::new();
@@ -117,7 +109,6 @@ impl Catalog {
         pieces
     }
 
-    /// The sentence or word of a key that takes no values.
     pub fn term(&self, key: &str) -> String {
         self.resolve(key, &[])
     }
@@ -154,7 +145,6 @@ impl Catalog {
             .unwrap_or_else(|| format!("⟦{key}⟧"))
     }
 
-    /// The message of this language alone; `None` where it has no such key.
     fn format(&self, key: &str, args: &FluentArgs<'_>) -> Option<String> {
         let pattern = self.bundle.get_message(key)?.value()?;
         let mut errors = Vec::new();
@@ -163,11 +153,9 @@ impl Catalog {
     }
 }
 
-/// What Fluent puts into a sentence for a value that it need not read: one character of the private use area,
-/// so that the value keeps its parts.
+/// One character of the private use area stands for each value that Fluent need not read: it keeps its parts.
 const PLACES: std::ops::Range<u32> = 0xE000..0xE100;
 
-/// Each message of a source with its variables.
 fn variables(source: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
     let mut messages: Vec<(&str, Vec<&str>)> = Vec::new();
     for line in source.lines().filter(|line| !line.starts_with('#')) {
@@ -191,26 +179,18 @@ fn variables(source: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
 fn argument(i: usize, value: &Value) -> FluentValue<'static> {
     match value {
         Value::Count(n) => FluentValue::from(*n),
-        Value::Number(_)
-        | Value::Ratio { .. }
-        | Value::Point(_)
-        | Value::Name(_)
-        | Value::Term(_)
-        | Value::Message(_)
-        | Value::Formula(_) => {
+        _ => {
             let place = PLACES.clone().nth(i).and_then(char::from_u32);
             FluentValue::String(place.map_or(Cow::Borrowed("⟦…⟧"), |c| Cow::Owned(c.to_string())))
         }
     }
 }
 
-/// Which value's place a character marks.
 fn place(c: char) -> Option<usize> {
     let i = u32::from(c).checked_sub(PLACES.start)?;
     PLACES.contains(&u32::from(c)).then_some(i as usize)
 }
 
-/// Makes what Fluent could not resolve visible: in its place where it left one, else at the end.
 fn show_error(text: String, error: &FluentError) -> String {
     let what = match error {
         FluentError::ResolverError(ResolverError::Reference(kind)) => match kind {
@@ -240,9 +220,8 @@ mod tests {
 
     #[test]
     fn a_sentence_takes_its_values() {
-        let step = Message::new("transport-step")
-            .with("step", 4_usize)
-            .with("total", 6_usize);
+        let step = Message::new("transport-step").with("step", 4_usize);
+        let step = step.with("total", 6_usize);
         for (lang, expected) in [
             (Lang::En, "step 4 of 6"),
             (Lang::ZhCn, "第 4 步，共 6 步"),
@@ -273,12 +252,12 @@ mod tests {
         let handle = Message::new("access-handle")
             .with("name", Value::Term("object-segment"))
             .with("point", [-1.0, 1.5]);
-        let said = |lang| Catalog::of(lang).message(&handle);
-        assert_eq!(said(Lang::En), "handle of segment at (−1, 1.5)");
-        assert_eq!(
-            said(Lang::PtBr),
-            "ponto de controle de segmento em (−1; 1,5)"
-        );
+        for (lang, expected) in [
+            (Lang::En, "handle of segment at (−1, 1.5)"),
+            (Lang::PtBr, "ponto de controle de segmento em (−1; 1,5)"),
+        ] {
+            assert_eq!(Catalog::of(lang).message(&handle), expected);
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What is wrong, for people: every typed error becomes a [`Diagnostic`], and nothing else of it is shown.
 
-use std::fmt;
+use std::{fmt, io};
 
 use crate::geom::{Axis, GeomError, MeshError, SpaceError};
 
@@ -11,14 +11,11 @@ use super::{Catalog, Lang, Message, Value};
 pub struct Diagnostic {
     /// A stable name for this kind of mistake: `empty-window`. Where the command line's JSON has one, it is that.
     pub code: &'static str,
-    /// What is wrong.
     pub message: Message,
-    /// What was expected, and what may have been meant.
     pub notes: Vec<Message>,
 }
 
 impl Diagnostic {
-    /// This sentence, and the code that its key ends in.
     pub fn new(message: Message) -> Self {
         let key = message.key;
         let code = ["error-", "problem-", "case-", "system-"]
@@ -32,13 +29,11 @@ impl Diagnostic {
         }
     }
 
-    /// The same under another code.
     pub const fn coded(mut self, code: &'static str) -> Self {
         self.code = code;
         self
     }
 
-    /// The same with one more note.
     pub fn noting(mut self, note: Message) -> Self {
         self.notes.push(note);
         self
@@ -64,20 +59,24 @@ impl From<Diagnostic> for Value {
     }
 }
 
+fn empty(key: &'static str, axis: &str, [min, max]: [f64; 2]) -> Message {
+    Message::new(key)
+        .with("low", format!("{axis}min"))
+        .with("min", min)
+        .with("high", format!("{axis}max"))
+        .with("max", max)
+}
+
 impl From<GeomError> for Diagnostic {
     fn from(error: GeomError) -> Self {
         let message = match error {
             GeomError::NotFinite { .. } => Message::new("error-not-finite"),
             GeomError::EmptyWindow { axis, min, max } => {
-                let [low, high] = match axis {
-                    Axis::X => ["xmin", "xmax"],
-                    Axis::Y => ["ymin", "ymax"],
+                let axis = match axis {
+                    Axis::X => "x",
+                    Axis::Y => "y",
                 };
-                Message::new("error-empty-window")
-                    .with("low", low.to_owned())
-                    .with("min", min)
-                    .with("high", high.to_owned())
-                    .with("max", max)
+                empty("error-empty-window", axis, [min, max])
             }
             GeomError::TooFewVertices => Message::new("error-too-few-vertices"),
             GeomError::Degenerate { .. } => Message::new("error-degenerate"),
@@ -100,11 +99,7 @@ impl From<SpaceError> for Diagnostic {
             SpaceError::NotFinite { .. } => Message::new("error-not-finite"),
             SpaceError::EmptyBox { axis, min, max } => {
                 let axis = ["x", "y", "z"].get(axis).copied().unwrap_or_default();
-                Message::new("error-empty-box")
-                    .with("low", format!("{axis}min"))
-                    .with("min", min)
-                    .with("high", format!("{axis}max"))
-                    .with("max", max)
+                empty("error-empty-box", axis, [min, max])
             }
             SpaceError::ZeroNormal => Message::new("error-zero-normal"),
             SpaceError::NegativeRadius(radius) => {
@@ -142,5 +137,62 @@ impl From<MeshError> for Diagnostic {
                 .with("vertices", n_vertices),
         };
         Self::new(message).coded(error.code())
+    }
+}
+
+/// What the system answers where a file cannot be read or written: its kind, and its number where it has one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SystemError {
+    kind: io::ErrorKind,
+    number: Option<i32>,
+}
+
+impl SystemError {
+    pub const fn of_kind(kind: io::ErrorKind) -> Self {
+        Self { kind, number: None }
+    }
+}
+
+impl From<io::Error> for SystemError {
+    fn from(error: io::Error) -> Self {
+        Self {
+            kind: error.kind(),
+            number: error.raw_os_error(),
+        }
+    }
+}
+
+impl From<SystemError> for Diagnostic {
+    fn from(error: SystemError) -> Self {
+        use io::ErrorKind as Kind;
+        let key = match error.kind {
+            Kind::NotFound => "system-not-found",
+            Kind::PermissionDenied => "system-denied",
+            Kind::AlreadyExists => "system-exists",
+            Kind::IsADirectory => "system-is-folder",
+            Kind::InvalidInput => "system-not-file",
+            Kind::NotADirectory => "system-not-folder",
+            Kind::StorageFull | Kind::QuotaExceeded => "system-full",
+            Kind::ReadOnlyFilesystem => "system-read-only",
+            Kind::InvalidFilename => "system-bad-name",
+            Kind::FileTooLarge => "system-too-large",
+            Kind::ResourceBusy | Kind::ExecutableFileBusy => "system-busy",
+            Kind::Unsupported => "system-no-files",
+            // The kinds are an open list.
+            _ => match error.number {
+                Some(number) => {
+                    let message = Message::new("system-number");
+                    return Self::new(message.with("number", number.to_string()));
+                }
+                None => "system-silent",
+            },
+        };
+        Self::new(Message::new(key))
+    }
+}
+
+impl From<io::Error> for Diagnostic {
+    fn from(error: io::Error) -> Self {
+        SystemError::from(error).into()
     }
 }

@@ -5,7 +5,6 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// A language of the interface and of the course.
 #[derive(
     Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord, Serialize, Deserialize,
 )]
@@ -14,19 +13,15 @@ pub enum Lang {
     #[default]
     #[serde(rename = "en")]
     En,
-    /// Simplified Chinese.
     #[serde(rename = "zh-CN")]
     ZhCn,
-    /// Spanish.
     #[serde(rename = "es")]
     Es,
-    /// Brazilian Portuguese.
     #[serde(rename = "pt-BR")]
     PtBr,
 }
 
 impl Lang {
-    /// Every language, in the order in which menus list them.
     pub const ALL: [Self; 4] = [Self::En, Self::ZhCn, Self::Es, Self::PtBr];
 
     /// The BCP 47 tag that files and the command line use.
@@ -39,7 +34,6 @@ impl Lang {
         }
     }
 
-    /// The language's name in itself: what its reader looks for in a menu.
     pub const fn native_name(self) -> &'static str {
         match self {
             Self::En => "English",
@@ -49,23 +43,18 @@ impl Lang {
         }
     }
 
-    /// The language that serves a system's locale best, as in `pt_BR.UTF-8`, `zh-Hans` or `es-MX`.
-    ///
-    /// Only the language counts, not the region or script: a reader in Lisbon or Taipei is better
-    /// served by the nearest catalogue than by English. `None` for a language there is no
-    /// catalogue for, and for `C` and `POSIX`.
+    /// Only the language counts: a reader in Lisbon is better served by the nearest catalogue than by English.
     pub fn from_locale(tag: &str) -> Option<Self> {
         let language = tag.split(['-', '_', '.', '@']).next()?;
-        match language.to_ascii_lowercase().as_str() {
-            "en" => Some(Self::En),
-            "zh" => Some(Self::ZhCn),
-            "es" => Some(Self::Es),
-            "pt" => Some(Self::PtBr),
-            _ => None,
-        }
+        let is_of = |lang: &Self| {
+            let mut parts = lang.id().split('-');
+            parts
+                .next()
+                .is_some_and(|id| id.eq_ignore_ascii_case(language))
+        };
+        Self::ALL.into_iter().find(is_of)
     }
 
-    /// What stands between a number's integer part and its decimals.
     pub const fn decimal_separator(self) -> char {
         match self {
             Self::En | Self::ZhCn => '.',
@@ -88,12 +77,8 @@ impl fmt::Display for Lang {
     }
 }
 
-/// A language asked for by an id that none of the four has.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct UnknownLang(
-    /// The id that was asked for.
-    pub String,
-);
+pub struct UnknownLang(pub String);
 
 impl fmt::Display for UnknownLang {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -107,7 +92,6 @@ impl std::error::Error for UnknownLang {}
 impl FromStr for Lang {
     type Err = UnknownLang;
 
-    /// Reads an id, in upper or lower case: `en`, `zh-CN`, `es`, `pt-BR`.
     fn from_str(id: &str) -> Result<Self, UnknownLang> {
         Self::ALL
             .into_iter()

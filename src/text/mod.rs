@@ -1,8 +1,6 @@
 //! What a person reads: languages, message catalogues, and numbers as people write them.
 //!
-//! The pure half of the program never holds a sentence. It holds a [`Message`]: a key into the
-//! catalogues and the numbers of this very step. A [`Catalog`] turns it into a sentence of one
-//! [`Lang`], and writes numbers and [`Formula`]s the way a reader of that language expects.
+//! The pure half never holds a sentence, but a [`Message`]: a key and the numbers of this very step.
 //!
 //! ```
 //! use clipscope::text::{Catalog, Formula, Lang, Message};
@@ -15,9 +13,7 @@
 //! assert_eq!(Catalog::of(Lang::Es).point([-1.0, 1.5]), "(−1; 1,5)");
 //! ```
 //!
-//! The catalogues lie in `assets/messages/<language>/*.ftl` and are compiled in: nothing is read
-//! at run time. English is complete at all times; a key missing elsewhere is said in English, and
-//! a key missing everywhere is shown as `⟦key⟧`, so that it cannot pass unseen.
+//! English is complete; a key missing elsewhere is said in English, one missing everywhere is shown as `⟦key⟧`.
 
 mod catalog;
 mod diagnostic;
@@ -26,14 +22,12 @@ mod message;
 mod number;
 mod piece;
 mod reading;
-mod system;
 mod writing;
 
 pub use catalog::{AREAS, Catalog, sources};
-pub use diagnostic::Diagnostic;
+pub use diagnostic::{Diagnostic, SystemError};
 pub use lang::{Lang, UnknownLang};
 pub use message::{Formula, Message, Token, Value};
 pub use number::Notation;
 pub use piece::Piece;
 pub use reading::read_numbers;
-pub use system::SystemError;

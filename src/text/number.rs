@@ -1,21 +1,15 @@
-//! Numbers as people write them on the board: `3/8`, `−1.5`, `0.3827`, `1.2×10⁻⁵`.
-//!
-//! A number is shown exactly wherever that is short, and "exactly" is meant: `1/3` is shown for the
-//! one double that is nearest to a third, and for no other. [`is_exact`] tells whether what is
-//! shown is the number itself or a rounding of it.
+//! Numbers as people write them on the board: `3/8`, `−1.5`, `0.3827`, `1.2×10⁻⁵`. `1/3` is shown for the one double that
+//! is nearest to a third, and for no other.
 
 use std::fmt;
 
 use super::lang::Lang;
 
-/// Significant digits of a number that is not shown exactly, and of an exact decimal.
 const DIGITS: usize = 4;
 /// Below one, fractions up to this denominator read better than decimals: 3/8, not 0.375.
 const PLAIN_DENOMINATOR: u32 = 9;
-/// The largest denominator, and numerator, of a fraction whose decimals are long or endless.
 const MAX_DENOMINATOR: u32 = 32;
 const MAX_NUMERATOR: f64 = 999.0;
-/// The largest numerator and denominator of a quotient that is shown as a fraction.
 const MAX_RATIO_TERM: u64 = 999;
 /// From here on, and below [`SMALL`], numbers are shown with a power of ten.
 const LARGE: f64 = 1e9;
@@ -28,14 +22,11 @@ const MINUS: &str = "−";
 pub enum Notation {
     /// Each in its own best way: they do not mix.
     Own,
-    /// What is not whole is a fraction.
     Fractions,
-    /// What is not whole is a decimal.
     Decimals,
 }
 
 impl Notation {
-    /// How these numbers are written beside each other: as fractions if each of them has a short one.
     pub(super) fn of_quantities(numbers: &[Quantity]) -> Self {
         let is = |notation, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(notation));
         let are_mixed = numbers.iter().any(is(Self::Own, Form::is_fraction))
@@ -50,27 +41,19 @@ impl Notation {
     }
 }
 
-/// A number, or a quotient of two.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Quantity {
-    /// `x`.
     Number(f64),
     /// `num / den`: a reduced fraction where that is exact and short, else a number.
     Ratio(f64, f64),
 }
 
-/// A number as it is written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Written {
-    /// From left to right.
     Line(String),
-    /// One whole number over another.
     Fraction {
-        /// A minus or nothing.
         sign: &'static str,
-        /// Without sign.
         num: String,
-        /// Without sign.
         den: String,
     },
 }
@@ -85,9 +68,8 @@ impl fmt::Display for Written {
 }
 
 impl Quantity {
-    /// As people of this language write it.
     pub(super) fn written(self, lang: Lang, notation: Notation) -> Written {
-        let sign = if self.is_negative() { MINUS } else { "" };
+        let sign = if self.value() < 0.0 { MINUS } else { "" };
         let line = |text: &str| Written::Line(format!("{sign}{text}"));
         let magnitude = self.value().abs();
         match self.form(notation) {
@@ -108,17 +90,11 @@ impl Quantity {
         }
     }
 
-    /// Whether [`written`](Self::written) shows this very number, not one rounded to fewer digits.
     pub(super) fn is_exact(self, notation: Notation) -> bool {
         match self.form(notation) {
             Form::Rounded => false,
             Form::Scientific => significant_digits(self.value().abs()) <= DIGITS,
-            Form::NotANumber
-            | Form::Infinite
-            | Form::Integer
-            | Form::Fraction(..)
-            | Form::ByZero(_)
-            | Form::Decimal => true,
+            _ => true,
         }
     }
 
@@ -126,14 +102,6 @@ impl Quantity {
         match self {
             Self::Number(x) => x,
             Self::Ratio(num, den) => num / den,
-        }
-    }
-
-    fn is_negative(self) -> bool {
-        match self {
-            Self::Number(x) => x < 0.0,
-            // A quotient that underflows keeps its sign.
-            Self::Ratio(num, den) => num / den < 0.0,
         }
     }
 
@@ -149,13 +117,11 @@ impl Quantity {
     }
 }
 
-/// The ways in which a magnitude can be written.
 enum Form {
     NotANumber,
     Infinite,
     Integer,
     Fraction(u64, u64),
-    /// A quotient by zero, with its numerator.
     ByZero(f64),
     Decimal,
     Rounded,
@@ -214,12 +180,9 @@ fn is_short_decimal(x: f64) -> bool {
     decimals <= 2 || significant_digits(x) <= DIGITS
 }
 
-/// How many digits the shortest decimal has whose nearest double is `x`.
 fn significant_digits(x: f64) -> usize {
     let shortest = format!("{x:e}");
-    let mantissa = shortest
-        .split_once('e')
-        .map_or("", |(mantissa, _)| mantissa);
+    let mantissa = shortest.split('e').next().unwrap_or_default();
     mantissa.bytes().filter(u8::is_ascii_digit).count()
 }
 
@@ -247,20 +210,10 @@ fn without_trailing_zeros(decimal: &str) -> &str {
 }
 
 fn superscript(c: char) -> char {
-    match c {
-        '-' => '⁻',
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
-        other => other,
-    }
+    let digit = c.to_digit(10).map(|digit| digit as usize);
+    digit
+        .and_then(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit))
+        .unwrap_or('⁻')
 }
 
 fn localized(lang: Lang, decimal: &str) -> String {

@@ -1,21 +1,14 @@
 //! Text for setting: words, subscripts and quotients, before anything is measured.
 
-/// A part of a line.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Piece {
-    /// Words, numbers, signs.
     Text(String),
-    /// Lowered and smaller: `min` of `u_min`.
     Sub(String),
-    /// A quotient: one over the other, with a line between them.
     Over {
-        /// Above the line.
         num: Vec<Piece>,
-        /// Below it.
         den: Vec<Piece>,
     },
-    /// What a line of plain text needs, and set text does not: the slash of a quotient, parentheses that its
-    /// line makes needless, the `_` before a subscript.
+    /// What plain text needs, and set text does not: a quotient's slash and parentheses, the `_` before a subscript.
     Unset(&'static str),
     /// A coordinate, a formula, a term: stays on one line as long as it fits on one.
     Kept(Vec<Piece>),
@@ -38,10 +31,8 @@ impl Piece {
         pieces
     }
 
-    /// Signs of relations: a formula that is too long goes on before one of them.
     pub const RELATIONS: [char; 7] = ['=', '≈', '≠', '<', '>', '≤', '≥'];
 
-    /// A formula in steps, each but the first beginning with its relation.
     pub fn steps(formula: &[Self]) -> Vec<Vec<Self>> {
         let mut steps = vec![Vec::new()];
         for piece in formula {
@@ -49,7 +40,7 @@ impl Piece {
                 steps
                     .last_mut()
                     .into_iter()
-                    .for_each(|step| step.push(piece.clone()));
+                    .for_each(|it| it.push(piece.clone()));
                 continue;
             };
             let starts = text.match_indices(Self::RELATIONS).map(|(at, _)| at);
@@ -64,7 +55,6 @@ impl Piece {
         steps
     }
 
-    /// The same as a line of plain text: `1/4`, `(a − b) / c`, `u_min`.
     pub fn plain(pieces: &[Self]) -> String {
         let mut text = String::new();
         write_plain(pieces, &mut text);
@@ -92,18 +82,15 @@ fn write_plain(pieces: &[Piece], text: &mut String) {
     }
 }
 
-/// Where the first `_` with a subscript stands, and where the subscript ends.
 fn subscript(text: &str) -> Option<(usize, usize)> {
     text.match_indices('_').map(|(at, _)| at).find_map(|at| {
         let mut before = text[..at].chars().rev();
-        let is_symbol = before.next().is_some_and(char::is_alphabetic)
-            && !before
-                .next()
-                .is_some_and(|c| c.is_ascii_alphanumeric() || c == '_');
+        let is_letter = before.next().is_some_and(char::is_alphabetic);
+        let is_inner = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let is_symbol = is_letter && !before.next().is_some_and(is_inner);
         let run = &text[at + 1..];
-        let n = run
-            .find(|c: char| !c.is_ascii_alphanumeric())
-            .unwrap_or(run.len());
+        let end = run.find(|c: char| !c.is_ascii_alphanumeric());
+        let n = end.unwrap_or(run.len());
         (is_symbol && n > 0).then_some((at, at + 1 + n))
     })
 }
@@ -122,14 +109,11 @@ mod tests {
             ("path/to_file, _x, a_, n_edges_left", vec!["edges"]),
         ] {
             let pieces = Piece::words(text);
-            let found: Vec<&str> = pieces
-                .iter()
-                .filter_map(|piece| match piece {
-                    Piece::Sub(sub) => Some(&sub[..]),
-                    _ => None,
-                })
-                .collect();
-            assert_eq!(found, subs, "{text}");
+            let found = pieces.iter().filter_map(|piece| match piece {
+                Piece::Sub(sub) => Some(&sub[..]),
+                _ => None,
+            });
+            assert_eq!(found.collect::<Vec<_>>(), subs, "{text}");
             assert_eq!(Piece::plain(&pieces), text);
         }
     }
@@ -141,17 +125,10 @@ mod tests {
             num: vec![text("q")],
             den: vec![text("p")],
         };
-        let formula = [
-            text("t = "),
-            over,
-            text(" = (1 + 2)"),
-            text(" "),
-            text("≈ 3"),
-        ];
-        let steps: Vec<String> = Piece::steps(&formula)
-            .iter()
-            .map(|step| Piece::plain(step))
-            .collect();
+        let end = [" = (1 + 2)", " ", "≈ 3"].map(text);
+        let formula = [vec![text("t = "), over], end.to_vec()].concat();
+        let steps = Piece::steps(&formula);
+        let steps: Vec<String> = steps.iter().map(|step| Piece::plain(step)).collect();
         assert_eq!(steps, ["t ", "= qp ", "= (1 + 2) ", "≈ 3"]);
     }
 }

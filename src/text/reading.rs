@@ -1,25 +1,18 @@
 //! Numbers as people write them: decimals and fractions.
 
-/// The numbers in a text, with white space, commas or semicolons between them, in parentheses or without; `None` where
-/// something is no number. `−1.5`, `1/4`, `(2, −3/2)`. Where semicolons part them, a comma is a decimal point.
+/// `−1.5, 1/4`, `(2, −3/2)`; none where something is no number. Where semicolons part them, a comma is a decimal point.
 pub fn read_numbers(text: &str) -> Option<Vec<f64>> {
     let text = text.trim();
-    let inner = text
-        .strip_prefix('(')
-        .and_then(|text| text.strip_suffix(')'));
-    let mut text = inner
-        .unwrap_or(text)
-        .replace(['−', '–'], "-")
-        .replace('，', ",");
+    let opened = text.strip_prefix('(');
+    let inner = opened.and_then(|text| text.strip_suffix(')'));
+    let text = inner.unwrap_or(text).replace(['−', '–'], "-");
+    let mut text = text.replace('，', ",");
     if text.contains(';') {
         text = text.replace(',', ".").replace(';', " ");
     }
     let mut parts: Vec<String> = Vec::new();
-    for word in text
-        .replace(',', " ")
-        .replace('/', " / ")
-        .split_whitespace()
-    {
+    let words = text.replace(',', " ").replace('/', " / ");
+    for word in words.split_whitespace() {
         // Around the stroke of a fraction there may be white space.
         let is_open = parts.last().is_some_and(|last| last.ends_with('/'));
         match parts.last_mut() {

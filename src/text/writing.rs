@@ -6,12 +6,10 @@ use super::number::{Notation, Quantity, Written};
 use super::piece::Piece;
 
 impl Catalog {
-    /// A value as it stands alone, to be set: in a table, beside a mark.
     pub fn value_pieces(&self, value: &Value) -> Vec<Piece> {
         self.value_pieces_as(value, Notation::of([value]))
     }
 
-    /// A value to be set beside others that are written in the same way.
     pub fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
         let writer = self.writer(notation);
         match value {
@@ -26,50 +24,39 @@ impl Catalog {
         }
     }
 
-    /// Arithmetic to be set. All of its numbers are fractions, or all are decimals, as far as they are not whole.
     pub fn formula_pieces(&self, formula: &Formula) -> Vec<Piece> {
         let mut numbers = Vec::new();
         collect(formula, &mut numbers);
         self.formula_pieces_as(formula, Notation::of_quantities(&numbers))
     }
 
-    /// Arithmetic to be set beside values that are written in the same way.
     pub fn formula_pieces_as(&self, formula: &Formula, notation: Notation) -> Vec<Piece> {
         self.writer(notation).formula(formula)
     }
 
-    /// A value as it stands alone: in a table, beside a mark.
     pub fn value(&self, value: &Value) -> String {
         Piece::plain(&self.value_pieces(value))
     }
 
-    /// A value beside others that are written in the same way.
     pub fn value_as(&self, value: &Value, notation: Notation) -> String {
         Piece::plain(&self.value_pieces_as(value, notation))
     }
 
-    /// Arithmetic, with this language's decimal separator and words.
     pub fn formula(&self, formula: &Formula) -> String {
         Piece::plain(&self.formula_pieces(formula))
     }
 
-    /// Arithmetic beside values that are written in the same way.
     pub fn formula_as(&self, formula: &Formula, notation: Notation) -> String {
         Piece::plain(&self.formula_pieces_as(formula, notation))
     }
 
-    /// A number as people write it.
-    ///
-    /// An integer plainly; a fraction where that is exact and short, `3/8` or `5/3`; an exact short
-    /// decimal, `1.5`; else four significant digits, `0.3827`, never cutting into the integer part.
-    /// Below 10⁻⁴ and from 10⁹ on, `1.234×10⁹`. The minus is U+2212 and zero has no sign.
+    /// `3/8`, `5/3`; an exact short decimal, `1.5`; else four significant digits, `0.3827`, but all of the integer part.
     pub fn number(&self, x: f64) -> String {
         let written = Quantity::Number(x).written(self.lang(), Notation::Own);
         written.to_string()
     }
 
-    /// A point in the plane: `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator. Both
-    /// coordinates are fractions or both decimals, as far as they are not whole.
+    /// `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator.
     pub fn point(&self, p: [f64; 2]) -> String {
         self.value(&Value::Point(p))
     }
@@ -84,7 +71,6 @@ impl Catalog {
 }
 
 impl Notation {
-    /// How the numbers of all these values are written beside each other: of points, formulas and sentences too.
     pub fn of<'a>(values: impl IntoIterator<Item = &'a Value>) -> Self {
         let mut numbers = Vec::new();
         for value in values {
@@ -94,7 +80,6 @@ impl Notation {
     }
 }
 
-/// All the numbers of a value, also of a sentence within it.
 fn collect_value(value: &Value, numbers: &mut Vec<Quantity>) {
     match value {
         Value::Number(x) => numbers.push(Quantity::Number(*x)),
@@ -110,7 +95,6 @@ fn collect_value(value: &Value, numbers: &mut Vec<Quantity>) {
     }
 }
 
-/// All the numbers of a formula.
 fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
     for token in &formula.0 {
         match token {
@@ -135,12 +119,10 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
     }
 }
 
-/// Writes the numbers of one point or formula.
 #[derive(Clone, Copy)]
 struct Writer<'a> {
     catalog: &'a Catalog,
     notation: Notation,
-    /// Quotients are not stacked on quotients.
     is_within_quotient: bool,
 }
 
@@ -200,20 +182,12 @@ impl Writer<'_> {
 
     fn parenthesised(self, x: f64, must: bool) -> Vec<Piece> {
         let number = self.number(Quantity::Number(x));
-        if !must {
-            return number;
-        }
-        let inner = std::iter::once(text("(")).chain(number);
-        inner.chain([text(")")]).collect()
+        if must { within(text, number) } else { number }
     }
 
     fn equals(self, number: Quantity) -> Vec<Piece> {
-        let sign = if number.is_exact(self.notation) {
-            "= "
-        } else {
-            "≈ "
-        };
-        let mut pieces = vec![text(sign)];
+        let is_exact = number.is_exact(self.notation);
+        let mut pieces = vec![text(if is_exact { "= " } else { "≈ " })];
         pieces.extend(self.number(number));
         pieces
     }
@@ -230,22 +204,20 @@ impl Writer<'_> {
     }
 
     fn point(self, p: [f64; 2]) -> Vec<Piece> {
-        let inner = std::iter::once(text("(")).chain(self.list(&p));
-        inner.chain([text(")")]).collect()
+        within(text, self.list(&p))
     }
 
     fn over(self, num: &Formula, den: &Formula) -> Vec<Piece> {
-        let within = Self {
+        let inner = Self {
             is_within_quotient: true,
             ..self
         };
-        let mut num = within.part(num, Piece::Unset, |x| self.is_fraction(x));
+        let mut num = inner.part(num, Piece::Unset, |x| self.is_fraction(x));
         num.push(Piece::Unset(" / "));
-        let den = within.part(den, Piece::Unset, |x| x < 0.0 || self.is_fraction(x));
+        let den = inner.part(den, Piece::Unset, |x| x < 0.0 || self.is_fraction(x));
         vec![Piece::Over { num, den }]
     }
 
-    /// A quotient on one line.
     fn line(self, num: &Formula, den: &Formula) -> Vec<Piece> {
         let mut pieces = self.part(num, text, |x| self.is_fraction(x));
         pieces.push(text(" / "));
@@ -253,7 +225,6 @@ impl Writer<'_> {
         pieces
     }
 
-    /// Above or below a quotient's line; on one line in parentheses where it is more than one thing.
     fn part(
         self,
         formula: &Formula,
@@ -267,11 +238,16 @@ impl Writer<'_> {
             _ => false,
         };
         if is_one_thing {
-            return pieces;
+            pieces
+        } else {
+            within(parenthesis, pieces)
         }
-        let inner = std::iter::once(parenthesis("(")).chain(pieces);
-        inner.chain([parenthesis(")")]).collect()
     }
+}
+
+fn within(parenthesis: fn(&'static str) -> Piece, pieces: Vec<Piece>) -> Vec<Piece> {
+    let opened = std::iter::once(parenthesis("(")).chain(pieces);
+    opened.chain([parenthesis(")")]).collect()
 }
 
 fn text(part: &'static str) -> Piece {
@@ -281,7 +257,7 @@ fn text(part: &'static str) -> Piece {
 fn ends_in_space(pieces: &[Piece]) -> bool {
     match pieces.last() {
         Some(Piece::Text(part)) => part.ends_with(' '),
-        Some(Piece::Sub(_) | Piece::Over { .. } | Piece::Unset(_) | Piece::Kept(_)) | None => false,
+        _ => false,
     }
 }
 
@@ -290,86 +266,82 @@ mod tests {
     use super::super::Lang;
     use super::*;
 
+    fn sym(symbol: &'static str) -> Formula {
+        Formula::default().sym(symbol)
+    }
+
+    fn num(x: f64) -> Formula {
+        Formula::default().num(x)
+    }
+
     #[test]
     fn a_formula_shows_its_arithmetic() {
-        let t = Formula::default()
-            .sym("t = q/p = (")
-            .num(-1.0)
-            .sym(" − ")
-            .operand(-2.0)
-            .sym(") / ")
-            .operand(4.0)
-            .equals(0.25);
-        let catalog = Catalog::of(Lang::En);
-        assert_eq!(catalog.formula(&t), "t = q/p = (−1 − (−2)) / 4 = 1/4");
-        for (num, den, expected) in [
-            (0.75, 1.5, "(3/4) / (3/2)"),
-            (-0.5, 0.25, "(−1/2) / (1/4)"),
-            (-1.0, -4.0, "−1 / (−4)"),
+        let divided = |num, den| Formula::default().dividend(num).sym(" / ").divisor(den);
+        let t = sym("t = q/p = (").num(-1.0).sym(" − ").operand(-2.0);
+        let stacked = Formula::default().over(num(-1.0).sym(" − ").operand(-2.0), num(-4.0));
+        let mixed = Formula::default().term("edge-left").sym(": ");
+        for (lang, formula, expected) in [
+            (
+                Lang::En,
+                t.sym(") / ").operand(4.0).equals(0.25),
+                "t = q/p = (−1 − (−2)) / 4 = 1/4",
+            ),
+            (Lang::En, divided(0.75, 1.5), "(3/4) / (3/2)"),
+            (Lang::En, divided(-0.5, 0.25), "(−1/2) / (1/4)"),
+            (Lang::En, divided(-1.0, -4.0), "−1 / (−4)"),
+            (
+                Lang::En,
+                stacked.sym(", ").over(sym("q"), num(0.75)),
+                "(−1 − (−2)) / (−4), q / (3/4)",
+            ),
+            (
+                Lang::Es,
+                sym("sin 22,5° ").equals(0.382_683_432),
+                "sin 22,5° ≈ 0,3827",
+            ),
+            (
+                Lang::Es,
+                mixed.ratio(2.0, 8.0).sym(" ").point([1.5, -0.5]),
+                "borde izquierdo: 1/4 (3/2; −1/2)",
+            ),
         ] {
-            let formula = Formula::default().dividend(num).sym(" / ").divisor(den);
-            assert_eq!(catalog.formula(&formula), expected);
+            assert_eq!(Catalog::of(lang).formula(&formula), expected);
         }
-        let difference = |a, b| Formula::default().num(a).sym(" − ").operand(b);
-        let stacked = Formula::default()
-            .over(difference(-1.0, -2.0), Formula::default().num(-4.0))
-            .sym(", ")
-            .over(Formula::default().sym("q"), Formula::default().num(0.75));
-        assert_eq!(catalog.formula(&stacked), "(−1 − (−2)) / (−4), q / (3/4)");
-        let rounded = Formula::default().sym("sin 22,5° ").equals(0.382_683_432);
-        assert_eq!(
-            Catalog::of(Lang::Es).formula(&rounded),
-            "sin 22,5° ≈ 0,3827"
-        );
-        let mixed = Formula::default()
-            .term("edge-left")
-            .sym(": ")
-            .ratio(2.0, 8.0)
-            .sym(" ")
-            .point([1.5, -0.5]);
-        assert_eq!(
-            Catalog::of(Lang::Es).formula(&mixed),
-            "borde izquierdo: 1/4 (3/2; −1/2)"
-        );
     }
 
     #[test]
     fn the_numbers_of_a_point_or_a_formula_are_of_one_kind() {
         let catalog = Catalog::of(Lang::En);
-        assert_eq!(catalog.point([-1.0, 0.375]), "(−1, 3/8)");
-        assert_eq!(catalog.point([1.5, 0.375]), "(3/2, 3/8)");
-        assert_eq!(catalog.point([1.5, 2.0]), "(1.5, 2)");
-        assert_eq!(catalog.point([0.375, 0.3827]), "(0.375, 0.3827)");
-        let third = Formula::default()
-            .num(0.3827)
-            .sym(" > 1/3")
-            .equals_ratio(1.0, 3.0);
+        for (point, expected) in [
+            ([-1.0, 0.375], "(−1, 3/8)"),
+            ([1.5, 0.375], "(3/2, 3/8)"),
+            ([1.5, 2.0], "(1.5, 2)"),
+            ([0.375, 0.3827], "(0.375, 0.3827)"),
+        ] {
+            assert_eq!(catalog.point(point), expected);
+        }
+        let third = num(0.3827).sym(" > 1/3").equals_ratio(1.0, 3.0);
         assert_eq!(catalog.formula(&third), "0.3827 > 1/3 ≈ 0.3333");
-        let of_matrix = Formula::decimals()
-            .num(0.75)
-            .sym(" · ")
-            .num(0.5)
-            .equals(0.375);
+        let of_matrix = Formula::decimals().num(0.75).sym(" · ").num(0.5);
+        let of_matrix = of_matrix.equals(0.375);
         assert_eq!(catalog.formula(&of_matrix), "0.75 · 0.5 = 0.375");
     }
 
     #[test]
     fn what_is_set_leaves_out_slashes_and_their_parentheses() {
-        let set = |formula: &Formula| {
-            let pieces = Catalog::of(Lang::En).formula_pieces(formula);
-            format!("{pieces:?}").replace("Text", "").replace('"', "")
-        };
-        let half = Formula::default().equals(-0.5);
-        assert_eq!(
-            set(&half),
-            "[(= ), (−), Over { num: [(1), Unset(/)], den: [(2)] }]"
-        );
-        let slope = Formula::default()
-            .sym("q")
-            .over(Formula::default().num(0.75), Formula::default().num(-4.0));
-        assert_eq!(
-            set(&slope),
-            "[(q), Over { num: [Unset((), (3/4), Unset()), Unset( / )], den: [Unset((), (−4), Unset())] }]"
-        );
+        for (formula, expected) in [
+            (
+                Formula::default().equals(-0.5),
+                "[(= ), (−), Over { num: [(1), Unset(/)], den: [(2)] }]",
+            ),
+            (
+                sym("q").over(num(0.75), num(-4.0)),
+                "[(q), Over { num: [Unset((), (3/4), Unset()), Unset( / )], den: [Unset((), (−4), Unset())] }]",
+            ),
+        ] {
+            let pieces = Catalog::of(Lang::En).formula_pieces(&formula);
+            let set = format!("{pieces:?}").replace("Text", "");
+            assert_eq!(set.replace('"', ""), expected);
+        }
     }
 }

@@ -60,15 +60,15 @@ impl Counts {
 
     /// What `work` counts on this thread, and its result.
     pub fn of<T>(work: impl FnOnce() -> T) -> (T, Self) {
-        let outer = COUNTS.replace(Self::ZERO);
+        let outer = TALLY.with(|tally| tally.replace(Self::ZERO));
         let result = work();
-        (result, COUNTS.replace(outer))
+        (result, TALLY.with(|tally| tally.replace(outer)))
     }
 
     /// What the innermost [`Counts::of`] on this thread has counted up to now.
     #[must_use]
     pub fn so_far() -> Self {
-        COUNTS.get()
+        TALLY.with(Tally::get)
     }
 }
 
@@ -90,14 +90,48 @@ impl Sum for Counts {
     }
 }
 
-thread_local! {
-    static COUNTS: Cell<Counts> = const { Cell::new(Counts::ZERO) };
+/// What has been counted on a thread: each number by itself, so that an operation touches one of them.
+struct Tally {
+    add: Cell<u64>,
+    mul: Cell<u64>,
+    div: Cell<u64>,
+    cmp: Cell<u64>,
 }
 
-fn count(field: impl FnOnce(&mut Counts)) {
-    let mut counts = COUNTS.get();
-    field(&mut counts);
-    COUNTS.set(counts);
+impl Tally {
+    fn get(&self) -> Counts {
+        Counts {
+            add: self.add.get(),
+            mul: self.mul.get(),
+            div: self.div.get(),
+            cmp: self.cmp.get(),
+        }
+    }
+
+    fn replace(&self, counts: Counts) -> Counts {
+        Counts {
+            add: self.add.replace(counts.add),
+            mul: self.mul.replace(counts.mul),
+            div: self.div.replace(counts.div),
+            cmp: self.cmp.replace(counts.cmp),
+        }
+    }
+}
+
+thread_local! {
+    static TALLY: Tally = const {
+        Tally {
+            add: Cell::new(0),
+            mul: Cell::new(0),
+            div: Cell::new(0),
+            cmp: Cell::new(0),
+        }
+    };
+}
+
+#[inline(always)]
+fn count(field: impl FnOnce(&Tally) -> &Cell<u64>) {
+    TALLY.with(|tally| field(tally).update(|n| n + 1));
 }
 
 /// An `f64` whose every operation is counted on this thread. Negation changes a sign bit and is free.
@@ -105,9 +139,11 @@ fn count(field: impl FnOnce(&mut Counts)) {
 pub struct Counted(f64);
 
 impl Real for Counted {
+    #[inline(always)]
     fn new(x: f64) -> Self {
         Self(x)
     }
+    #[inline(always)]
     fn get(self) -> f64 {
         self.0
     }
@@ -117,8 +153,9 @@ macro_rules! counted_operator {
     ($operator:ident, $method:ident, $field:ident) => {
         impl $operator for Counted {
             type Output = Self;
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                count(|c| c.$field += 1);
+                count(|tally| &tally.$field);
                 Self(self.0.$method(other.0))
             }
         }
@@ -131,21 +168,24 @@ counted_operator!(Div, div, div);
 
 impl Neg for Counted {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         Self(-self.0)
     }
 }
 
 impl PartialEq for Counted {
+    #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
-        count(|c| c.cmp += 1);
+        count(|tally| &tally.cmp);
         self.0 == other.0
     }
 }
 
 impl PartialOrd for Counted {
+    #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        count(|c| c.cmp += 1);
+        count(|tally| &tally.cmp);
         self.0.partial_cmp(&other.0)
     }
 }
@@ -163,15 +203,8 @@ mod tests {
             ((a + b - a) * b / -a, less, same)
         });
         assert_eq!((result.0.get(), result.1, result.2), (-4.0, true, false));
-        assert_eq!(
-            counts,
-            Counts {
-                add: 2,
-                mul: 1,
-                div: 1,
-                cmp: 2
-            }
-        );
+        let Counts { add, mul, div, cmp } = counts;
+        assert_eq!([add, mul, div, cmp], [2, 1, 1, 2]);
     }
 
     #[test]
@@ -181,7 +214,7 @@ mod tests {
             ..Counts::default()
         };
         let (_, counts) = Counts::of(|| {
-            COUNTS.set(large);
+            TALLY.with(|tally| tally.replace(large));
             Counted::new(1.0) < Counted::new(2.0)
         });
         assert_eq!(counts.cmp, 4_294_967_296);

@@ -7,8 +7,8 @@ use super::{
     recording::Recording,
 };
 
-/// Checks the laws of a told run: the silent and the recorded run agree, a run that is made again tells the same events, so does
-/// one from every copy that was kept, and the number of events keeps its bound.
+/// Checks the laws: the silent and the recorded run agree, a run that is made again tells the same events, so does one from
+/// every copy that was kept, and the number of events keeps its bound.
 ///
 /// # Panics
 /// Where a law is broken, in its own words.
@@ -19,23 +19,19 @@ where
     M::Event: Debug,
 {
     let recording = Recording::<M>::new(input.clone());
-    let output = recording.output();
-    assert_eq!(
-        silent::<M>(input),
-        output,
-        "silent and recorded runs agree on {input:?}"
-    );
-    let n = recording.events().len();
+    let (events, output) = (recording.events(), recording.output());
+    let quiet = silent::<M>(input);
+    assert_eq!(quiet, output, "silent and recorded runs agree on {input:?}");
+    let (n, most) = (events.len(), M::max_events(input));
     assert!(
-        n <= M::max_events(input),
-        "{n} events on {input:?}, more than the stated {}",
-        M::max_events(input)
+        n <= most,
+        "{n} events on {input:?}, more than the stated {most}"
     );
     let start = (0, M::begin(input));
     for (from, held) in std::iter::once(&start).chain(recording.rests()) {
         let (mut n, mut held) = (*from, held.clone());
         let mut same = Listening(|_: &M::Held, event| {
-            let told = recording.events().get(n).copied();
+            let told = events.get(n).copied();
             assert_eq!(
                 told,
                 Some(event),
@@ -47,12 +43,12 @@ where
         let Told::Continue(()) = M::run::<f64, _>(input, &mut held, &mut same);
         assert_eq!(
             n,
-            recording.events().len(),
+            events.len(),
             "all events again, from step {from} of {input:?}"
         );
+        let again = M::output(held);
         assert_eq!(
-            M::output(held),
-            output,
+            again, output,
             "the same answer, from step {from} of {input:?}"
         );
     }

@@ -1,8 +1,4 @@
 //! Told runs: an algorithm that works in its own memory and tells what it does.
-//!
-//! An algorithm is written once, in the shape of its published pseudocode, over a [`Real`] scalar. What it works in is
-//! `held`; after the end, `held` has the answer. A program runs it with [`silent`], which compiles to the work alone; a
-//! [`Recording`] keeps the events that it tells. To show step *k*, the run is made again up to its *k*-th event.
 
 use std::{convert::Infallible, ops::ControlFlow};
 
@@ -25,8 +21,8 @@ pub trait Method: Sized {
     /// The memory before the first event.
     fn begin(input: &Self::Input) -> Self::Held;
 
-    /// Runs to the end, or until `tell` stops the run. An event is told after `held` shows what it did. The run starts where
-    /// `held` rests: at its beginning, or at a copy that was taken at [`Tell::rest`].
+    /// Runs from where `held` rests, its beginning or a copy that was taken at [`Tell::rest`], to the end, or until `tell` stops
+    /// the run. An event is told after `held` shows what it did.
     ///
     /// # Errors
     /// [`ControlFlow::Break`] with what `tell` stopped the run for.
@@ -83,8 +79,7 @@ pub trait Tell<M: Method> {
     /// [`ControlFlow::Break`] where the run is to stop.
     fn tell(&mut self, held: &M::Held, event: M::Event) -> Told<Self::Stop>;
 
-    /// The run can go on from a copy of `held`. Only methods whose silent runs take longer than some 2 ms call it, at the head
-    /// of their outer loop.
+    /// The run can go on from a copy of `held`: for methods whose silent runs take longer than some 2 ms.
     #[inline(always)]
     fn rest(&mut self, _held: &M::Held) {}
 }

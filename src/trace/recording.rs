@@ -7,10 +7,6 @@ use super::{
     method::{Listening, Method, Tell, Told},
 };
 
-use rests::Rests;
-
-mod rests;
-
 /// A step to be shown.
 pub struct Step<'a, M: Method> {
     /// What the method runs on.
@@ -94,12 +90,7 @@ impl<M: Method> Recording<M> {
             let Told::Continue(()) = M::run::<Counted, _>(&input, &mut held, &mut keeping);
             held
         });
-        let Keeping {
-            events,
-            counts,
-            rests,
-            ..
-        } = keeping;
+        let (events, counts, rests) = (keeping.events, keeping.counts, keeping.rests);
         Self {
             input,
             events,
@@ -131,7 +122,7 @@ impl<M: Method> Recording<M> {
     /// The copies of the memory that are kept, each with the number of events that were past.
     #[must_use]
     pub fn rests(&self) -> &[(usize, M::Held)] {
-        self.rests.kept()
+        &self.rests.kept
     }
 
     /// The answer.
@@ -196,22 +187,23 @@ impl<M: Method> Recording<M> {
             if n < from {
                 return Told::Continue(());
             }
-            match see(n, held) {
-                Told::Break(found) => Told::Break(Some(found)),
-                Told::Continue(()) if n == to => Told::Break(None),
-                Told::Continue(()) => Told::Continue(()),
+            see(n, held).map_break(Some)?;
+            if n == to {
+                Told::Break(None)
+            } else {
+                Told::Continue(())
             }
         });
-        match M::run::<f64, _>(&self.input, &mut held, &mut listening) {
-            Told::Break(Some(found)) => Told::Break(found),
-            Told::Break(None) | Told::Continue(()) => Told::Continue(()),
-        }
+        let seen = M::run::<f64, _>(&self.input, &mut held, &mut listening);
+        seen.break_value()
+            .flatten()
+            .map_or(Told::Continue(()), Told::Break)
     }
 
     /// Shows one step.
     ///
     /// # Panics
-    /// Where the run, made again, does not tell what it told: a law that every method is tested for.
+    /// Where the run, made again, does not tell what it told, which is tested of every method.
     pub fn at<T>(&self, n_steps: usize, look: impl FnOnce(&Step<'_, M>) -> T) -> T {
         let n = n_steps.min(self.events.len());
         let mut look = Some(look);
@@ -224,14 +216,12 @@ impl<M: Method> Recording<M> {
 
     /// The first step, from 1, at which `B` does something else on the same input; none where it never does.
     #[must_use]
-    pub fn first_difference<B>(&self) -> Option<usize>
-    where
-        B: Method<Input = M::Input, Event = M::Event>,
-    {
+    pub fn first_difference<B: Method<Input = M::Input, Event = M::Event>>(&self) -> Option<usize> {
         let mut n = 0;
         let mut comparing = Listening(|_: &B::Held, event| {
             n += 1;
-            if self.event_at(n) == Some(event) {
+            let is_same = self.event_at(n) == Some(event);
+            if is_same {
                 Told::Continue(())
             } else {
                 Told::Break(n)
@@ -240,5 +230,72 @@ impl<M: Method> Recording<M> {
         let mut held = B::begin(&self.input);
         let differs = B::run::<f64, _>(&self.input, &mut held, &mut comparing).break_value();
         differs.or_else(|| (n < self.events.len()).then_some(n + 1))
+    }
+}
+
+/// So many copies are kept at most, however long the run.
+const MOST_KEPT: usize = 32;
+
+/// Copies of what a run held at each `stride`-th of its rests, with the number of events that were past.
+struct Rests<H> {
+    stride: usize,
+    n_offered: usize,
+    kept: Vec<(usize, H)>,
+}
+
+impl<H> Default for Rests<H> {
+    fn default() -> Self {
+        Self {
+            stride: 1,
+            n_offered: 0,
+            kept: Vec::new(),
+        }
+    }
+}
+
+impl<H: Clone> Rests<H> {
+    /// Keeps a copy where one is due. Of 32 copies every other one is dropped, and the stride doubles.
+    fn offer(&mut self, n_events: usize, held: &H) {
+        self.n_offered += 1;
+        if !self.n_offered.is_multiple_of(self.stride) {
+            return;
+        }
+        if self.kept.len() == MOST_KEPT {
+            let mut keep = true;
+            self.kept.retain(|_| {
+                keep = !keep;
+                keep
+            });
+            self.stride *= 2;
+            // The one that is offered stands between two that would be kept now.
+            return;
+        }
+        self.kept.push((n_events, held.clone()));
+    }
+
+    /// The last copy after no more than `n_events`.
+    fn before(&self, n_events: usize) -> Option<&(usize, H)> {
+        let n = self.kept.partition_point(|(at, _)| *at <= n_events);
+        self.kept[..n].last()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn however_many_are_offered_32_at_most_are_kept_evenly() {
+        let mut rests = Rests::default();
+        for n in 1..=5000 {
+            rests.offer(n, &n);
+            assert!(rests.kept.len() <= MOST_KEPT, "after {n}");
+        }
+        let at: Vec<usize> = rests.kept.iter().map(|(n, _)| *n).collect();
+        assert!(at.len() >= MOST_KEPT / 2, "{at:?}");
+        let is_even = |pair: &[usize]| pair[1] - pair[0] == rests.stride;
+        assert!(at.windows(2).all(is_even), "{at:?}");
+        assert_eq!(rests.before(at[3] + 1), Some(&(at[3], at[3])));
+        assert_eq!(rests.before(at[0] - 1), None);
     }
 }

@@ -1,8 +1,6 @@
 //! The cursor: stepping, seeking and playing through a recording, without a clock.
 
-/// Where in a recording of `n_steps` events the reader stands, and whether it is playing.
-///
-/// Position 0 is before the first event. Time comes from outside, through [`Transport::advance`].
+/// Where in a recording of `n_steps` events the reader stands, and whether it is playing. Position 0 is before the first event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Transport {
     position: usize,
@@ -97,8 +95,7 @@ impl Transport {
         }
     }
 
-    /// Lets `elapsed_secs` pass. Takes at most one step, so that a slow frame skips nothing. Returns the
-    /// seconds until the next step while playing.
+    /// Lets time pass: one step at most, so that a slow frame skips nothing. The seconds until the next step, while playing.
     pub fn advance(&mut self, elapsed_secs: f32) -> Option<f32> {
         if !self.playing {
             return None;
@@ -148,8 +145,7 @@ mod tests {
     fn an_empty_recording_does_not_play() {
         let mut t = Transport::new(0);
         t.toggle();
-        assert!(!t.is_playing());
-        assert_eq!(t.advance(1.0), None);
+        assert_eq!((t.is_playing(), t.advance(1.0)), (false, None));
     }
 
     #[test]

@@ -1,67 +1,45 @@
 //! The stage surface: pan, zoom, grid, handles, and the figure's marks over them.
 
-use egui::{
-    Align2, CursorIcon, FontId, Id, Painter, PointerButton, Pos2, Rect, Response, Role, Sense,
-    StrokeKind, Ui, WidgetInfo, vec2,
-};
+use egui::{Mesh, PointerButton, Role};
 
-use crate::{
-    figure::{Link, Mark},
-    paint::{self, Around, Placed, Viewport},
-};
+use crate::{figure::Mark, paint::Placed};
 
 use super::{
-    grid,
-    handles::{Handles, Moved, Spot, is_off_grid, snapped},
+    handles::{Handles, Moved, Spot, gripped, is_off_grid, snapped},
     hit,
-    look::Look,
     pan_zoom::PanZoom,
+    prelude::*,
 };
 
-/// Grid dots are at least this far apart, in points.
 const GRID_PTS: f64 = 40.0;
-
-/// The wheel draws a space nearer by this part of its distance for a point of its turn.
 const PER_POINT: f32 = 0.002;
+const DOT: f32 = 1.5;
+/// Dots at most: a stage as large as a 4K screen holds fewer at any zoom.
+const MAX_DOTS: f64 = 20_000.0;
+const BETWEEN: f64 = 56.0;
+const FROM_EDGE: f32 = 4.0;
+const MOST_NUMBERS: f64 = 200.0;
 
-/// A stage to be shown.
 pub struct Canvas<'a> {
-    /// Its widget id; handles derive theirs from it.
     pub id: Id,
-    /// Where, and which part of the world.
     pub viewport: Viewport,
-    /// Its name to a screen reader.
     pub name: String,
-    /// What it shows, in words: the caption.
     pub text: String,
-    /// What can be taken hold of.
     pub spots: &'a [Spot],
-    /// Do handles keep to the grid?
     pub snap: bool,
-    /// Is there a grid to keep to?
     pub has_grid: bool,
-    /// What a click would pick: drawn over the rest.
     pub pointed: Option<Mark>,
-    /// What is drawn.
     pub marks: &'a [Mark],
-    /// Where something else stands on it.
     pub covered: &'a [Rect],
-    /// What stands out.
     pub lit: Option<Link>,
-    /// How it looks.
     pub look: Look<'a>,
 }
 
-/// A click on a stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StageClick {
-    /// On the screen.
     pub at: Pos2,
-    /// The second of two in the same place.
     pub is_double: bool,
-    /// With Ctrl held.
     pub has_ctrl: bool,
-    /// The handle there, by its index.
     pub spot: Option<usize>,
 }
 
@@ -76,32 +54,22 @@ pub fn place_at(ui: &Ui, viewport: &Viewport, at: Pos2, snap: bool) -> [f64; 2] 
     exact.map(|x| snapped(x, grid))
 }
 
-/// What was done to a stage.
 pub struct CanvasShown {
-    /// As it was drawn.
     pub viewport: Viewport,
-    /// The view that the person asked for by panning or zooming.
     pub view: Option<PanZoom>,
     /// It was pushed with the middle button, or with Shift held: an eye goes sideways then, and not round.
     pub pans: bool,
-    /// A handle was moved.
     pub moved: Option<Moved>,
-    /// The drag of a handle has ended.
     pub released: bool,
-    /// The stage was clicked.
     pub clicked: Option<StageClick>,
-    /// What the pointer is on.
     pub pointed: Option<Link>,
     /// Where in a camera's picture that stands on the stage: x and y from −1 to 1, y up.
     pub picture: Option<[f64; 2]>,
-    /// The handle that has the keyboard's focus, by its index.
     pub focused: Option<usize>,
-    /// Of the whole surface.
     pub response: Response,
 }
 
 impl Canvas<'_> {
-    /// Draws the stage.
     pub fn show(self, ui: &mut Ui) -> CanvasShown {
         let viewport = self.viewport;
         let response = ui.interact(viewport.rect, self.id, Sense::click_and_drag());
@@ -119,38 +87,30 @@ impl Canvas<'_> {
             look: self.look,
         };
         let moved = handles.interact(ui, &response);
-        let holds_handle = handles.gripped(ui).is_some();
+        let holds_handle = gripped(ui, self.id).is_some();
         let view = pan_and_zoom(ui, &response, &self, &handles);
 
         let theme = self.look.theme;
         let painter = ui.painter_at(viewport.rect);
         painter.rect_filled(viewport.rect, 0.0, theme.background);
         if self.has_grid {
-            grid::draw(&painter, &viewport, step, theme.hairline);
+            dots(&painter, &viewport, step, theme.hairline);
         }
         handles.draw_idle(ui, &painter, &response);
         let labels = self.figure(ui, &painter);
         if self.has_grid {
-            grid::scale(&painter, &viewport, step, (self.look, &labels));
+            scale(&painter, &viewport, step, (self.look, &labels));
         }
         if let Some(pointed) = &self.pointed {
             let marks = std::slice::from_ref(pointed);
-            paint::stage(
-                &painter,
-                &viewport,
-                theme,
-                self.look.catalog,
-                marks,
-                None,
-                Around::default(),
-            );
+            let around = Around::default();
+            self.look.stage(&painter, &viewport, marks, None, around);
             ui.set_cursor_icon(CursorIcon::PointingHand);
         }
         handles.draw(ui, &painter, &response);
-        let said = self
-            .has_grid
-            .then(|| handles.coordinates(ui, &response, step));
-        if let Some(said) = said.flatten() {
+        if self.has_grid
+            && let Some(said) = handles.coordinates(ui, &response, step)
+        {
             coordinates(&painter, viewport.rect, self.look, said);
         }
         if response.has_focus() {
@@ -159,6 +119,11 @@ impl Canvas<'_> {
         }
         let focused = ui.memory(egui::Memory::focused);
         let hover = response.hover_pos().filter(|_| !response.dragged());
+        let hover = hover.filter(|at| !self.is_covered(*at));
+        let focused = focused.and_then(|id| {
+            let mut indices = self.spots.iter().map(|spot| spot.index);
+            indices.find(|&i| handles.id_of(i) == id)
+        });
         CanvasShown {
             viewport,
             view,
@@ -167,19 +132,13 @@ impl Canvas<'_> {
             moved,
             released: holds_handle && response.drag_stopped(),
             clicked: click(ui, &response, &handles),
-            pointed: hover
-                .filter(|at| !self.is_covered(*at))
-                .and_then(|at| hit::link_at(&viewport, self.marks, at)),
-            focused: focused.and_then(|id| {
-                let mut indices = self.spots.iter().map(|spot| spot.index);
-                indices.find(|&i| handles.id_of(i) == id)
-            }),
+            pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
+            focused,
             response,
             picture: None,
         }
     }
 
-    /// Does something else stand on it here?
     fn is_covered(&self, at: Pos2) -> bool {
         self.covered.iter().any(|covered| covered.contains(at))
     }
@@ -187,25 +146,21 @@ impl Canvas<'_> {
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
     fn figure(&self, ui: &Ui, painter: &Painter) -> Vec<Placed> {
         let remembered = self.id.with("labels");
-        let before: Vec<Placed> = ui
-            .data(|data| data.get_temp(remembered))
-            .unwrap_or_default();
-        let Look { theme, catalog, .. } = self.look;
-        let (marks, lit) = (self.marks, self.lit);
+        let before = ui.data(|data| data.get_temp::<Vec<Placed>>(remembered));
         let around = Around {
-            before: &before,
+            before: &before.unwrap_or_default(),
             covered: self.covered,
         };
-        let labels = paint::stage(painter, &self.viewport, theme, catalog, marks, lit, around);
+        let look = self.look;
+        let labels = look.stage(painter, &self.viewport, self.marks, self.lit, around);
         ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
         labels
     }
 }
 
 fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageClick> {
-    let at = response
-        .interact_pointer_pos()
-        .filter(|_| response.clicked())?;
+    let at = response.interact_pointer_pos();
+    let at = at.filter(|_| response.clicked())?;
     Some(StageClick {
         at,
         is_double: response.double_clicked(),
@@ -214,7 +169,6 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
     })
 }
 
-/// The place under the pointer, in the corner that nothing else is in.
 fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, said: String) {
     let theme = look.theme;
     let font = FontId::monospace(11.0 * theme.text_scale.sqrt());
@@ -248,12 +202,79 @@ fn pan_and_zoom(
         let (factor, scroll) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta()));
         // Of a space the wheel draws nearer what is in the middle.
         view = if canvas.has_grid {
-            view.zoomed(viewport.rect, f64::from(factor), at)
-                .panned(scroll)
+            let zoomed = view.zoomed(viewport.rect, f64::from(factor), at);
+            zoomed.panned(scroll)
         } else {
             let factor = factor * libm::expf(scroll.y * PER_POINT);
             view.zoomed(viewport.rect, f64::from(factor), viewport.rect.center())
         };
     }
     (view != PanZoom::of(viewport)).then_some(view)
+}
+
+fn scale(painter: &Painter, viewport: &Viewport, step: f64, (look, labels): (Look<'_>, &[Placed])) {
+    let rect = viewport.rect;
+    let lines = (BETWEEN / (step * viewport.scale)).ceil().max(1.0);
+    // Of grids of 1, 2 or 5 every fifth line has a round number, of others it has one, too.
+    let mut round = [1.0, 2.0, 5.0, 10.0].into_iter();
+    let every = step * round.find(|&n| n >= lines).unwrap_or(lines);
+    let font = FontId::monospace(9.5 * look.theme.text_scale.sqrt());
+    let [left, top] = viewport.to_world(rect.min);
+    let [right, bottom] = viewport.to_world(rect.max);
+    let room = f64::from(font.size) * 1.5 / viewport.scale;
+    let numbers = |from: f64, to: f64| {
+        let (first, last) = ((from / every).ceil(), (to / every).floor());
+        let has_numbers = last - first < MOST_NUMBERS && first.abs().max(last.abs()) < 1e15;
+        let n = (last - first + 1.0).max(0.0);
+        let n = if has_numbers { n } else { 0.0 };
+        (0..n as u32).map(move |i| (first + f64::from(i)) * every)
+    };
+    let number = |at: Pos2, align: Align2, x: f64| {
+        let (colour, ground) = (look.theme.soft, look.theme.background);
+        // Beside each other fractions would mix with decimals.
+        let text = look.catalog.value_as(&x.into(), Notation::Decimals);
+        let text = painter.layout_no_wrap(text, font.clone(), colour);
+        let place = align.anchor_size(at, text.size());
+        // A number gives way to what the figure says.
+        let is_taken = |label: &Placed| label.rect.intersects(place.expand(4.0));
+        if labels.iter().any(is_taken) {
+            return;
+        }
+        painter.rect_filled(place.expand2(vec2(2.0, 0.0)), 0.0, ground);
+        painter.galley(place.min, text, colour);
+    };
+    for x in numbers(left + 2.0 * room, right - room) {
+        let at = pos2(viewport.to_screen([x, 0.0]).x, rect.bottom() - FROM_EDGE);
+        number(at, Align2::CENTER_BOTTOM, x);
+    }
+    for y in numbers(bottom + 2.0 * room, top - room) {
+        let at = pos2(rect.left() + FROM_EDGE, viewport.to_screen([0.0, y]).y);
+        number(at, Align2::LEFT_CENTER, y);
+    }
+}
+
+fn dots(painter: &Painter, viewport: &Viewport, step: f64, colour: Color32) {
+    let [left, top] = viewport.to_world(viewport.rect.min);
+    let [right, bottom] = viewport.to_world(viewport.rect.max);
+    let [x0, x1, y0, y1] = [left, right, bottom, top].map(|w| (w / step).round());
+    let n_dots = (x1 - x0 + 1.0) * (y1 - y0 + 1.0);
+    // Where the numbers are too large for a step to make a difference, there is no grid.
+    let is_exact = [x0, x1, y0, y1].iter().all(|k| k.abs() < 1e15);
+    if !(n_dots <= MAX_DOTS && is_exact) {
+        return;
+    }
+    let pixels = painter.pixels_per_point();
+    let at_pixel = |at: Pos2| {
+        let whole = |v: f32| (v * pixels).round() / pixels;
+        Pos2::new(whole(at.x), whole(at.y))
+    };
+    let mut mesh = Mesh::default();
+    for i in 0..=(x1 - x0) as u32 {
+        for j in 0..=(y1 - y0) as u32 {
+            let world = [(x0 + f64::from(i)) * step, (y0 + f64::from(j)) * step];
+            let centre = at_pixel(viewport.to_screen(world));
+            mesh.add_colored_rect(Rect::from_center_size(centre, Vec2::splat(DOT)), colour);
+        }
+    }
+    painter.add(Shape::mesh(mesh));
 }

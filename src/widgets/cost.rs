@@ -1,79 +1,47 @@
 //! Operations done so far, as bars: this run's, and another's to compare with.
 
-use egui::{
-    Align2, FontId, Painter, Rect, RichText, Role, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2,
-};
+use egui::{RichText, Role};
 
-use crate::{paint::Typeset, text::Message, trace::Counts};
+use crate::trace::Counts;
 
-use super::look::Look;
+use super::prelude::*;
 
-/// A run's cost, and another's.
 pub struct Cost<'a> {
-    /// Up to this step.
     pub now: Counts,
-    /// The other run's, with its method's name.
     pub compared: Option<(Counts, &'a str)>,
     /// The most of any kind that either run does in the end: the bars' full length.
     pub most: u64,
 }
 
-/// Between two kinds of operations beside each other, and from a name to its number.
 const GAP: f32 = 20.0;
 const INNER_GAP: f32 = 8.0;
-/// A run's bar, and that of the one it is compared with.
 const BAR: f32 = 5.0;
 const OTHER_BAR: f32 = 4.0;
 
-/// The most operations of one kind that any of these runs has done: for bars of one scale.
 pub fn most_of_a_kind(runs: &[Counts]) -> u64 {
-    let counts = runs.iter().flat_map(|run| KINDS.map(|kind| (kind.of)(run)));
+    let counts = runs.iter().flat_map(|run| KINDS.map(|(.., of)| of(run)));
     counts.max().unwrap_or_default()
 }
 
-#[derive(Clone, Copy)]
-struct Kind {
-    key: &'static str,
-    /// In full, for those who ask.
-    name_key: &'static str,
-    of: fn(&Counts) -> u64,
-}
+type Kind = (&'static str, &'static str, fn(&Counts) -> u64);
 
-/// Dearest first.
 const KINDS: [Kind; 4] = [
-    Kind {
-        key: "cost-divisions",
-        name_key: "cost-divisions",
-        of: |c| c.div,
-    },
-    Kind {
-        key: "cost-multiplications",
-        name_key: "cost-multiplications",
-        of: |c| c.mul,
-    },
-    Kind {
-        key: "cost-sums",
-        name_key: "cost-additions",
-        of: |c| c.add,
-    },
-    Kind {
-        key: "cost-comparisons",
-        name_key: "cost-comparisons",
-        of: |c| c.cmp,
-    },
+    ("cost-divisions", "cost-divisions", |c| c.div),
+    ("cost-multiplications", "cost-multiplications", |c| c.mul),
+    ("cost-sums", "cost-additions", |c| c.add),
+    ("cost-comparisons", "cost-comparisons", |c| c.cmp),
 ];
 
-/// Draws the four kinds of operations with their bars, in as many columns as there is room for, and what they are
-/// compared with.
 pub fn cost(ui: &mut Ui, look: Look<'_>, cost: &Cost<'_>) {
     let bars = Bars::new(ui.painter(), look, cost, ui.available_width());
     let size = vec2(ui.available_width(), bars.height());
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     bars.paint(ui.painter(), rect);
     for (i, kind) in KINDS.iter().enumerate() {
-        let name = look.say(kind.name_key);
+        let (key, name_key, _) = kind;
+        let name = look.say(name_key);
         let said = format!("{name}: {}", bars.numbers(kind));
-        let id = ui.scope_id().with(("cost", kind.key));
+        let id = ui.scope_id().with(("cost", key));
         let response = ui.interact(bars.cell(rect, i), id, Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
         response.on_hover_text(name);
@@ -85,7 +53,6 @@ pub fn cost(ui: &mut Ui, look: Look<'_>, cost: &Cost<'_>) {
     }
 }
 
-/// Four bars with their names and numbers, in a given width: under a figure, or in the inspector.
 pub struct Bars<'a> {
     look: Look<'a>,
     cost: &'a Cost<'a>,
@@ -93,12 +60,10 @@ pub struct Bars<'a> {
     mono: FontId,
     n_columns: usize,
     width: f32,
-    /// Of the widest name, and of the widest numbers.
     widest: [f32; 2],
 }
 
 impl<'a> Bars<'a> {
-    /// Finds how many stand beside each other.
     pub fn new(painter: &Painter, look: Look<'a>, cost: &'a Cost<'a>, width: f32) -> Self {
         let style = painter.ctx().global_style();
         let mut bars = Self {
@@ -124,13 +89,11 @@ impl<'a> Bars<'a> {
         bars
     }
 
-    /// Of all of it.
     pub fn height(&self) -> f32 {
         let n_rows = KINDS.len().div_ceil(self.n_columns);
         n_rows as f32 * self.row_height()
     }
 
-    /// Draws it from the top of `rect`, which is as wide as was said before.
     pub fn paint(&self, painter: &Painter, rect: Rect) {
         let theme = self.look.theme;
         for (i, kind) in KINDS.iter().enumerate() {
@@ -142,7 +105,7 @@ impl<'a> Bars<'a> {
             let room = self.room(cell);
             let mut top = room.top();
             let mut bar = |counts: &Counts, height: f32, colour| {
-                let share = (kind.of)(counts) as f32 / self.cost.most.max(1) as f32;
+                let share = (kind.2)(counts) as f32 / self.cost.most.max(1) as f32;
                 let size = vec2(room.width() * share, height * theme.text_scale);
                 let bar = Rect::from_min_size(pos2(room.left(), top), size);
                 painter.rect_filled(bar, 1.0, colour);
@@ -157,7 +120,7 @@ impl<'a> Bars<'a> {
 
     fn texts(&self, painter: &Painter, kind: &Kind, numbers: String) -> [Typeset; 2] {
         let theme = self.look.theme;
-        let name = self.look.say(kind.key);
+        let name = self.look.say(kind.0);
         [
             Typeset::text(painter, name, self.small.clone(), theme.soft),
             Typeset::text(painter, numbers, self.mono.clone(), theme.ink),
@@ -166,8 +129,8 @@ impl<'a> Bars<'a> {
 
     fn numbers(&self, kind: &Kind) -> String {
         let other = self.cost.compared.as_ref();
-        let other = other.map_or(0, |(other, _)| (kind.of)(other));
-        self.written((kind.of)(&self.cost.now), other)
+        let other = other.map_or(0, |(other, _)| (kind.2)(other));
+        self.written((kind.2)(&self.cost.now), other)
     }
 
     fn written(&self, now: u64, other: u64) -> String {
@@ -185,7 +148,6 @@ impl<'a> Bars<'a> {
         INNER_GAP * self.look.theme.text_scale
     }
 
-    /// Of a run's bar, and the other's under it.
     fn bars_height(&self) -> f32 {
         let other = self.cost.compared.map_or(0.0, |_| 1.0 + OTHER_BAR);
         (BAR + other) * self.look.theme.text_scale
@@ -198,7 +160,6 @@ impl<'a> Bars<'a> {
         (self.text_height() + self.bars_height() + 5.0).round()
     }
 
-    /// Where a kind's bars go: under its name, or in a single column between name and numbers.
     fn room(&self, cell: Rect) -> Rect {
         if self.n_columns > 1 {
             return cell.with_min_y(cell.top() + self.text_height());
@@ -209,7 +170,6 @@ impl<'a> Bars<'a> {
         Rect::from_x_y_ranges(cell.left() + left..=right, top..=cell.bottom())
     }
 
-    /// Where the `i`th kind stands.
     fn cell(&self, rect: Rect, i: usize) -> Rect {
         let n = self.n_columns as f32;
         let width = (self.width - (n - 1.0) * GAP) / n;

@@ -1,22 +1,18 @@
 //! Headings: of a column with its method, of a section of a side panel, and the hairline between two sections.
 
-use egui::{Align2, FontId, Painter, Pos2, Response, RichText, Ui, vec2};
+use egui::RichText;
 
-use crate::paint::{Span, Typeset, fonts::semibold, theme};
+use crate::paint::{fonts::semibold, theme};
 
-use super::look::Look;
+use super::prelude::*;
 
-/// Between a method's name and the note on it.
 const GAP_PTS: f32 = 12.0;
-/// Of the text, and the least that it is made smaller to so that a strip has room for all of it.
 const SIZE_PTS: f32 = 13.0;
 const LEAST_PTS: f32 = 10.0;
-/// Lines that a strip has room for.
 const MAX_ROWS: usize = 2;
 
-/// Writes a method's name at a place, after it the moment that its column shows, and beside it a note where it is wrong on purpose: in the colour of what
-/// happens, and after a sign, so that it does not hang on the colour. Where both do not fit, the note goes
-/// below, and where that makes too many lines, all is written smaller: it is never cut.
+/// Writes a method's name at a place, after it the moment that its column shows, and beside it, after a sign, a note where it
+/// is wrong on purpose. Where both do not fit, the note goes below; where that makes too many lines, all is smaller.
 pub fn column_title(
     painter: &Painter,
     look: Look<'_>,
@@ -28,10 +24,8 @@ pub fn column_title(
     let theme = look.theme;
     let mut size = SIZE_PTS;
     let (name, note, is_beside) = loop {
-        let [strong, plain] = [
-            FontId::new(size * theme.title_scale, semibold()),
-            FontId::proportional(size * theme.title_scale),
-        ];
+        let strong = FontId::new(size * theme.title_scale, semibold());
+        let plain = FontId::proportional(size * theme.title_scale);
         let mut spans = vec![Span::text(name, strong, theme.ink)];
         if let Some(moment) = moment {
             let moment = format!("\u{2003}{moment}");
@@ -49,11 +43,8 @@ pub fn column_title(
         }
     };
     let Some(note) = note else {
-        name.paint(
-            painter,
-            align.anchor_size(at, name.size()).min,
-            Align2::LEFT_TOP,
-        );
+        let top = align.anchor_size(at, name.size()).min;
+        name.paint(painter, top, Align2::LEFT_TOP);
         return;
     };
     let offset = if is_beside {
@@ -67,24 +58,18 @@ pub fn column_title(
     note.paint(painter, top + offset, Align2::LEFT_TOP);
 }
 
-/// A small semibold heading.
 pub fn section(ui: &mut Ui, look: Look<'_>, title: &str) -> Response {
-    ui.label(
-        RichText::new(title)
-            .text_style(theme::strong())
-            .color(look.theme.soft),
-    )
+    let title = RichText::new(title).text_style(theme::strong());
+    ui.label(title.color(look.theme.soft))
 }
 
-/// White space above and below a hairline.
 const AIR: f32 = 12.0;
 
-/// A hairline between two sections, with white space on both sides.
 pub fn rule(ui: &mut Ui, look: Look<'_>) {
     let spacing = ui.spacing().item_spacing.y;
     ui.add_space(AIR - spacing);
-    let (rect, _) =
-        ui.allocate_exact_size(egui::vec2(ui.available_width(), 1.0), egui::Sense::hover());
+    let size = vec2(ui.available_width(), 1.0);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     ui.painter().rect_filled(rect, 0.0, look.theme.hairline);
     ui.add_space(AIR - spacing);
 }

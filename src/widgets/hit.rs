@@ -1,14 +1,13 @@
 //! What the pointer is on: the link of the mark beneath it.
 
-use egui::Pos2;
-
 use crate::{
-    figure::{Link, Mark, Shape},
+    figure::{Mark, Shape},
     geom::distance_to_segment,
-    paint::{Part, Viewport, parts},
+    paint::{Part, parts},
 };
 
-/// How near the pointer has to be to a line or a point, in points.
+use super::prelude::{Link, Pos2, Viewport};
+
 const REACH: f32 = 8.0;
 
 /// The link of the topmost mark with one within reach of a place on the screen; else of the face of a solid there.
@@ -27,12 +26,10 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
     let mark = point.or(nearby.first()).map(|&(_, link)| link);
     mark.or_else(|| {
         let place = viewport.to_world(at);
-        marks.iter().rev().find_map(|mark| {
-            if let Shape::Solids(solids) = &mark.shape {
-                solids.link_at(place)
-            } else {
-                None
-            }
+        let mut shapes = marks.iter().rev().map(|mark| &mark.shape);
+        shapes.find_map(|shape| match shape {
+            Shape::Solids(solids) => solids.link_at(place),
+            _ => None,
         })
     })
 }
@@ -41,10 +38,8 @@ fn distance(part: &Part<'_>, at: Pos2) -> f32 {
     let place = |at: Pos2| [at.x, at.y].map(f64::from);
     let to_edge = |a, b| distance_to_segment(place(at), [place(a), place(b)]) as f32;
     let to_line = |points: &[Pos2]| {
-        let edges = points.windows(2);
-        edges
-            .map(|ends| to_edge(ends[0], ends[1]))
-            .fold(f32::INFINITY, f32::min)
+        let edges = points.windows(2).map(|ends| to_edge(ends[0], ends[1]));
+        edges.fold(f32::INFINITY, f32::min)
     };
     match part {
         Part::Stroke(points) => to_line(points),

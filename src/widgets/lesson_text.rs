@@ -1,18 +1,16 @@
 //! The text of a lesson step: paragraphs, lists, code, and answers that are shown when asked for.
 
-use egui::{Align, Id, Label, RichText, TextStyle, Ui, UiBuilder, style::ScrollAnimation, vec2};
+use egui::{Align, Label, RichText, UiBuilder, style::ScrollAnimation};
 
 use crate::{
     lesson::{Block, BlockMarker, Inline},
-    paint::{Span, Typeset, theme},
+    paint::theme,
 };
 
-use super::look::Look;
+use super::prelude::*;
 
-/// Extra space between lines of running text, as a part of the text's size.
 const LEADING: f32 = 0.35;
 
-/// Draws the blocks below each other, with their answers or without. `id` tells this text from another.
 pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_answered: bool) {
     ui.spacing_mut().item_spacing.y = 8.0;
     for (i, block) in blocks.iter().enumerate() {
@@ -24,10 +22,8 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_ans
                 text,
             } => item(ui, look, *depth, *marker, text),
             Block::Code(code) => {
-                let code = RichText::new(code.trim_end())
-                    .monospace()
-                    .color(look.theme.ink);
-                ui.add(Label::new(code).selectable(true));
+                let code = RichText::new(code.trim_end()).monospace();
+                ui.add(Label::new(code.color(look.theme.ink)).selectable(true));
             }
             Block::Answer(blocks) if is_answered => answer(ui, look, id.with(i), blocks),
             Block::Answer(_) => {}
@@ -40,9 +36,8 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
     let row = ui.available_rect_before_wrap();
     let mut inner = row;
     inner.min.x += indent;
-    let place = ui.scope_builder(UiBuilder::new().max_rect(inner), |ui| {
-        running(ui, look, text);
-    });
+    let inner = UiBuilder::new().max_rect(inner);
+    let place = ui.scope_builder(inner, |ui| running(ui, look, text));
     let font = TextStyle::Body.resolve(ui.style());
     let at = place.response.rect.left_top();
     match marker {
@@ -52,9 +47,10 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
         }
         BlockMarker::Number(n) => {
             let at = at + vec2(-6.0, 0.0);
-            ui.painter().text(
+            let painter = ui.painter();
+            painter.text(
                 at,
-                egui::Align2::RIGHT_TOP,
+                Align2::RIGHT_TOP,
                 format!("{n}."),
                 font,
                 look.theme.soft,
@@ -64,23 +60,20 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
     }
 }
 
-/// What was hidden until it was asked for; it scrolls into sight when it appears.
 fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
     let left = ui.cursor().left();
-    let shown = ui.indent(id, |ui| {
-        lesson_text(ui, look, id.with("shown"), blocks, true);
-    });
+    let inner = id.with("shown");
+    let shown = ui.indent(id, |ui| lesson_text(ui, look, inner, blocks, true));
     let rect = shown.response.rect;
-    let bar = egui::Rect::from_x_y_ranges(left..=left + 2.0, rect.y_range());
+    let bar = Rect::from_x_y_ranges(left..=left + 2.0, rect.y_range());
     ui.painter().rect_filled(bar, 0.0, look.theme.accent);
     if ui.ctx().read_response(id).is_none() {
         ui.scroll_to_rect_animation(rect, Some(Align::Max), ScrollAnimation::none());
         ui.ctx().request_repaint();
     }
-    ui.interact(rect, id, egui::Sense::hover());
+    ui.interact(rect, id, Sense::hover());
 }
 
-/// Running text as a label: set as captions are, selected and read aloud as it is written.
 fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
     let spans = text.iter().map(|part| {
         let (style, colour) = match part {
@@ -98,7 +91,6 @@ fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
     ui.add(Label::new(set.galley()).selectable(true));
 }
 
-/// The title of a lesson's step, over its text.
 pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {
     let text = Inline {
         text: title.to_owned(),

@@ -1,15 +1,14 @@
 //! Menus: rows that touch, each as wide as the menu; and the menus for the language and the theme.
 
 use egui::{
-    InnerResponse, PopupCloseBehavior, Style, Ui, WidgetText,
+    InnerResponse, PopupCloseBehavior, Style, WidgetText,
     containers::menu::{self, MenuButton, MenuConfig, SubMenuButton},
 };
 
 use crate::{paint::ThemeKind, text::Lang};
 
-use super::look::Look;
+use super::prelude::*;
 
-/// By so much a row is higher than a button in a bar, in points: the space between its words and the next ones.
 const ROW_PTS: f32 = 4.0;
 
 /// Space inside the rows, and none between them: wherever the pointer is, it is on one.
@@ -54,20 +53,19 @@ fn opening<R>(
     InnerResponse::new(inner.map(|inner| inner.inner), response)
 }
 
-/// Languages by their own names; the one that was chosen.
-pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
-    Lang::ALL.into_iter().find(|&lang| {
-        let chosen = ui
-            .selectable_label(lang == current, lang.native_name())
-            .clicked();
-        if chosen {
-            ui.close();
-        }
-        chosen
-    })
+pub fn is_chosen(ui: &mut Ui, is_current: bool, name: impl Into<WidgetText>) -> bool {
+    let is_chosen = ui.selectable_label(is_current, name.into()).clicked();
+    if is_chosen {
+        ui.close();
+    }
+    is_chosen
 }
 
-/// Catalogue key of a theme's name.
+pub fn language_menu(ui: &mut Ui, current: Lang) -> Option<Lang> {
+    let mut all = Lang::ALL.into_iter();
+    all.find(|&lang| is_chosen(ui, lang == current, lang.native_name()))
+}
+
 pub const fn theme_key(kind: ThemeKind) -> &'static str {
     match kind {
         ThemeKind::Light => "theme-light",
@@ -76,14 +74,7 @@ pub const fn theme_key(kind: ThemeKind) -> &'static str {
     }
 }
 
-/// Themes; the one that was chosen.
 pub fn theme_menu(ui: &mut Ui, look: Look<'_>) -> Option<ThemeKind> {
-    ThemeKind::ALL.into_iter().find(|&kind| {
-        let name = look.say(theme_key(kind));
-        let chosen = ui.selectable_label(kind == look.theme.kind, name).clicked();
-        if chosen {
-            ui.close();
-        }
-        chosen
-    })
+    let mut all = ThemeKind::ALL.into_iter();
+    all.find(|&kind| is_chosen(ui, kind == look.theme.kind, look.say(theme_key(kind))))
 }

@@ -9,17 +9,13 @@ const SCALES: [f64; 2] = [0.05, 1e6];
 /// From the middle of the view to that of the scene, as a part of the view's size, at most.
 const IN_VIEW: f64 = 0.45;
 
-/// What part of the world a canvas shows, kept by its owner.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PanZoom {
-    /// The world point in the middle.
     pub centre: [f64; 2],
-    /// Points on the screen for one unit of the world.
     pub scale: f64,
 }
 
 impl PanZoom {
-    /// The view of a viewport.
     pub const fn of(viewport: &Viewport) -> Self {
         Self {
             centre: viewport.centre,
@@ -27,7 +23,6 @@ impl PanZoom {
         }
     }
 
-    /// This view in a rectangle on the screen.
     pub const fn on(self, rect: Rect) -> Viewport {
         Viewport {
             rect,
@@ -36,11 +31,9 @@ impl PanZoom {
         }
     }
 
-    /// As near to this as the whole scene stays to be found again.
     pub fn bounded(self, whole: &Viewport) -> Self {
-        let scale = self
-            .scale
-            .clamp(whole.scale * SCALES[0], whole.scale * SCALES[1]);
+        let [least, most] = SCALES.map(|by| whole.scale * by);
+        let scale = self.scale.clamp(least, most);
         let size = [whole.rect.width(), whole.rect.height()].map(f64::from);
         let centre = std::array::from_fn(|i| {
             // Near, the middle of the view goes all over the scene; from afar, the scene stays in the view.
@@ -50,18 +43,12 @@ impl PanZoom {
         Self { centre, scale }
     }
 
-    /// Moved with the pointer, by points on the screen.
     pub fn panned(self, by: egui::Vec2) -> Self {
-        Self {
-            centre: [
-                self.centre[0] - f64::from(by.x) / self.scale,
-                self.centre[1] + f64::from(by.y) / self.scale,
-            ],
-            ..self
-        }
+        let [x, y] = [by.x, by.y].map(|by| f64::from(by) / self.scale);
+        let centre = [self.centre[0] - x, self.centre[1] + y];
+        Self { centre, ..self }
     }
 
-    /// Zoomed by a factor; the world point under `around` stays there.
     pub fn zoomed(self, rect: Rect, factor: f64, around: Pos2) -> Self {
         let fixed = self.on(rect).to_world(around);
         let scale = self.scale * factor;
@@ -115,9 +102,7 @@ mod tests {
             scale: 10.0,
         };
         let moved = view.panned(vec2(20.0, 10.0));
-        assert_eq!(
-            moved.on(RECT).to_screen([0.0; 2]),
-            RECT.center() + vec2(20.0, 10.0)
-        );
+        let found = moved.on(RECT).to_screen([0.0; 2]);
+        assert_eq!(found, RECT.center() + vec2(20.0, 10.0));
     }
 }

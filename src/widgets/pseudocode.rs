@@ -1,16 +1,10 @@
 //! A method's pseudocode, with the line of this step.
 
-use egui::{
-    Align2, Color32, FontId, Rect, RichText, Role, Sense, StrokeKind, TextStyle, Ui, WidgetInfo,
-    pos2, vec2,
-};
+use egui::{RichText, Role};
 
-use crate::{
-    lesson::CodeView,
-    paint::{Span, Typeset},
-};
+use crate::lesson::CodeView;
 
-use super::{look::Look, whole_rows::WholeRows};
+use super::{prelude::*, whole_rows::WholeRows};
 
 const fn key(view: CodeView) -> &'static str {
     match view {
@@ -20,32 +14,25 @@ const fn key(view: CodeView) -> &'static str {
     }
 }
 
-/// A line, already in the reader's language.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CodeText {
-    /// Levels of indentation.
     pub depth: usize,
-    /// What it says.
     pub text: String,
 }
 
-/// The three ways in a row; the one that was chosen.
 pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Option<CodeView> {
     let mut chosen = None;
     ui.spacing_mut().item_spacing.x = 12.0;
     // Right to left, as the row is aligned to the right.
     for view in CodeView::ALL.into_iter().rev() {
         let is_current = view == current;
-        let colour = if is_current {
-            look.theme.accent
-        } else {
-            look.theme.soft
-        };
-        let text = RichText::new(look.say(key(view))).small().color(colour);
+        let Look { theme, .. } = look;
+        let colour = if is_current { theme.accent } else { theme.soft };
+        let name = look.say(key(view));
+        let text = RichText::new(&name).small().color(colour);
         let response = ui.add(egui::Button::new(text).frame(false).small());
-        response.widget_info(|| {
-            WidgetInfo::selected(Role::RadioButton, true, is_current, look.say(key(view)))
-        });
+        let info = || WidgetInfo::selected(Role::RadioButton, true, is_current, &name);
+        response.widget_info(info);
         if response.clicked() {
             chosen = Some(view);
         }
@@ -56,7 +43,6 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
 /// Of its natural size, what the text is set in: the largest at which the lines take no more than their height.
 const SIZES: [f32; 3] = [1.0, 0.92, 0.85];
 
-/// Lines that have been set.
 pub struct Pseudocode<'a> {
     look: Look<'a>,
     lines: &'a [CodeText],
@@ -65,7 +51,6 @@ pub struct Pseudocode<'a> {
 }
 
 impl<'a> Pseudocode<'a> {
-    /// Sets the lines, in smaller text where they would take more than `most`; none where they are hidden.
     pub fn new(
         ui: &Ui,
         look: Look<'a>,
@@ -80,8 +65,19 @@ impl<'a> Pseudocode<'a> {
         let natural = style.resolve(ui.style());
         let set = |part: f32| -> Vec<SetLine> {
             let font = FontId::new(part * natural.size, natural.family.clone());
-            let lines = lines.iter();
-            lines.map(|line| SetLine::new(ui, line, &font)).collect()
+            let set = |line: &CodeText| {
+                let indent = 4.0 + 14.0 * line.depth as f32;
+                // A line that is too long goes on under its own start.
+                let room = (ui.available_width() - indent - 4.0).max(48.0);
+                let text = Span::text(&line.text, font.clone(), Color32::PLACEHOLDER);
+                let text = Typeset::wrapped(ui.painter(), &[text], room);
+                SetLine {
+                    indent,
+                    height: (text.size().y.max(font.size * 1.2) + 4.0).round(),
+                    text,
+                }
+            };
+            lines.iter().map(set).collect()
         };
         let mut sizes = SIZES.into_iter().map(set);
         let height = |set: &[SetLine]| set.iter().map(|line| line.height).sum::<f32>();
@@ -96,7 +92,6 @@ impl<'a> Pseudocode<'a> {
         }
     }
 
-    /// Of all lines.
     pub fn height(&self) -> f32 {
         self.heights.iter().sum()
     }
@@ -113,11 +108,30 @@ impl<'a> Pseudocode<'a> {
         };
         rows.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
+            let theme = self.look.theme;
             let mut pointed = None;
             for (i, (line, set)) in self.lines.iter().zip(&self.set).enumerate() {
                 let is_current = step.line == Some(i);
                 let is_lit = step.lit.contains(&i);
-                if row(ui, self.look, (line, set), is_current, is_lit) {
+                let size = vec2(ui.available_width(), set.height);
+                let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+                let info = || WidgetInfo::selected(Role::Label, true, is_current, &line.text);
+                response.widget_info(info);
+                if is_current {
+                    let wash = rect.expand2(vec2(8.0, 0.0));
+                    ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
+                    let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
+                    ui.painter().rect_filled(bar, 0.0, theme.accent);
+                }
+                if is_lit {
+                    let rim = theme.stroke(1.0, theme.accent);
+                    ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
+                }
+                let colour = if is_current { theme.ink } else { theme.soft };
+                let at = pos2(rect.left() + set.indent, rect.center().y);
+                let (text, align) = (&set.text, Align2::LEFT_CENTER);
+                text.paint_in(ui.painter(), at, align, colour);
+                if response.hovered() {
                     pointed = Some(i);
                 }
             }
@@ -126,64 +140,15 @@ impl<'a> Pseudocode<'a> {
     }
 }
 
-/// Where a step is in the pseudocode.
 #[derive(Clone, Copy, Debug)]
 pub struct CodeStep<'a> {
-    /// Its line.
     pub line: Option<usize>,
-    /// Its number.
     pub moment: usize,
-    /// The lines about what stands out elsewhere.
     pub lit: &'a [usize],
 }
 
-/// A line as it is set.
 struct SetLine {
     indent: f32,
     text: Typeset,
     height: f32,
-}
-
-impl SetLine {
-    fn new(ui: &Ui, line: &CodeText, font: &FontId) -> Self {
-        let indent = 4.0 + 14.0 * line.depth as f32;
-        // A line that is too long goes on under its own start.
-        let room = (ui.available_width() - indent - 4.0).max(48.0);
-        let text = Span::text(&line.text, font.clone(), Color32::PLACEHOLDER);
-        let text = Typeset::wrapped(ui.painter(), &[text], room);
-        let height = (text.size().y.max(font.size * 1.2) + 4.0).round();
-        Self {
-            indent,
-            text,
-            height,
-        }
-    }
-}
-
-fn row(
-    ui: &mut Ui,
-    look: Look<'_>,
-    (line, set): (&CodeText, &SetLine),
-    is_current: bool,
-    is_lit: bool,
-) -> bool {
-    let theme = look.theme;
-    let size = vec2(ui.available_width(), set.height);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.widget_info(|| WidgetInfo::selected(Role::Label, true, is_current, &line.text));
-    if is_current {
-        let wash = rect.expand2(vec2(8.0, 0.0));
-        ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
-        let bar = Rect::from_min_size(wash.min, vec2(3.0, wash.height()));
-        ui.painter().rect_filled(bar, 0.0, theme.accent);
-    }
-    if is_lit {
-        let rim = theme.stroke(1.0, theme.accent);
-        ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
-    }
-    let colour = if is_current { theme.ink } else { theme.soft };
-    let at = pos2(rect.left() + set.indent, rect.center().y);
-    set.text
-        .paint_in(ui.painter(), at, Align2::LEFT_CENTER, colour);
-    response.hovered()
 }

@@ -1,57 +1,44 @@
-//! The timeline: every event a tick, its shape its kind; dragging scrubs.
+//! The timeline: every event a tick, its shape its kind, which is seen without colour; dragging scrubs.
 
 use std::cmp::Ordering;
 
-use egui::{
-    CursorIcon, Key, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
-    WidgetInfo, pos2, vec2,
-};
+use egui::Key;
 
 use crate::figure::Tick;
 
-use super::{
-    look::Look,
-    tick::{self, When},
-};
+use super::prelude::*;
 
-/// Closer than this, in points, ticks are drawn as a plain bar.
 const CROWD_PTS: f32 = 5.0;
-/// From this distance on, in points, ticks have their full size.
 const ROOM_PTS: f32 = 24.0;
-/// Closer than this, in points, bars of phases are left out.
 const BAR_PTS: f32 = 4.0;
-/// Room at both ends for the ring of the current tick.
 const MARGIN: f32 = 14.0;
+const UNTOLD: f32 = 2.5;
 
-/// A recording's steps in a row.
 pub struct Timeline<'a> {
-    /// Events in the recording.
     pub n_steps: usize,
     /// Where the cursor stands; 0 is before the first event.
     pub position: usize,
     /// The last step of which it is shown what it is: those after it are all alike.
     pub told: usize,
-    /// The kind of the event that leads to a step ≥ 1.
     pub tick: &'a dyn Fn(usize) -> Tick,
     /// Steps ≥ 1 at which a phase begins: marked where there is no room for every tick.
     pub phases: &'a [usize],
-    /// The first step at which two runs differ.
     pub difference: Option<usize>,
     /// A step's sentence, asked for only when the pointer rests on it.
     pub tip: &'a dyn Fn(usize) -> String,
-    /// Its name to a screen reader.
     pub name: String,
-    /// How it looks.
     pub look: Look<'a>,
 }
 
 impl Timeline<'_> {
-    /// Draws the timeline into the room that is left; the step that was asked for, if any.
     pub fn show(self, ui: &mut Ui) -> Option<usize> {
         let size = vec2(ui.available_width().max(48.0), 40.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::slider(true, self.position as f64, &self.name));
-        let track = Track::new(rect, self.n_steps);
+        let track = Track {
+            rect,
+            n_steps: self.n_steps,
+        };
         let painter = ui.painter_at(rect.expand(2.0));
         self.draw(&painter, &track);
         if response.has_focus() {
@@ -67,12 +54,14 @@ impl Timeline<'_> {
             pressed
         };
         if let Some(step) = pointed.filter(|_| self.n_steps > 0) {
-            self.tooltip(&response, step);
+            response.on_hover_ui_at_pointer(|ui| {
+                ui.set_max_width(360.0);
+                ui.label((self.tip)(step));
+            });
         }
         asked.filter(|&step| step != self.position)
     }
 
-    /// Arrows while the timeline has the focus.
     fn keys(&self, ui: &Ui, response: &Response) -> Option<usize> {
         if !response.has_focus() {
             return None;
@@ -84,25 +73,18 @@ impl Timeline<'_> {
         (by != 0).then(|| self.position.saturating_add_signed(by).min(self.n_steps))
     }
 
-    fn tooltip(&self, response: &Response, step: usize) {
-        let tip = self.tip;
-        response.clone().on_hover_ui_at_pointer(|ui| {
-            ui.set_max_width(360.0);
-            ui.label(tip(step));
-        });
-    }
-
     fn draw(&self, painter: &Painter, track: &Track) {
         let theme = self.look.theme;
         let y = track.rect.center().y.round();
         let here = pos2(track.x(self.position), y);
-        let line = |from: f32, to: f32, stroke: Stroke| painter.hline(from..=to, y, stroke);
-        line(
-            track.x(0),
-            track.x(self.n_steps),
-            Stroke::new(2.0, theme.hairline),
-        );
-        line(track.x(0), here.x, Stroke::new(2.0, theme.accent));
+        let lines = [
+            (self.n_steps, theme.hairline),
+            (self.position, theme.accent),
+        ];
+        for (end, colour) in lines {
+            let stroke = Stroke::new(2.0, colour);
+            painter.hline(track.x(0)..=track.x(end), y, stroke);
+        }
         if let Some(step) = self.difference.filter(|&step| step <= self.told) {
             self.flag(painter, pos2(track.x(step.min(self.n_steps)), y));
         }
@@ -119,16 +101,8 @@ impl Timeline<'_> {
         }
         let size = (track.gap() / ROOM_PTS).clamp(0.45, 1.0);
         let each = |step: usize, when: When| {
-            let at = Pos2::new(track.x(step), y);
-            tick::draw(
-                painter,
-                at,
-                (self.tick)(step),
-                when,
-                size,
-                theme,
-                theme.panel,
-            );
+            let (at, tick) = (pos2(track.x(step), y), (self.tick)(step));
+            draw_tick(painter, at, tick, when, size, theme, theme.panel);
         };
         for step in 1..=self.n_steps {
             match self.when(step) {
@@ -151,18 +125,14 @@ impl Timeline<'_> {
         }
     }
 
-    /// A short bar for each phase of a run that has too many steps to show them all.
     fn bars(&self, painter: &Painter, track: &Track, y: f32) {
         let theme = self.look.theme;
         let mut last = f32::NEG_INFINITY;
         for &step in self.phases.iter().filter(|&&step| step <= self.told) {
             let x = track.x(step);
             if x - last >= BAR_PTS {
-                let colour = if step <= self.position {
-                    theme.accent
-                } else {
-                    theme.faint
-                };
+                let is_past = step <= self.position;
+                let colour = if is_past { theme.accent } else { theme.faint };
                 let bar = Rect::from_center_size(pos2(x, y), vec2(2.0, 9.0));
                 painter.rect_filled(bar, 0.5, colour);
                 last = x;
@@ -170,7 +140,6 @@ impl Timeline<'_> {
         }
     }
 
-    /// A pennant above the track: a shape that no tick has.
     fn flag(&self, painter: &Painter, at: Pos2) {
         let theme = self.look.theme;
         let top = at - vec2(0.0, 18.0);
@@ -181,17 +150,105 @@ impl Timeline<'_> {
     }
 }
 
-/// Steps against places.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum When {
+    Past,
+    Now,
+    Future,
+    /// It has yet to happen, and what it is must not be given away.
+    Untold,
+}
+
+fn draw_tick(
+    painter: &Painter,
+    at: Pos2,
+    tick: Tick,
+    when: When,
+    size: f32,
+    theme: &Theme,
+    surface: Color32,
+) {
+    let colour = match (when, tick) {
+        (When::Now, _) => theme.signal,
+        (When::Past, _) => theme.accent,
+        (When::Future | When::Untold, _) => theme.faint,
+    };
+    if when == When::Untold {
+        painter.circle_filled(at, UNTOLD * size, colour);
+        return;
+    }
+    let is_hollow = when == When::Future;
+    let fill = if is_hollow { surface } else { colour };
+    let stroke = Stroke::new(1.5, colour);
+    let r = 4.5 * size;
+    match tick {
+        Tick::Test => {
+            // One shape each: a stroke over a fill of its own colour shows as a rim.
+            if is_hollow {
+                painter.circle(at, r, fill, stroke);
+            } else {
+                painter.circle_filled(at, r + 0.75, fill);
+            }
+        }
+        Tick::Cut => {
+            let r = r * if is_hollow { 1.4 } else { 1.6 };
+            let points = [vec2(0.0, -r), vec2(r, 0.0), vec2(0.0, r), vec2(-r, 0.0)];
+            let points = points.map(|v| at + v).to_vec();
+            let rim = if is_hollow { stroke } else { Stroke::NONE };
+            painter.add(Shape::convex_polygon(points, fill, rim));
+        }
+        Tick::Accept => {
+            let rim = is_hollow.then_some(stroke);
+            accept(painter, at, r * 1.15, rim, theme, surface);
+        }
+        Tick::Reject => {
+            // The line of the track must not cross the cross out.
+            painter.circle_filled(at, r * 1.5, surface);
+            let stroke = Stroke::new(2.0, colour);
+            for y in [-r, r] {
+                painter.line_segment([at + vec2(-r, -y), at + vec2(r, y)], stroke);
+            }
+        }
+        Tick::Phase => {
+            let bar = Rect::from_center_size(at, vec2(4.0 * size, 13.0 * size));
+            let rim = if is_hollow { stroke } else { Stroke::NONE };
+            painter.rect(bar, 1.0, fill, rim, StrokeKind::Middle);
+        }
+    }
+    if when == When::Now {
+        let ring = Stroke::new(1.5, theme.signal);
+        painter.circle_stroke(at, (7.5 * size).max(5.0) + 4.0, ring);
+    }
+}
+
+fn accept(
+    painter: &Painter,
+    at: Pos2,
+    r: f32,
+    rim: Option<Stroke>,
+    theme: &Theme,
+    surface: Color32,
+) {
+    let square = Rect::from_center_size(at, Vec2::splat(2.0 * r));
+    let (area, fill, stroke) = match rim {
+        Some(rim) => (square, surface, rim),
+        None => (square.expand(1.0), theme.accepted, Stroke::NONE),
+    };
+    painter.rect(area, 2.5, fill, stroke, StrokeKind::Middle);
+    if rim.is_some() {
+        return;
+    }
+    let check = [vec2(-0.5, 0.0), vec2(-0.12, 0.4), vec2(0.55, -0.4)];
+    let check = check.map(|v| at + v * r).to_vec();
+    painter.add(Shape::line(check, Stroke::new(1.75, surface)));
+}
+
 struct Track {
     rect: Rect,
     n_steps: usize,
 }
 
 impl Track {
-    fn new(rect: Rect, n_steps: usize) -> Self {
-        Self { rect, n_steps }
-    }
-
     fn gap(&self) -> f32 {
         (self.rect.width() - 2.0 * MARGIN).max(1.0) / self.n_steps.max(1) as f32
     }
@@ -235,13 +292,11 @@ mod tests {
     fn places_are_steps_and_back() {
         for n_steps in [1, 9, 100_000] {
             let rect = Rect::from_min_size(pos2(100.0, 0.0), vec2(800.0, 40.0));
-            let track = Track::new(rect, n_steps);
+            let track = Track { rect, n_steps };
             for step in [0, 1, n_steps / 2, n_steps] {
                 let found = track.step_at(pos2(track.x(step), 20.0));
-                assert!(
-                    found.abs_diff(step) <= n_steps / 10_000,
-                    "{step} of {n_steps}: {found}"
-                );
+                let off = found.abs_diff(step);
+                assert!(off <= n_steps / 10_000, "{step} of {n_steps}: {found}");
             }
         }
     }

@@ -2,54 +2,38 @@
 
 use std::collections::BTreeSet;
 
-use egui::{
-    Align2, Color32, CursorIcon, FontId, Pos2, Rect, Response, Role, Sense, StrokeKind, TextStyle,
-    Ui, WidgetInfo, pos2, vec2,
-};
+use egui::Role;
 
-use crate::{
-    figure::{Link, Watch, WatchRow, WatchSection},
-    paint::Typeset,
-    text::Value,
-};
+use crate::figure::{Watch, WatchRow, WatchSection};
 
-use super::{look::Look, whole_rows::WholeRows};
+use super::{prelude::*, whole_rows::WholeRows};
 
-/// Room left of the names for the dot of a changed row.
 const DOT_ROOM: f32 = 8.0;
-/// The narrowest first column.
 const NAME_WIDTH: f32 = 60.0;
-/// Between columns, at least.
 const GAP: f32 = 12.0;
 /// Height of a row in sizes of its text: room for a stacked quotient, so that nothing moves when one comes.
 const ROW_SIZE: f32 = 2.2;
 /// The same in large type, which leaves the pseudocode little room.
 const LARGE_ROW_SIZE: f32 = 2.0;
-/// How far a table that is too wide is drawn smaller.
 const SMALLEST: f32 = 0.7;
-
-/// Between two sections.
 const SECTION_GAP: f32 = 8.0;
 
 /// What the tables of a run want: found once, so that nothing moves from one step to the next.
 #[derive(Default)]
 pub struct WatchRoom {
     sections: Vec<SectionRoom>,
-    height: f32,
+    pub height: f32,
 }
 
-/// What sections under one header want.
 #[derive(Default)]
 struct SectionRoom {
     header: Vec<Value>,
     names: f32,
     columns: Vec<f32>,
-    /// Texts that have been measured, and in which column.
     known: BTreeSet<(Option<usize>, String)>,
 }
 
 impl WatchRoom {
-    /// Has room for this table, too.
     pub fn widen(&mut self, ui: &Ui, look: Look<'_>, watch: &Watch) {
         let table = Table::new(ui, look, None);
         for section in watch {
@@ -64,11 +48,6 @@ impl WatchRoom {
             self.sections[known].widen(&table, ui, section);
         }
         self.height = self.height.max(table.heights(watch).iter().sum());
-    }
-
-    /// Of the highest table.
-    pub const fn height(&self) -> f32 {
-        self.height
     }
 
     fn section_idx(&self, section: &WatchSection) -> Option<usize> {
@@ -109,7 +88,6 @@ impl SectionRoom {
         *most = most.max(width);
     }
 
-    /// The scale of the text at which no column touches the next.
     fn fit(&self, width: f32) -> f32 {
         let room = width - DOT_ROOM - GAP * self.columns.len() as f32;
         let text = self.names + self.columns.iter().sum::<f32>();
@@ -137,62 +115,40 @@ impl SectionRoom {
     }
 }
 
-/// A watch table to be shown.
 pub struct WatchTable<'a> {
-    /// What is in it.
     pub watch: &'a Watch,
-    /// The room of the highest table of the run, and how much of it there is at most.
     pub room: (&'a WatchRoom, f32),
-    /// The number of the step: what has changed at it is in sight.
     pub moment: usize,
-    /// What stands out.
     pub lit: Option<Link>,
-    /// Can the place be typed that a row tells of?
     pub is_typed: &'a dyn Fn(Link) -> bool,
 }
 
-/// What was done to a watch table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WatchShown {
-    /// The row under the pointer.
     pub pointed: Option<Link>,
-    /// The row that was clicked, or pressed with Enter, and where: one that can be typed.
     pub clicked: Option<(Link, Pos2)>,
 }
 
-/// Draws the table in room for the highest of its run, or in what there is where that is less.
 pub fn watch(ui: &mut Ui, look: Look<'_>, asked: &WatchTable<'_>) -> WatchShown {
-    let WatchTable {
-        watch,
-        room: (room, most),
-        moment,
-        lit,
-        is_typed,
-    } = *asked;
-    let mut table = Table::new(ui, look, lit);
+    let WatchTable { watch, room, .. } = *asked;
+    let (room, most) = room;
+    let mut table = Table::new(ui, look, asked.lit);
     let mut shown = WatchShown::default();
     ui.spacing_mut().item_spacing.y = 0.0;
     let top = ui.cursor().top();
     let heights = table.heights(watch);
-    let changed = watch.iter().flat_map(|section| {
-        let header = (!section.header.is_empty()).then_some(false);
-        header
-            .into_iter()
-            .chain(section.rows.iter().map(WatchRow::has_changed))
+    let mut changed = watch.iter().flat_map(|section| {
+        let header = (!section.header.is_empty()).then_some(false).into_iter();
+        header.chain(section.rows.iter().map(WatchRow::has_changed))
     });
     let rows = WholeRows {
         name: "watch",
         heights: &heights,
         most,
-        focus: changed
-            .enumerate()
-            .find(|(_, changed)| *changed)
-            .map(|(i, _)| i),
-        moment,
+        focus: changed.position(|has_changed| has_changed),
+        moment: asked.moment,
     };
-    rows.show(ui, |ui| {
-        table.sections(ui, (watch, room), is_typed, &mut shown);
-    });
+    rows.show(ui, |ui| table.sections(ui, asked, &mut shown));
     let rest = top + room.height.min(most) - ui.cursor().top();
     ui.add_space(rest.max(0.0));
     shown
@@ -209,11 +165,8 @@ struct Table<'a> {
 impl<'a> Table<'a> {
     fn new(ui: &Ui, look: Look<'a>, lit: Option<Link>) -> Self {
         let mono = TextStyle::Monospace.resolve(ui.style());
-        let row_size = if look.theme.text_scale > 1.0 {
-            LARGE_ROW_SIZE
-        } else {
-            ROW_SIZE
-        };
+        let is_large = look.theme.text_scale > 1.0;
+        let row_size = if is_large { LARGE_ROW_SIZE } else { ROW_SIZE };
         Self {
             look,
             lit,
@@ -223,7 +176,6 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Of headers and rows, each section's first with the gap above it.
     fn heights(&self, watch: &Watch) -> Vec<f32> {
         let mut heights = Vec::new();
         for (i, section) in watch.iter().enumerate() {
@@ -234,17 +186,12 @@ impl<'a> Table<'a> {
         heights
     }
 
-    fn sections(
-        &mut self,
-        ui: &mut Ui,
-        (watch, room): (&Watch, &WatchRoom),
-        is_typed: &dyn Fn(Link) -> bool,
-        shown: &mut WatchShown,
-    ) {
+    fn sections(&mut self, ui: &mut Ui, asked: &WatchTable<'_>, shown: &mut WatchShown) {
+        let room = asked.room.0;
         let natural = self.mono.size;
         let width = ui.available_width();
         ui.spacing_mut().item_spacing.y = 0.0;
-        for (i, section) in watch.iter().enumerate() {
+        for (i, section) in asked.watch.iter().enumerate() {
             let Some(known) = room.section_idx(section).map(|i| &room.sections[i]) else {
                 continue;
             };
@@ -259,7 +206,7 @@ impl<'a> Table<'a> {
             }
             for row in &section.rows {
                 let is_table = !section.header.is_empty();
-                let is_typed = row.link.is_some_and(is_typed);
+                let is_typed = row.link.is_some_and(asked.is_typed);
                 let response = self.row(ui, row, &columns, (is_table, is_typed));
                 if response.hovered() {
                     shown.pointed = row.link.or(shown.pointed);
@@ -309,8 +256,8 @@ impl<'a> Table<'a> {
         let (rect, response) = ui.allocate_exact_size(size, sense);
         response.widget_info(|| WidgetInfo::labeled(role, true, self.spoken(row)));
         if row.link.is_some() && (response.hovered() || row.link == self.lit) {
-            ui.painter()
-                .rect_filled(rect.expand2(vec2(8.0, 0.0)), 0.0, theme.accent_wash);
+            let wash = rect.expand2(vec2(8.0, 0.0));
+            ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
         }
         if response.has_focus() {
             let rim = theme.stroke(2.0, theme.accent);
@@ -318,8 +265,8 @@ impl<'a> Table<'a> {
         }
         let y = rect.center().y;
         if row.has_changed() {
-            ui.painter()
-                .circle_filled(pos2(rect.left() + 1.0, y), 2.5, theme.signal);
+            let dot = pos2(rect.left() + 1.0, y);
+            ui.painter().circle_filled(dot, 2.5, theme.signal);
         }
         let at = |x: f32| pos2(rect.left() + x, y);
         let name = self.set(ui, &row.name, theme.soft);
@@ -327,17 +274,21 @@ impl<'a> Table<'a> {
         let mut end = rect.left();
         let nothing = Value::Name(if is_table { "" } else { "–" }.to_owned());
         for (i, (cell, x)) in row.cells.iter().zip(columns).enumerate() {
-            let set = match cell {
-                Some(value) if row.changed.get(i) == Some(&true) => {
-                    self.set(ui, value, theme.signal_text)
-                }
-                Some(value) => self.set(ui, value, theme.ink),
-                None => self.set(ui, &nothing, theme.soft),
+            let (value, ink) = match cell {
+                Some(value) if row.changed.get(i) == Some(&true) => (value, theme.signal_text),
+                Some(value) => (value, theme.ink),
+                None => (&nothing, theme.soft),
             };
+            let set = self.set(ui, value, ink);
             end = set.paint(ui.painter(), at(*x), Align2::LEFT_CENTER).right();
         }
         if let Some(note) = &row.note {
-            self.note(ui, rect, end, note);
+            let (catalog, small) = (self.look.catalog, self.small.clone());
+            let note = Typeset::value(ui.painter(), catalog, note, small, theme.soft);
+            // Where there is no room it is left out, as it only explains.
+            if rect.right() - note.size().x >= end + 8.0 {
+                note.paint(ui.painter(), rect.right_center(), Align2::RIGHT_CENTER);
+            }
         }
         if is_typed {
             response.on_hover_cursor(CursorIcon::Text)
@@ -346,21 +297,10 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// At the right end of a row, where there is room; else left out, as it only explains.
-    fn note(&self, ui: &Ui, rect: Rect, end: f32, note: &Value) {
-        let Look { catalog, theme } = self.look;
-        let set = Typeset::value(ui.painter(), catalog, note, self.small.clone(), theme.soft);
-        if rect.right() - set.size().x >= end + 8.0 {
-            set.paint(ui.painter(), rect.right_center(), Align2::RIGHT_CENTER);
-        }
-    }
-
     fn spoken(&self, row: &WatchRow) -> String {
         let cells = row.cells.iter().flatten().chain(&row.note);
-        let words: Vec<String> = std::iter::once(&row.name)
-            .chain(cells)
-            .map(|value| self.look.catalog.value(value))
-            .collect();
-        words.join(" ")
+        let values = std::iter::once(&row.name).chain(cells);
+        let words = values.map(|value| self.look.catalog.value(value));
+        words.collect::<Vec<_>>().join(" ")
     }
 }

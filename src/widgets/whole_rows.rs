@@ -4,17 +4,13 @@ use std::ops::Range;
 
 use egui::{Id, Rect, ScrollArea, Ui, UiBuilder, vec2};
 
-/// Rows below each other.
 pub struct WholeRows<'a> {
-    /// Tells these rows from others of the same panel.
     pub name: &'static str,
-    /// Of each row, from top to bottom.
     pub heights: &'a [f32],
     /// The room that they have; it is taken up whole where they are too many.
     pub most: f32,
     /// The row that comes into sight when it, or the `moment`, is another one.
     pub focus: Option<usize>,
-    /// What is shown: a step's number.
     pub moment: usize,
 }
 
@@ -62,23 +58,15 @@ impl WholeRows<'_> {
 
 /// As many rows as fit whole: from the `first` on, or as near to that as has the one in focus among them.
 fn in_sight(heights: &[f32], focus: Option<usize>, first: usize, most: f32) -> Range<usize> {
-    // From the last of them upwards, and downwards from the first.
-    let up_from = |end: usize| {
+    let fitting = |heights: &mut dyn Iterator<Item = &f32>| {
         let mut room = most;
-        let above = heights[..end].iter().rev().take_while(|height| {
+        let whole = heights.take_while(|height| {
             room -= **height;
             room >= 0.0
         });
-        end - above.count()
+        whole.count()
     };
-    let down_from = |start: usize| {
-        let mut room = most;
-        let below = heights[start..].iter().take_while(|height| {
-            room -= **height;
-            room >= 0.0
-        });
-        start + below.count()
-    };
+    let up_from = |end: usize| end - fitting(&mut heights[..end].iter().rev());
     let n = heights.len();
     let first = first.min(up_from(n));
     let first = match focus {
@@ -86,7 +74,7 @@ fn in_sight(heights: &[f32], focus: Option<usize>, first: usize, most: f32) -> R
         Some(focus) => first.max(up_from((focus + 1).min(n))),
         None => first,
     };
-    first..down_from(first)
+    first..first + fitting(&mut heights[first..].iter())
 }
 
 #[cfg(test)]

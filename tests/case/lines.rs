@@ -13,7 +13,7 @@ use super::asked::{
 
 /// Those that clip a segment in the plane.
 fn line_solvers() -> impl Iterator<Item = &'static Solver> {
-    let takes = |solver: &Solver, name| solver.fields().iter().any(|field| field.name == name);
+    let takes = |solver: &Solver, name| solver.fields.iter().any(|field| field.name == name);
     let is_flat = move |solver: &&Solver| takes(solver, "segment") && takes(solver, "window");
     Solvers::standard().iter().filter(is_flat)
 }
@@ -29,7 +29,7 @@ fn the_slides_worked_numbers_come_out_of_every_algorithm() {
         ] {
             let case = format!(
                 r#"{{"algorithm":"{}","window":[-1,-1,1,1],"segment":{segment}}}"#,
-                solver.id()
+                solver.card.id
             );
             let output = &answer(&case)["output"];
             let expected = json!({ "visible": !visible.is_null(), "segment": visible });
@@ -66,7 +66,7 @@ fn without_events_the_answer_is_the_same() {
     for solver in line_solvers() {
         let case = format!(
             r#"{{"algorithm":"{}","window":[-1,-1,1,1],"segment":[-2,-1,2,1.5]}}"#,
-            solver.id()
+            solver.card.id
         );
         steps_are_all_that_is_left_out(&case);
     }
@@ -290,7 +290,7 @@ fn a_terminals_lines_fit_it() {
     for solver in line_solvers() {
         let case = format!(
             r#"{{"algorithm":"{}","window":[-1.125,-1.1,1.01,1],"segment":[-2.123,-1.456,2.789,1.5432]}}"#,
-            solver.id()
+            solver.card.id
         );
         lines_are_at_most_a_hundred_columns_wide(&case);
     }

@@ -19,7 +19,7 @@ fn polygon_solvers() -> impl Iterator<Item = &'static Solver> {
 }
 
 fn takes(solver: &Solver, name: &str) -> bool {
-    solver.fields().iter().any(|field| field.name == name)
+    solver.fields.iter().any(|field| field.name == name)
 }
 
 /// A case that every one of them takes.
@@ -29,7 +29,7 @@ fn case_of(solver: &Solver, polygon: &str) -> String {
     } else {
         ""
     };
-    let id = solver.id();
+    let id = solver.card.id;
     format!(r#"{{"id":"{id}","algorithm":"{id}",{window}"polygon":{polygon}}}"#)
 }
 
@@ -318,7 +318,7 @@ fn as_much_as_ten_thousand_vertices_against_a_window_is_reported_and_more_answer
         if takes(solver, "clip") {
             let clip = star(18, 2.0, 0);
             let case = line(
-                solver.id(),
+                solver.card.id,
                 &format!(r#""clip":{clip},"polygon":{polygon}"#),
             );
             assert_eq!(refusal(&case), ["too-large", "polygon"]);

@@ -2,7 +2,8 @@
 
 use clipscope::{
     algo::polygon::{
-        ClipRegion, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent, Textured,
+        ClipRegion, Crossing, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent,
+        Textured,
     },
     geom::{ConvexPolygon, Point},
     trace::{Recording, silent},
@@ -335,10 +336,8 @@ fn t_runs_from_s_to_p_whichever_end_is_inside() {
         let mut ends = [Point::default(); 2];
         for &event in trace.events() {
             match event {
-                SutherlandHodgmanEvent::Test {
-                    rule: r, ends: e, ..
-                } => (rule, ends) = (r, e),
-                SutherlandHodgmanEvent::Cross { at, t } => {
+                SutherlandHodgmanEvent::Test(test) => (rule, ends) = (test.rule, test.ends),
+                SutherlandHodgmanEvent::Cross(Crossing { at, t }) => {
                     n_crossings += 1;
                     assert!(rule.changes_side());
                     let [[x1, _], [x2, _]] = ends.map(Point::to_array);

@@ -2,7 +2,7 @@
 
 use clipscope::{
     algo::polygon::{
-        SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, Textured,
+        EdgeTest, SutherlandHodgman, SutherlandHodgmanEvent, SutherlandHodgmanInput, Textured,
         faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise},
     },
     geom::Point,
@@ -39,10 +39,10 @@ fn a_vertex_on_the_border_is_dropped() {
     assert_eq!(ring, [[0.0, 0.0], [0.0, 0.5]]);
     assert!(matches!(
         first,
-        Some(Event::Test {
+        Some(Event::Test(EdgeTest {
             distances: [1.0, 0.0],
             ..
-        })
+        }))
     ));
 }
 

@@ -1,31 +1,13 @@
-//! Does a triangle show its front to the viewer?
+//! Does a triangle show its front to the viewer? With n = (V1 − V0) × (V2 − V0), which points outside, and e from V0 to the eye (for a
+//! parallel projection the way back to the viewer): n·e > 0 is a front, 0 is edge-on. The same number is the determinant of the columns
+//! e, V1 − V0, V2 − V0. The sign is that of the exact value on the given coordinates; `dot` and `det` are rounded.
 //!
-//! ```text
-//!            n = (V1 − V0) × (V2 − V0)      counter-clockwise seen from outside: n points outside
-//!             ▲    ╱ e = eye − V0
-//!             │  ╱                          n·e > 0   front: drawn
-//!     V2      │╱    V1                      n·e = 0   edge-on: no front, nothing to see
-//!      ╲──────●─────╱                       n·e < 0   back: culled
-//!            V0
-//! ```
-//!
-//! The same number is the determinant of the three columns e, V1 − V0, V2 − V0: six times the volume of the tetrahedron
-//! that eye and triangle span. For a parallel projection e is the same for all triangles: the way back to the viewer.
-//!
-//! The sign is that of the exact value on the given coordinates; `dot` and `det` are rounded.
-//!
-//! *Bound*: four events. *Cost*: the cross product 6 multiplications and 3 additions, the differences 9 additions (6 where the
-//! viewer is a direction), the dot product 3 multiplications and 2 additions; the determinant, computed beside it, as many
-//! as its expansion by columns; one comparison.
-//!
-//! *Source*: I. E. Sutherland, R. F. Sproull and R. A. Schumacker, "A characterization of ten hidden-surface algorithms",
-//! ACM Computing Surveys 6, 1974, pp. 1–55.
+//! *Bound*: four events. *Cost*: nine differences (six where the viewer is a direction), a cross and a dot product, the determinant
+//! beside them, and one comparison. *Source*: I. E. Sutherland, R. F. Sproull and R. A. Schumacker, "A characterization of ten
+//! hidden-surface algorithms", ACM Computing Surveys 6, 1974, pp. 1–55.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::cull::{BackFace, BackFaceInput, Viewer},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::cull::{BackFace, BackFaceInput, Viewer}, trace::silent};
 //! let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 //! let seen_from = |eye| silent::<BackFace>(&BackFaceInput { triangle, viewer: Viewer::Eye(eye) });
 //! assert!(seen_from([5.0, 5.0, 1.0]).front);

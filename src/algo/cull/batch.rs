@@ -1,8 +1,6 @@
-//! Many bounding spheres against one volume: [`super::SphereCull`] rearranged for speed.
-//!
-//! Centres and radii lie in arrays of their own, and every plane is asked, without a branch: four spheres and more go
-//! through at once, in f32. What rounding may take is given beforehand, so that no sphere is left out that the exact test
-//! keeps; one that lies outside by less than about a millionth of its coordinates may be kept.
+//! Many bounding spheres against one volume: [`super::SphereCull`] rearranged for speed. Every plane is asked, without a branch,
+//! of four spheres and more at once, in f32. What rounding may take is given beforehand, so that no sphere is left out that the
+//! exact test keeps; one that lies outside by less than about a millionth of its coordinates may be kept.
 
 use crate::geom::{Plane, Sphere};
 
@@ -71,27 +69,18 @@ mod tests {
             cull::{Containment, SphereCull, SphereCullInput},
             volume::signed_distance,
         },
-        geom::{Camera, ViewVolume},
+        geom::{Camera, ViewVolume, random_bits},
         trace::silent,
     };
 
     #[test]
     fn many_at_once_are_kept_as_one_is() {
         let volume = ViewVolume::perspective(60.0, 1.5, 0.5, 20.0).unwrap();
-        let camera = Camera::new(
-            [9.0, -4.0, 700.0],
-            [0.0, 0.0, 690.0],
-            [0.0, 1.0, 0.1],
-            volume,
-        );
-        let planes = camera.unwrap().planes_in_world();
-        let mut state = 5_u64;
-        let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 40) as f64 / f64::from(1 << 24)
-        };
+        let (position, target) = ([9.0, -4.0, 700.0], [0.0, 0.0, 690.0]);
+        let camera = Camera::new(position, target, [0.0, 1.0, 0.1], volume).unwrap();
+        let planes = camera.planes_in_world();
+        let mut bits = random_bits(5);
+        let mut next = || (bits() >> 40) as f64 / f64::from(1 << 24);
         let (mut batch, mut spheres) = (SphereBatch::default(), Vec::new());
         for _ in 0..3003 {
             let [x, y, z] = [next(), next(), next()].map(|x| 40.0 * x - 20.0);
@@ -109,11 +98,8 @@ mod tests {
         let mut kept = Vec::new();
         batch.keep(&planes, &mut kept);
         for (sphere, &kept) in spheres.into_iter().zip(&kept) {
-            let input = SphereCullInput {
-                planes: planes.to_vec(),
-                sphere,
-            };
-            let output = silent::<SphereCull>(&input);
+            let planes = planes.to_vec();
+            let output = silent::<SphereCull>(&SphereCullInput { planes, sphere });
             let by = -output.distances.last().unwrap() - sphere.radius();
             if output.class != Containment::Outside {
                 assert!(kept, "{sphere:?}");

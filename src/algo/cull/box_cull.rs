@@ -1,29 +1,12 @@
-//! A bounding box against the planes of a volume, and why that is not the whole truth.
+//! A bounding box against the planes of a volume. A plane that has all eight corners outside culls the box. One that is kept may have
+//! no point inside all planes: then drawing it is in vain ([`BoxCullOutput::false_positive`]), which [`meets`] decides exactly.
 //!
-//! ```text
-//!         ╲   in   ╱
-//!          ╲      ╱   ┌──────┐      the box straddles the right plane far out and the far plane beside:
-//!           ╲    ╱    │      │      no plane has all eight corners outside, and yet nothing of the box
-//!            ╲  ╱     └──────┘      lies inside: it is kept in vain
-//! ```
-//!
-//! 1. Each plane in turn: all eight corners outside (n·p + d < 0) culls the box; all inside of every plane keeps it.
-//! 2. Of a box that is kept by straddling: has it a point inside all planes? Where not, drawing it is in vain
-//!    ([`BoxCullOutput::false_positive`]). Exact: [`meets`].
-//!
-//! *Conventions*: planes in the order in which they are given; all is closed. Only signs count, so that no distance is
-//! divided by |n|. *Bound*: one event a plane, the second test, the end. *Cost*: of the planes; the second test is not
-//! counted, no renderer runs it.
-//!
-//! *Source*: U. Assarsson and T. Möller, "Optimized view frustum culling algorithms for bounding boxes", Journal of Graphics
-//! Tools 5, 2000, pp. 9–22; the false positives: I. Quílez, "Frustum culling correctly", 2013.
+//! *Bound*: one event a plane, the second test, the end. *Cost*: of the planes, of which only signs count; the second test is not
+//! counted, no renderer runs it. *Source*: U. Assarsson and T. Möller, "Optimized view frustum culling algorithms for bounding boxes",
+//! Journal of Graphics Tools 5, 2000, pp. 9–22; the false positives: I. Quílez, "Frustum culling correctly", 2013.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::cull::{BoxCull, BoxCullInput, Containment},
-//!     geom::{AlignedBox, ViewVolume},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::cull::{BoxCull, BoxCullInput, Containment}, geom::{AlignedBox, ViewVolume}, trace::silent};
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let bounds = AlignedBox::new([10.5, -1.0, -11.0, 40.0, 1.0, 20.0])?;
 //! let output = silent::<BoxCull>(&BoxCullInput { planes, bounds });

@@ -1,8 +1,6 @@
 //! **Wrong on purpose.** Culling with one mistake each, as they are found in lecture notes, tutorials and programs that students
-//! hand in: to be stepped beside the right one, on the student's own scene.
-//!
-//! They run through the very same tests with one choice changed ([`CullRules`] says which can be), and report the same events, so
-//! that the first differing step is the first differing event. Only the lab's "what is wrong here?" knows this room.
+//! hand in. They run through the very same tests with one choice changed ([`CullRules`] says which can be), so that the first
+//! differing step is the first differing event. Only the lab's "what is wrong here?" knows this room.
 
 use super::CullRules;
 
@@ -40,8 +38,7 @@ impl CullRules for Clockwise {
     const CLOCKWISE: bool = true;
 }
 
-/// Erratum E9 of S2: one direction of sight for all faces. Right for a parallel projection; in perspective faces near the outline
-/// are judged wrongly.
+/// Erratum E9 of S2: one direction of sight for all faces, which in perspective judges faces near the outline wrongly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ConstantView;
 

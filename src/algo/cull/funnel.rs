@@ -1,33 +1,13 @@
-//! A scene on its way to the screen: what can be left out is left out whole, the largest first.
-//!
-//! ```text
-//!   scene       all objects            ████████████████████████████
-//!   objects     a bounding sphere      ██████████████████              outside one plane: culled with all its triangles
-//!   triangles   their vertices         ████████████████                all beyond one plane: culled
-//!   cut         what straddles         █████████████████               may become more
-//!   faces       seen from the back     █████████                       culled
-//! ```
-//!
-//! 1. Each object's sphere is asked of every plane ([`SphereCull`](super::SphereCull)). Outside: it is culled. Inside: its triangles need not
-//!    be asked.
-//! 2. Of an object that straddles each triangle's vertices get their codes: all beyond one side: it is culled. None beyond
-//!    any: it is kept whole. Else it is clipped ([`HomogeneousTriangle`]): it may come to several triangles, or none.
-//! 3. Every triangle that is left is asked whether it shows its front ([`BackFace`]).
-//!
-//! The run rests before each object, and within one of many triangles after every few of them.
-//!
-//! *Conventions*: as in the three. *Bound*: for each object its turn, those of its sphere, and its fate; for each
-//! triangle its cut and its face; the end. *Cost*: of the tests that are asked; the clipper is not counted here.
+//! A scene on its way to the screen: what can be left out is left out whole, the largest first. Objects are asked by their spheres
+//! ([`SphereCull`](super::SphereCull)); of one that straddles, triangles by their vertices' codes, and what straddles is cut
+//! ([`HomogeneousTriangle`]); what is left shows its front or is culled ([`BackFace`]). The run rests before each object, and within
+//! one of many triangles after every few of them. *Cost*: of the tests that are asked; the clipper is not counted here.
 //!
 //! *Source*: J. H. Clark, "Hierarchical geometric models for visible surface algorithms", Communications of the ACM 19,
 //! 1976, pp. 547–554.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::cull::{Funnel, FunnelInput, FunnelObject},
-//!     geom::{Camera, Matrix, Solid, ViewVolume},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::cull::{Funnel, FunnelInput, FunnelObject}, geom::{Camera, Matrix, Solid, ViewVolume}, trace::silent};
 //! let volume = ViewVolume::perspective(60.0, 1.0, 1.0, 20.0)?;
 //! let camera = Camera::new([0.0, 0.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
 //! let cube = |x| FunnelObject::new(&Solid::Cube.mesh(), &Matrix::translation([x, 0.0, 0.0]));
@@ -52,12 +32,63 @@ use crate::{
 use super::{
     BackFace, BackFaceInput, Containment, CullRules, SphereCullOutput, Viewer,
     funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer},
-    funnel_levels::FunnelLevels,
 };
 
 /// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
 pub struct Funnel<L = Right>(PhantomData<L>);
+
+/// How much of a scene is left.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct Level {
+    /// Objects of which something is left.
+    pub objects: usize,
+    /// Triangles.
+    pub triangles: usize,
+}
+
+/// How much is left after each test.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct FunnelLevels {
+    /// Everything.
+    pub scene: Level,
+    /// After the spheres.
+    pub spheres: Level,
+    /// After the vertices' codes.
+    pub vertices: Level,
+    /// After the cuts.
+    pub cuts: Level,
+    /// Showing their front.
+    pub facing: Level,
+}
+
+impl FunnelLevels {
+    /// Of an object that is inside nothing is asked but its faces.
+    fn spheres_done(&mut self, class: Containment, n_triangles: usize) {
+        match class {
+            Containment::Outside => {}
+            Containment::Straddles => self.spheres.add(1, n_triangles),
+            Containment::Inside => {
+                for level in [&mut self.spheres, &mut self.vertices, &mut self.cuts] {
+                    level.add(1, n_triangles);
+                }
+            }
+        }
+    }
+}
+
+impl Level {
+    /// More triangles of an object of which there was `before` as much.
+    const fn gain(&mut self, n_triangles: usize, before: Self) {
+        self.triangles += n_triangles;
+        self.objects = before.objects + 1;
+    }
+
+    const fn add(&mut self, objects: usize, triangles: usize) {
+        self.objects += objects;
+        self.triangles += triangles;
+    }
+}
 
 /// What becomes of a triangle of an object that straddles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]

@@ -33,17 +33,11 @@ impl FunnelObject {
     /// [`SpaceError::NotFinite`] where it is moved beyond all numbers.
     pub fn new(mesh: &Mesh, world_from_model: &Matrix) -> Result<Self, SpaceError> {
         let placed = |p: [f64; 3]| world_from_model.point(p);
-        let points: Vec<[f64; 3]> = mesh
-            .positions()
-            .iter()
-            .map(|p| placed(p.map(f64::from)))
-            .collect();
-        let triangles = mesh
-            .faces()
-            .iter()
-            .map(|&face| mesh.corners(face).map(placed));
+        let points = mesh.positions().iter().map(|p| placed(p.map(f64::from)));
+        let corners = |&face| mesh.corners(face).map(placed);
+        let triangles = mesh.faces().iter().map(corners);
         Ok(Self {
-            sphere: Sphere::around_centroid(&points)?,
+            sphere: Sphere::around_centroid(&points.collect::<Vec<_>>())?,
             origin: placed([0.0; 3]),
             triangles: triangles.collect(),
         })

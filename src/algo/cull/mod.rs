@@ -8,28 +8,24 @@ mod box_cull;
 pub mod faulty;
 mod funnel;
 mod funnel_input;
-mod funnel_levels;
 mod point_planes;
-mod rules;
 mod sphere_cull;
-mod triangle_turn;
 mod verdict;
 
 use serde::Serialize;
 
+use super::ring::Right;
+
 pub use back_face::{BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, Viewer};
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput};
-pub use funnel::{Funnel, FunnelEvent, FunnelHeld, TriangleFate};
+pub use funnel::{Funnel, FunnelEvent, FunnelHeld, FunnelLevels, Level, TriangleFate};
 pub use funnel_input::{FunnelInput, FunnelObject, asked_camera, asked_sphere, asked_viewer};
-pub use funnel_levels::{FunnelLevels, Level};
 pub use point_planes::{PointPlanes, PointPlanesEvent, PointPlanesInput, PointPlanesOutput};
-pub use rules::CullRules;
 pub use sphere_cull::{
     SphereCull, SphereCullEvent, SphereCullInput, SphereCullOutput, sphere_side,
 };
-pub use triangle_turn::{FaceTurn, face_turn, triangle_move};
-pub use verdict::{SphereVerdict, sphere_verdict};
+pub use verdict::{FaceTurn, SphereVerdict, face_turn, sphere_verdict, triangle_move};
 
 /// Where something lies, as seen from one plane or from a volume.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, Serialize)]
@@ -52,3 +48,19 @@ impl Containment {
         }
     }
 }
+
+/// What may be got wrong. The values given here are right; [`faulty`] has the others.
+pub trait CullRules: Copy + 'static {
+    /// Is the one angle of the field of view taken for width and height alike?
+    const ONE_ANGLE: bool = false;
+    /// Is a sphere beyond a plane taken for one on the inner side of it?
+    const TURNS_SIGN: bool = false;
+    /// Does the sphere stand around the object's origin, with the radius that it has around the centroid?
+    const AROUND_ORIGIN: bool = false;
+    /// Are corners taken to run clockwise as seen from outside?
+    const CLOCKWISE: bool = false;
+    /// Is the way to the viewer the same for all faces, whatever the projection?
+    const CONSTANT_VIEW: bool = false;
+}
+
+impl CullRules for Right {}

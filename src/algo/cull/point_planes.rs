@@ -1,27 +1,10 @@
-//! A point against the planes of a volume: the question that every other test here is made of.
+//! A point against the planes of a volume: a distance from each of them, and inside is what none has outside.
 //!
-//! ```text
-//!            n ▲                n·p + d > 0    inside: in front of the plane
-//!              │   ● p
-//!   ───────────┴──────          n·p + d = 0    on it, which counts as inside
-//!          ●  ┊
-//!             ┊ (n·p + d)/|n|   n·p + d < 0    outside: behind it
-//! ```
-//!
-//! Inside the volume is what no plane has outside. Every plane is asked: a point has a distance from each of them.
-//!
-//! *Conventions*: planes in the order in which they are given; normals point inside; all is closed. *Bound*: one event a plane,
-//! and the end. *Cost*: three multiplications and three additions a plane, a division where the normal is not of length 1, and
-//! one or two comparisons.
-//!
-//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM 17, 1974, pp. 32–42.
+//! *Bound*: one event a plane, and the end. *Cost*: three multiplications and three additions a plane, a division where the normal is
+//! not of length 1, and one or two comparisons.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::cull::{PointPlanes, PointPlanesInput},
-//!     geom::ViewVolume,
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::cull::{PointPlanes, PointPlanesInput}, geom::ViewVolume, trace::silent};
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let at = |point| silent::<PointPlanes>(&PointPlanesInput { planes: planes.clone(), point });
 //! assert!(at([0.0, 0.0, -1.0]).inside, "on the near plane");

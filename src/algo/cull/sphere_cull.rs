@@ -1,28 +1,12 @@
-//! A bounding sphere against the planes of a volume.
+//! A bounding sphere against the planes of a volume: with d the distance of its centre from a plane, d < −r is outside, and no other
+//! plane is asked; d ≥ r is inside; between, it straddles. One that straddles planes and lies outside every corner is kept in vain.
 //!
-//! ```text
-//!        plane                 d = n·c + d₀ over |n|, the distance of the centre
-//!    out  ┊  in
-//!   ◯     ┊         d < −r     outside: culled whole, and no other plane is asked
-//!       ◯ ┊ ◯       |d| < r    straddles: its triangles will be asked
-//!         ┊     ◯   d ≥ r      inside this plane: of all of them it is inside the volume
-//! ```
-//!
-//! A sphere that straddles planes and lies outside every corner is kept in vain: conservative, never wrong.
-//!
-//! *Conventions*: planes in the order in which they are given; normals point inside; both a plane and the sphere are
-//! closed, so d = −r touches and is kept. *Bound*: one event a plane, and the end. *Cost*: three multiplications and three
-//! additions a plane, a division where the normal is not of length 1, one or two comparisons.
-//!
-//! *Source*: J. H. Clark, "Hierarchical geometric models for visible surface algorithms", Communications of the ACM 19,
-//! 1976, pp. 547–554.
+//! *Bound*: one event a plane, and the end. *Cost*: three multiplications and three additions a plane, a division where the normal is
+//! not of length 1, one or two comparisons. *Source*: J. H. Clark, "Hierarchical geometric models for visible surface algorithms",
+//! Communications of the ACM 19, 1976, pp. 547–554.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::cull::{Containment, SphereCull, SphereCullInput},
-//!     geom::{Sphere, ViewVolume},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::cull::{Containment, SphereCull, SphereCullInput}, geom::{Sphere, ViewVolume}, trace::silent};
 //! let planes = ViewVolume::perspective(90.0, 1.0, 1.0, 10.0)?.planes().to_vec();
 //! let sphere = Sphere::new([0.0, 0.0, -11.5, 1.0])?;
 //! let output = silent::<SphereCull>(&SphereCullInput { planes, sphere });

@@ -1,19 +1,19 @@
-//! Why a sphere was kept or culled, and the smallest change that would turn it.
+//! Why a sphere was kept or culled, and the smallest change that would turn that, or a triangle's fate in the funnel.
 //!
-//! ```text
-//!        plane k                       culled by plane k:  d < −r
-//!    out   ┊  in                       moved along its normal by −r − d it touches, and another plane may still reject it;
-//!   ◯ ───► ◯                           so the least move is asked of all planes, along this one normal
-//!          ┊
-//! ```
-//!
-//! A move along the normal n of plane k by s changes the distance from plane j by s · n_j·n_k (unit normals). Each plane then says
-//! for which s it does not reject; what all of them allow is an interval, and its end that is nearer to 0 is the answer. Where there
-//! is none, no move along this normal turns the verdict.
+//! A move along the normal n of plane k by s changes the distance from plane j by s · n_j·n_k (unit normals). Each plane says for
+//! which s it does not reject; what all of them allow is an interval, and its end that is nearer to 0 is the answer. A triangle is
+//! also turned about V0, straight towards the viewer or away from him, by the angle between n and e less 90°: e stays as it is,
+//! so the angle is exact as far as floats go.
 
-use crate::{algo::volume::signed_distance, trace::silent};
+use glam::DVec3;
 
-use super::{Containment, SphereCull, SphereCullInput, triangle_turn::move_along};
+use crate::{
+    algo::{parameter::moves_allowed, volume::signed_distance},
+    geom::Plane,
+    trace::{Recording, silent},
+};
+
+use super::{BackFace, BackFaceEvent, BackFaceInput, Containment, SphereCull, SphereCullInput};
 
 /// What decided a sphere's fate.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -24,8 +24,7 @@ pub struct SphereVerdict {
     pub plane_idx: usize,
     /// Of its centre from that plane.
     pub distance: f64,
-    /// How far along that plane's normal it had to be moved so that it is culled instead of kept, or kept instead of culled; none
-    /// where no such move turns it.
+    /// How far along that plane's normal it had to be moved to be culled instead of kept, or kept; none where no such move turns it.
     pub turn: Option<f64>,
 }
 
@@ -55,5 +54,61 @@ pub fn sphere_verdict(input: &SphereCullInput) -> Option<SphereVerdict> {
         plane_idx,
         distance,
         turn,
+    })
+}
+
+/// How a triangle has to be turned so that it shows its other side.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FaceTurn {
+    /// Of length 1, through V0: about it the normal turns straight towards the viewer.
+    pub axis: [f64; 3],
+    /// By how many degrees until it is edge-on: negative away from the viewer.
+    pub degrees: f64,
+}
+
+/// How far a triangle has to be moved along a plane's normal so that no plane has all of its corners outside.
+#[must_use]
+pub fn triangle_move(planes: &[Plane], triangle: &[[f64; 3]; 3], plane_idx: usize) -> Option<f64> {
+    move_along(planes, plane_idx, |plane| {
+        let distances = triangle.map(|corner| signed_distance::<f64>(plane, corner));
+        distances.into_iter().fold(f64::NEG_INFINITY, f64::max)
+    })
+}
+
+/// The least move along a plane's normal by which no plane rejects something any more, where each plane leaves it `room`.
+fn move_along(planes: &[Plane], plane_idx: usize, room: impl Fn(&Plane) -> f64) -> Option<f64> {
+    let along = planes.get(plane_idx)?.unit_normal();
+    let [low, _] = moves_allowed(planes.iter().map(|plane| {
+        let both = plane.unit_normal().into_iter().zip(along);
+        let slope: f64 = both.map(|(a, b)| a * b).sum();
+        [room(plane), slope]
+    }))?;
+    // The deciding plane rejects it where it is, so that the move leads inwards.
+    Some(low)
+}
+
+/// How a triangle has to be turned so that it shows its other side; none where it has no normal.
+#[must_use]
+pub fn face_turn(input: &BackFaceInput) -> Option<FaceTurn> {
+    let recording = Recording::<BackFace>::new(*input);
+    let [
+        BackFaceEvent::Normal { normal, .. },
+        BackFaceEvent::ToViewer { to_viewer },
+        ..,
+    ] = recording.events()
+    else {
+        return None;
+    };
+    let [n, e] = [normal, to_viewer].map(|&at| DVec3::from(at).try_normalize());
+    let (n, e) = (n?, e?);
+    let across = n.cross(e);
+    // Straight towards the viewer or away from him any way round is as near.
+    let axis = across
+        .try_normalize()
+        .unwrap_or_else(|| n.any_orthonormal_vector());
+    let angle = libm::atan2(across.length(), n.dot(e)).to_degrees();
+    Some(FaceTurn {
+        axis: axis.into(),
+        degrees: angle - 90.0,
     })
 }

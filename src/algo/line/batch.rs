@@ -1,24 +1,9 @@
-//! Many segments at once, without a branch: what a renderer would use.
+//! Many segments at once, as a renderer has them: every segment takes the same steps without a branch, so that the compiler makes
+//! vector instructions of the loop. The few whose answer rounding could change are done again by [`super::LiangBarsky`]: the
+//! results are its, bit for bit. *Cost* a segment, whatever it is: 14 +, 16 ×, 4 ÷ and 44 comparisons.
 //!
-//! ```text
-//!   x₁  ▮▮▮▮▮▮▮▮▮▮        four arrays in, four arrays and a flag out; each turn takes the next
-//!   y₁  ▮▮▮▮▮▮▮▮▮▮        N_LANES of them, and every segment takes the same steps, so that the
-//!   x₂  ▮▮▮▮▮▮▮▮▮▮        compiler makes vector instructions of the loop: no flags, no unsafe
-//!   y₂  ▮▮▮▮▮▮▮▮▮▮        code, two segments at a time on any 64-bit PC
-//! ```
-//!
-//! 1. A turn of segments goes through the closed form of Liang–Barsky, visible or not.
-//! 2. The few whose answer rounding could change (a tie at a corner, numbers out of range) are done again
-//!    by the taught algorithm.
-//!
-//! So the results are those of [`LiangBarsky`], bit for bit. Four divisions for every segment, needed or not, take less
-//! time than a branch that was guessed wrong.
-//!
-//! *Conventions*: closed window, y up. *Degenerate*: as in Liang–Barsky. *Bound*: none needed. *Cost* a
-//! segment, whatever it is: 14 +, 16 ×, 4 ÷ and 44 comparisons.
-//!
-//! *Source*: Liang and Barsky (1984), rearranged here; clamping as in the slabs of T. L. Kay and J. T. Kajiya,
-//! "Ray Tracing Complex Scenes", SIGGRAPH '86, pp. 269–278, doi:10.1145/15922.15916.
+//! *Source*: Liang and Barsky (1984), rearranged here; clamping as in the slabs of T. L. Kay and J. T. Kajiya, "Ray Tracing
+//! Complex Scenes", SIGGRAPH '86, pp. 269–278, doi:10.1145/15922.15916.
 //!
 //! ```
 //! use clipscope::{algo::line::batch::{ClippedSegments, Segments, clip_all}, geom::{Segment, Window}};
@@ -31,21 +16,16 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use crate::geom::{Point, Segment, Window};
+use crate::geom::{Segment, Window};
 
-#[cfg(doc)]
-use super::LiangBarsky;
 use super::{
     Visible,
-    closed_form::{WindowBorders, clip},
-    kernel,
+    kernel::{self, WindowBorders, closed_form},
 };
 
-/// Segments a turn: enough to fill vector registers many times over, few enough that a turn's arrays stay
-/// in the first-level cache.
+/// Segments a turn: enough to fill vector registers many times, few enough that its arrays stay in the first-level cache.
 const N_LANES: usize = 64;
 
-/// One coordinate of a turn of segments.
 type Lanes = [f64; N_LANES];
 
 /// Segments by coordinate: four arrays of the same length.
@@ -82,17 +62,10 @@ impl Segments {
         self.coordinates[0].is_empty()
     }
 
-    /// One of them.
-    ///
-    /// # Panics
-    /// Where there are not so many.
+    /// One of them, of which there are so many.
     #[must_use]
     pub fn get(&self, idx: usize) -> Segment {
-        let [x1, y1, x2, y2] = self.coordinates.each_ref().map(|column| column[idx]);
-        Segment {
-            p1: Point::from_finite(x1, y1),
-            p2: Point::from_finite(x2, y2),
-        }
+        Segment::from_finite(self.coordinates.each_ref().map(|column| column[idx]))
     }
 }
 
@@ -100,9 +73,7 @@ impl FromIterator<Segment> for Segments {
     fn from_iter<I: IntoIterator<Item = Segment>>(segments: I) -> Self {
         let segments = segments.into_iter();
         let mut all = Self::with_capacity(segments.size_hint().0);
-        for segment in segments {
-            all.push(segment);
-        }
+        segments.for_each(|segment| all.push(segment));
         all
     }
 }
@@ -128,19 +99,11 @@ impl ClippedSegments {
         self.visible.is_empty()
     }
 
-    /// What is left of segment `idx`.
-    ///
-    /// # Panics
-    /// Where there are not so many.
+    /// What is left of segment `idx`, of which there are so many.
     #[must_use]
     pub fn get(&self, idx: usize) -> Visible {
-        self.visible[idx].then(|| {
-            let [x1, y1, x2, y2] = self.coordinates.each_ref().map(|column| column[idx]);
-            Segment {
-                p1: Point::from_finite(x1, y1),
-                p2: Point::from_finite(x2, y2),
-            }
-        })
+        self.visible[idx]
+            .then(|| Segment::from_finite(self.coordinates.each_ref().map(|column| column[idx])))
     }
 
     /// What is left of each segment, in order.
@@ -172,10 +135,8 @@ pub fn clip_all(window: &Window, segments: &Segments, out: &mut ClippedSegments)
     out.resize(n);
     let borders = WindowBorders::new(window);
     let mut status = [0; N_LANES];
-    let turns = segments
-        .coordinates
-        .each_ref()
-        .map(|column| column.as_chunks::<N_LANES>().0);
+    let columns = segments.coordinates.each_ref();
+    let turns = columns.map(|column| column.as_chunks::<N_LANES>().0);
     for turn in 0..n / N_LANES {
         let [x1, y1, x2, y2] = &mut out.coordinates;
         let any = clip_turn(
@@ -211,7 +172,7 @@ fn clip_turn(
 ) -> bool {
     let borders = *borders;
     for i in 0..N_LANES {
-        let answer = clip([x1[i], y1[i], x2[i], y2[i]], &borders);
+        let answer = closed_form([x1[i], y1[i], x2[i], y2[i]], &borders);
         [out_x1[i], out_y1[i], out_x2[i], out_y2[i]] = answer.ends;
         status[i] = u64::from(answer.hidden) * HIDDEN + u64::from(answer.uncertain) * UNCERTAIN;
     }

@@ -1,23 +1,8 @@
-//! Brute force: intersect with all four sides, whether needed or not.
+//! Brute force: intersect with all four sides, whether needed or not, and move an end that is beyond a side to its crossing.
 //!
-//! ```text
-//!        ┊       ┊
-//!   ┄┄┄┄┄┼───────┼┄×┄┄     every side is a line, and every line that is not parallel to
-//!        │     ╱ │         the segment has a crossing with it: four divisions, of which
-//!   ┄┄┄┄┄┼───×───×┄┄┄┄     at most two are of any use
-//!        ┊ ╱     ┊
-//!       ×┊       ┊
-//! ```
-//!
-//! 1. For each side, compute the crossing of the segment's line with the side's line.
-//! 2. Both ends of what is left beyond the side: reject. One: it moves to the crossing. None: the crossing
-//!    was computed in vain.
-//!
-//! *Conventions*: closed window, y up. *Degenerate*: a segment parallel to a side has no crossing; a touch
-//! is accepted. *Bound*: four sides. *Cost*: at most 16 +, 8 ×, 4 ÷ and 24 comparisons.
-//!
-//! *Source*: the method that every textbook starts from; D. F. Rogers, *Procedural Elements for Computer
-//! Graphics*, 2nd ed. 1998, §3-1.
+//! *Degenerate*: a segment parallel to a side has no crossing; a touch is accepted. *Bound*: four sides. *Cost*: at most 16 +, 8
+//! ×, 4 ÷ and 24 comparisons. *Source*: the method that every textbook starts from; D. F. Rogers, *Procedural Elements for
+//! Computer Graphics*, 2nd ed. 1998, §3-1.
 //!
 //! ```
 //! use clipscope::{algo::line::{BruteForce, WindowInput}, geom::{Segment, Window}, trace::silent};
@@ -92,12 +77,10 @@ pub enum BruteForceEvent {
     },
 }
 
-/// What brute force works in.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BruteForceHeld {
-    /// The ends of what is left.
+    /// Of what is left.
     pub ends: [Point; 2],
-    /// The answer, once something is found visible.
     pub visible: Visible,
 }
 
@@ -166,7 +149,7 @@ impl Method for BruteForce {
     }
 }
 
-/// The crossing with a side's line, needed or not; `None` where the two are parallel.
+/// The crossing with a side's line; `None` where the two are parallel.
 #[inline]
 fn intersect<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> Option<Crossing<R>> {
     let [a1, _] = split::<R>(segment.p1, edge.axis());

@@ -1,28 +1,11 @@
-//! Cohen–Sutherland: decide by outcodes first, cut only what they leave open.
+//! Cohen–Sutherland: decide by outcodes first, cut only what they leave open ([`CodeClip`]).
 //!
-//! ```text
-//!    1001 │ 1000 │ 1010        one bit a side: top bottom right left
-//!   ──────┼──────┼──────       OR  = 0000  both ends inside: accept
-//!    0001 │ 0000 │ 0010        AND ≠ 0000  both beyond one side: reject
-//!   ──────┼──────┼──────       otherwise   cut at the side of the lowest bit
-//!    0101 │ 0100 │ 0110                    set, and look again
-//! ```
+//! Crossings are computed from the original ends, so that no rounding piles up, and kept within the part that is left, so that a
+//! bit once cleared stays clear. *Degenerate*: a point is accepted or rejected by its codes; a touch is accepted. *Bound*: at
+//! most 4 cuts. *Cost*: 8 comparisons for the codes; 4 +, 2 ×, 1 ÷ and 7 comparisons a cut.
 //!
-//! 1. Give both ends a code.
-//! 2. Accept or reject by OR and AND where that is possible.
-//! 3. Take the lowest bit set in the OR. As the AND is 0, exactly one end has it: the segment crosses that
-//!    side. Replace that end by the crossing, give it a new code, go to 2.
-//!
-//! The side is chosen from the OR of both codes, not from "the first end that is outside": then the cuts
-//! do not depend on the direction of the segment. Crossings are computed from the original ends, so that
-//! no rounding piles up, and kept within the part that is left, so that a bit once cleared stays clear.
-//!
-//! *Conventions*: closed window, y up. *Degenerate*: a point is accepted or rejected by its codes; a touch
-//! is accepted. *Bound*: each cut clears a bit of the OR for good, so there are at most 4. *Cost*: 8
-//! comparisons for the codes; 4 +, 2 ×, 1 ÷ and 7 comparisons a cut.
-//!
-//! *Source*: Danny Cohen and Ivan Sutherland, 1967; first printed in W. M. Newman and R. F. Sproull,
-//! *Principles of Interactive Computer Graphics*, 1973, pp. 123–124.
+//! *Source*: Danny Cohen and Ivan Sutherland, 1967; first printed in W. M. Newman and R. F. Sproull, *Principles of Interactive
+//! Computer Graphics*, 1973, pp. 123–124.
 //!
 //! ```
 //! use clipscope::{algo::line::{BitOrder, CohenSutherland, CohenSutherlandInput}, geom::{Segment, Window}, trace::silent};
@@ -33,19 +16,21 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
+use serde::{Deserialize, Serialize};
+
 use crate::{
     algo::{
         parameter::{Ratio, clamp_between},
-        segment::{CodeClip, CodeEvent, Coded, VisibleLine},
+        segment::{Code, CodeClip, CodeEvent, Coded, Ends},
     },
     geom::{Edge, Point, Segment, Window},
     trace::Real,
 };
 
 use super::{
-    BitOrder, Outcode, Visible,
+    Visible,
     crossing::{crossing_at, join, split},
-    ends_of, segment_of,
+    ends_of,
 };
 
 /// The algorithm; see the module.
@@ -72,7 +57,7 @@ impl Coded<2> for CohenSutherlandInput {
     const N_SIDES: usize = 4;
 
     #[inline]
-    fn ends(&self) -> [[f64; 2]; 2] {
+    fn ends(&self) -> Ends<2> {
         ends_of(&self.segment)
     }
 
@@ -92,7 +77,7 @@ impl Coded<2> for CohenSutherlandInput {
     }
 
     #[inline]
-    fn crossing<R: Real>(&self, edge: Edge, left: &[[f64; 2]; 2]) -> ([f64; 2], Ratio) {
+    fn crossing<R: Real>(&self, edge: Edge, left: &Ends<2>) -> ([f64; 2], Ratio) {
         let (axis, border) = (edge.axis(), self.window.border(edge));
         let cut = crossing_at::<R>(&self.segment, axis, border);
         let [[_, free1], [_, free2]] =
@@ -102,9 +87,150 @@ impl Coded<2> for CohenSutherlandInput {
         let to = join(axis, R::new(border), free).to_array();
         (to, Ratio { num, den })
     }
+}
 
+/// The order in which the bits of a code are written. The lowest bit, written last, is tested first.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BitOrder {
+    /// Top, bottom, right, left: Newman and Sproull, Foley and van Dam.
+    #[default]
+    Tbrl,
+    /// Left, right, bottom, top: common in course notes.
+    Lrbt,
+}
+
+impl BitOrder {
+    /// Sides as they are written, from the first digit to the last.
+    #[must_use]
+    pub const fn written(self) -> [Edge; 4] {
+        match self {
+            Self::Tbrl => [Edge::Top, Edge::Bottom, Edge::Right, Edge::Left],
+            Self::Lrbt => [Edge::Left, Edge::Right, Edge::Bottom, Edge::Top],
+        }
+    }
+
+    /// The bit that stands for a side.
     #[inline]
-    fn answer(visible: VisibleLine<2>) -> Visible {
-        visible.map(segment_of)
+    const fn bit(self, edge: Edge) -> u8 {
+        let k = match edge {
+            Edge::Left => 0,
+            Edge::Right => 1,
+            Edge::Bottom => 2,
+            Edge::Top => 3,
+        };
+        match self {
+            Self::Tbrl => 1 << k,
+            Self::Lrbt => 8 >> k,
+        }
+    }
+}
+
+/// Four bits, in the order of a [`BitOrder`]. Written as its four binary digits.
+pub type Outcode = Code<4>;
+
+impl Outcode {
+    /// The code of a point. A point on a border is inside it. Four comparisons and no branch.
+    #[inline]
+    pub fn of<R: Real>([x, y]: [R; 2], window: &Window, order: BitOrder) -> Self {
+        let border = |edge: Edge| R::new(window.border(edge));
+        let across = [x < border(Edge::Left), x > border(Edge::Right)];
+        let upright = [y < border(Edge::Bottom), y > border(Edge::Top)];
+        let [[left, right], [bottom, top]] = [across, upright].map(|sides| sides.map(u8::from));
+        Self(match order {
+            BitOrder::Tbrl => top << 3 | bottom << 2 | right << 1 | left,
+            BitOrder::Lrbt => left << 3 | right << 2 | bottom << 1 | top,
+        })
+    }
+
+    /// The code of a point, uncounted: for labels of regions and for tests.
+    #[must_use]
+    pub fn of_point(point: Point, window: &Window, order: BitOrder) -> Self {
+        Self::of::<f64>(point.to_array(), window, order)
+    }
+
+    /// The code with exactly these sides set.
+    #[must_use]
+    pub fn from_edges(edges: &[Edge], order: BitOrder) -> Self {
+        Self(edges.iter().fold(0, |code, &e| code | order.bit(e)))
+    }
+
+    /// Is the point beyond this side?
+    #[inline]
+    #[must_use]
+    pub const fn has(self, edge: Edge, order: BitOrder) -> bool {
+        self.0 & order.bit(edge) != 0
+    }
+
+    /// The side of the lowest bit that is set; `None` for 0000.
+    #[inline]
+    #[must_use]
+    pub const fn lowest(self, order: BitOrder) -> Option<Edge> {
+        if self.is_inside() {
+            return None;
+        }
+        let k = self.0.trailing_zeros();
+        let k = match order {
+            BitOrder::Tbrl => k,
+            BitOrder::Lrbt => 3 - k,
+        };
+        Some(match k {
+            0 => Edge::Left,
+            1 => Edge::Right,
+            2 => Edge::Bottom,
+            _ => Edge::Top,
+        })
+    }
+
+    /// The sides that are set, in written order.
+    pub fn edges(self, order: BitOrder) -> impl Iterator<Item = Edge> {
+        let is_set = move |&edge: &Edge| self.has(edge, order);
+        order.written().into_iter().filter(is_set)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nine_regions_in_both_orders() {
+        let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
+        let rows = [
+            (2.0, ["1001", "1000", "1010"], ["1001", "0001", "0101"]),
+            (0.0, ["0001", "0000", "0010"], ["1000", "0000", "0100"]),
+            (-2.0, ["0101", "0100", "0110"], ["1010", "0010", "0110"]),
+        ];
+        for (y, tbrl, lrbt) in rows {
+            for (i, x) in [-2.0, 0.0, 2.0].into_iter().enumerate() {
+                let p = Point::new(x, y).unwrap();
+                for (order, expected) in [(BitOrder::Tbrl, tbrl[i]), (BitOrder::Lrbt, lrbt[i])] {
+                    let code = Outcode::of_point(p, &window, order);
+                    assert_eq!(code.to_string(), expected, "({x}, {y}) in {order:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn borders_and_corners_are_inside() {
+        let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
+        for corner in window.corners() {
+            assert!(Outcode::of_point(corner, &window, BitOrder::Tbrl).is_inside());
+        }
+    }
+
+    #[test]
+    fn the_lowest_bit_is_the_last_written() {
+        for order in [BitOrder::Tbrl, BitOrder::Lrbt] {
+            for edge in Edge::ALL {
+                let code = Outcode::from_edges(&[edge], order);
+                assert_eq!(code.lowest(order), Some(edge));
+                assert_eq!(code.edges(order).collect::<Vec<_>>(), [edge]);
+            }
+            let all = Outcode::from_edges(&Edge::ALL, order);
+            assert_eq!(all.lowest(order), Some(order.written()[3]));
+            assert_eq!(Outcode::default().lowest(order), None);
+        }
     }
 }

@@ -1,12 +1,5 @@
-//! An edge of a convex polygon as a border: how far both ends of a segment lie inside, and where it crosses.
-//!
-//! ```text
-//!   P₁ ●
-//!       │d1 ╲            d = n·(P − E), in lengths of n
-//!   ────┴─────×─────┬──  border through E
-//!         ↓ n   ╲ −d2    crossing: (P₁·d2 − P₂·d1) / (d2 − d1)
-//!                 ● P₂
-//! ```
+//! An edge of a convex polygon as a border: how far both ends of a segment lie inside, d = n·(P − E) in lengths of n, and where
+//! the segment crosses, (P₁·d2 − P₂·d1) / (d2 − d1).
 
 use crate::{
     geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment},
@@ -19,20 +12,16 @@ use super::{
     crossing::{on_line, split},
 };
 
-/// An edge that the line crosses.
 #[derive(Clone, Copy)]
 pub struct ConvexBorder {
-    /// From vertex `edge_idx` to the next.
     pub edge_idx: usize,
-    /// Its inside.
     pub plane: HalfPlane,
     /// Of both ends of the segment: see [`plane_distances`].
     pub distances: [f64; 2],
 }
 
 impl ConvexBorder {
-    /// Where the segment crosses it: within the boxes of the segment and of the edge, whatever rounding
-    /// does.
+    /// Where the segment crosses it: within the boxes of segment and edge, whatever rounding does.
     pub fn crossing<R: Real>(&self, segment: &Segment, clip: &ConvexPolygon) -> Point {
         let vertices = clip.vertices();
         let i = self.edge_idx;

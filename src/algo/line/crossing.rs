@@ -1,14 +1,5 @@
-//! Where a segment crosses a border.
-//!
-//! With `d1` and `d2` the signed distances of P₁ and P₂ from a border line (inside positive), the line
-//! P(u) = P₁ + u (P₂ − P₁) meets it at
-//!
-//! ```text
-//!   P₁ ●───── d1 ─────┊──── d2 ────● P₂          u = d1 / (d1 − d2)
-//!                  border
-//! ```
-//!
-//! The free coordinate of a crossing is a [`weighted_mean`] of the ends' coordinates.
+//! Where a segment crosses a border: with `d1` and `d2` the signed distances of P₁ and P₂ from it (inside positive), at u = d1 /
+//! (d1 − d2). The free coordinate of a crossing is a [`weighted_mean`] of the ends' coordinates.
 
 use std::hint::select_unpredictable;
 
@@ -22,17 +13,16 @@ use super::{
     End,
 };
 
-/// Where the line through a segment meets a border: `axis` coordinate `c`, the other one computed.
+/// Where the line through a segment meets a border.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Crossing<R> {
-    /// The coordinate that the border does not fix. It lies between the ends' coordinates, up to
-    /// rounding, where the segment reaches across the border.
+    /// The other coordinate; between the ends' own, up to rounding, where the segment reaches across the border.
     pub free: R,
     /// `c − a1` over `a2 − a1`: the parameter u.
     pub ratio: [R; 2],
 }
 
-/// Splits a point into the coordinate along `axis` and the other one.
+/// The coordinate along `axis` and the other one.
 #[inline]
 pub fn split<R: Real>(point: Point, axis: Axis) -> [R; 2] {
     in_order(axis, point.to_array()).map(R::new)
@@ -48,21 +38,16 @@ pub fn join<R: Real>(axis: Axis, c: R, free: R) -> Point {
 /// Swaps the two for the y axis, without a branch: neither axis is likelier.
 #[inline]
 fn in_order(axis: Axis, [a, b]: [f64; 2]) -> [f64; 2] {
-    let is_x = axis == Axis::X;
-    [
-        select_unpredictable(is_x, a, b),
-        select_unpredictable(is_x, b, a),
-    ]
+    let pick = |x, y| select_unpredictable(axis == Axis::X, x, y);
+    [pick(a, b), pick(b, a)]
 }
 
-/// Meets the line through `segment` with the line of `edge`. Must not be parallel to it.
 #[inline]
 pub fn crossing<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> Crossing<R> {
     crossing_at(segment, edge.axis(), window.border(edge))
 }
 
-/// Meets the line through `segment` with the line on which the `axis` coordinate is `border`. Must not be
-/// parallel to it.
+/// Of the line through `segment`, which is not parallel to it, with that on which the `axis` coordinate is `border`.
 #[inline]
 pub fn crossing_at<R: Real>(segment: &Segment, axis: Axis, border: f64) -> Crossing<R> {
     let [a1, o1] = split::<R>(segment.p1, axis);
@@ -86,7 +71,6 @@ pub fn signed_distances<R: Real>(segment: &Segment, window: &Window, edge: Edge)
     upright(segment, window, edge).distances()
 }
 
-/// A side and both ends, along the axis across it.
 pub fn upright(segment: &Segment, window: &Window, edge: Edge) -> Upright {
     Upright {
         ends: End::BOTH.map(|end| split::<f64>(end.of(segment), edge.axis())[0]),
@@ -95,20 +79,14 @@ pub fn upright(segment: &Segment, window: &Window, edge: Edge) -> Upright {
     }
 }
 
-/// The crossing with a side, which is known to lie on the window's border: a computed coordinate that
-/// rounding has put beyond an end or a corner is put back.
+/// The crossing with a side, which is known to lie on the window's border.
 #[inline]
 pub fn on_border<R: Real>(segment: &Segment, window: &Window, edge: Edge) -> Point {
-    on_line::<R>(
-        segment,
-        edge.axis(),
-        window.border(edge),
-        [window.min(), window.max()],
-    )
+    let corners = [window.min(), window.max()];
+    on_line::<R>(segment, edge.axis(), window.border(edge), corners)
 }
 
-/// The crossing with the line on which the `axis` coordinate is `border`, kept within the box between two
-/// corners and within the segment's own extent.
+/// The same, kept within the box between two corners and within the segment's own extent.
 #[inline]
 pub fn on_line<R: Real>(segment: &Segment, axis: Axis, border: f64, corners: [Point; 2]) -> Point {
     let free = crossing_at::<R>(segment, axis, border).free;
@@ -160,10 +138,7 @@ mod tests {
         let window = Window::new(-1.0, -1.0, 1.0, 1.0).unwrap();
         let s = segment([-1.5e308, -1.5e308, 1.5e308, 1.5e308]);
         let free = crossing::<f64>(&s, &window, Edge::Left).free;
-        assert!(
-            free.abs() <= 1e293,
-            "{free} is far from −1 only by rounding"
-        );
+        assert!(free.abs() <= 1e293, "{free}: only rounding is far from −1");
     }
 
     #[test]

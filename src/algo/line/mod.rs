@@ -1,51 +1,50 @@
-//! Clipping a segment against a window: five algorithms, one answer.
+//! Clipping a segment against a window: five algorithms, one answer. A program calls [`kernel`], for one segment, or [`batch`], for
+//! many.
 //!
-//! What all five promise, whatever finite numbers they are given:
-//! a border coordinate is assigned, never computed, and the other one is clamped into the window; an end
-//! that was inside comes back bit for bit; clipping the reversed segment gives the mirror image, bit for
-//! bit; clipping the answer again changes nothing; no accepted end lies outside the window; touching in
-//! one point is visible, with both ends that point. Where the arithmetic is exact (dyadic coordinates of
-//! moderate size) all five give the correctly rounded true answer, corners included.
-//! `tests/line_exactness` holds them to it.
-//!
-//! Beyond that, Liang–Barsky, Cyrus–Beck and Nicholl–Lee–Nicholl decide on the ends' distances from the
-//! borders, each rounded once, with comparisons that are exact: they agree in every bit for any numbers.
-//! Brute force and Cohen–Sutherland decide on the crossings that they have computed, and may see a corner an
-//! ulp away from where it is.
-//!
-//! What a program calls is [`kernel`], for one segment, and [`batch`], for many: Liang–Barsky rearranged for
-//! speed, with the same results bit for bit.
+//! All five promise for any finite numbers: a border coordinate is assigned, never computed, and the other one is clamped into the
+//! window; an end that was inside comes back bit for bit; clipping the reversed segment gives the mirror image, bit for bit; clipping
+//! again changes nothing; touching in one point is visible, with both ends that point. Where the arithmetic is exact all five give
+//! the correctly rounded true answer. Liang–Barsky, Cyrus–Beck and Nicholl–Lee–Nicholl compare exactly, and agree in every bit for any
+//! numbers; brute force and Cohen–Sutherland may see a corner an ulp away from where it is.
 
 pub mod batch;
 mod brute_force;
-mod closed_form;
 mod cohen_sutherland;
 pub(super) mod convex_border;
-mod corner_line;
 pub(super) mod crossing;
 mod cyrus_beck;
 pub mod kernel;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
-mod outcode;
 mod segment_turn;
 
 use crate::geom::{Point, Segment, Window};
 
+use super::segment::{Ends, LineAnswer, VisibleLine};
+
 pub use brute_force::{BruteForce, BruteForceEvent};
-pub use cohen_sutherland::{CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput};
-pub use corner_line::{CornerLine, Turn};
+pub use cohen_sutherland::{
+    BitOrder, CohenSutherland, CohenSutherlandEvent, CohenSutherlandInput, Outcode,
+};
 pub(crate) use crossing::corner_between;
 pub use cyrus_beck::{CyrusBeck, CyrusBeckEvent, CyrusBeckInput, CyrusBeckRow};
-pub use liang_barsky::{LiangBarsky, LiangBarskyEvent, WindowRow};
-pub use nicholl_lee_nicholl::{NichollLeeNicholl, NichollLeeNichollEvent, Question, WindowRegion};
-pub use outcode::{BitOrder, Outcode};
+pub use liang_barsky::{LiangBarsky, LiangBarskyEvent};
+pub use nicholl_lee_nicholl::{
+    CornerLine, NichollLeeNicholl, NichollLeeNichollEvent, Question, Turn, WindowRegion,
+};
 pub use segment_turn::{SegmentTurn, least_move_in, least_move_out};
 
 pub use super::parameter::{End, Param, Ratio};
 
 /// The visible part of a segment; `None` where there is none.
 pub type Visible = Option<Segment>;
+
+impl LineAnswer<2> for Visible {
+    #[inline]
+    fn of(visible: VisibleLine<2>) -> Self {
+        visible.map(segment_of)
+    }
+}
 
 impl End {
     /// The point of `segment` at this end.
@@ -67,19 +66,16 @@ pub struct WindowInput {
     pub segment: Segment,
 }
 
-/// The segment between two ends that have been put inside.
 fn segment_between([p1, p2]: [Point; 2]) -> Segment {
     Segment { p1, p2 }
 }
 
-/// The same by their coordinates.
 #[inline]
-fn segment_of(ends: [[f64; 2]; 2]) -> Segment {
+fn segment_of(ends: Ends<2>) -> Segment {
     segment_between(ends.map(|[x, y]| Point::from_finite(x, y)))
 }
 
-/// Both ends by their coordinates.
 #[inline]
-fn ends_of(segment: &Segment) -> [[f64; 2]; 2] {
+fn ends_of(segment: &Segment) -> Ends<2> {
     [segment.p1, segment.p2].map(Point::to_array)
 }

@@ -1,53 +1,24 @@
 //! Nicholl–Lee–Nicholl: find out which sides are crossed first; compute no crossing that is not output.
 //!
-//! The lines from P₁ through the window's corners cut the plane into sectors. The sector in which P₂ lies
-//! tells by which side the segment comes in and by which it goes out:
+//! The lines from P₁ through the window's corners cut the plane into sectors. The sector in which P₂ lies tells by which side the
+//! segment comes in and by which it goes out. The paper turns and mirrors every case into one of three; here the sides change names
+//! instead of the points' coordinates, and products are compared exactly: the decisions are those of Liang–Barsky. A line through a
+//! corner belongs to the vertical side. *Bound*: at most three corners are looked at. *Cost*: 4 to 8 comparisons for the regions; 4 +,
+//! 2 × and 1 comparison a corner; 4 +, 2 ×, 1 ÷ and 6 comparisons a cut.
 //!
-//! ```text
-//!    P₁ inside              P₁ beyond one side          P₁ beyond two sides
-//!
-//!    ╲  out by top  ╱            miss   ╱                P₁ ●┄┄┄┄┄┄┄┄┄┄┄┄┄  miss
-//!     ┌────────────┐               ┌───────────┐           ┊ ╲┌────────────┐
-//!     │╲          ╱│              ╱│  top    ╱ │           ┊  │╲  in by the top
-//!     │     ●P₁    │ right    P₁ ● │     right │           ┊  │  ╲         │
-//!     │╱          ╲│              ╲│  bottom ╲ │           ┊  │    ╲       │
-//!     └────────────┘               └───────────┘           ┊  └──────╲─────┘
-//!    ╱              ╲            miss   ╲                  miss   in by the left
-//! ```
-//!
-//! 1. Find the regions of P₁ and P₂. Both beyond one side: reject.
-//! 2. P₁ inside: it stays. Beyond one side: the segment comes in there, if anywhere. Beyond two: the line
-//!    to their corner decides between them.
-//! 3. P₂ beyond a side next to the one where it comes in: on the far side of their corner's line it
-//!    misses the window: reject.
-//! 4. P₂ inside: it stays. Beyond one side: the segment goes out there. Beyond two: their corner's line
-//!    decides.
-//! 5. Compute the one or two crossings found.
-//!
-//! The paper turns and mirrors every case into one of three. Here the sides change names instead of the
-//! points' coordinates (the side where the segment comes in, the ones next to it, the one across), so that
-//! nothing is rounded. On which side of a corner's line P₂ lies compares two products, done exactly: the
-//! decisions are those of Liang–Barsky.
-//!
-//! *Conventions*: closed window, y up; a line through a corner belongs to the vertical side. *Degenerate*: a
-//! point is accepted or rejected by its region; a touched corner is both ends. *Bound*: at most three corners
-//! are looked at. *Cost*: 4 to 8 comparisons for the regions; 4 +, 2 × and 1 comparison a corner; 4 +, 2 ×,
-//! 1 ÷ and 6 comparisons a cut.
-//!
-//! *Source*: Tina M. Nicholl, D. T. Lee and Robin A. Nicholl, "An Efficient New Algorithm for 2-D Line
-//! Clipping: Its Development and Analysis", SIGGRAPH '87, Computer Graphics 21(4), pp. 253–262,
-//! doi:10.1145/37401.37432.
+//! *Source*: Tina M. Nicholl, D. T. Lee and Robin A. Nicholl, "An Efficient New Algorithm for 2-D Line Clipping: Its Development and
+//! Analysis", SIGGRAPH '87, Computer Graphics 21(4), pp. 253–262, doi:10.1145/37401.37432.
 //!
 //! ```
 //! use clipscope::{algo::line::{NichollLeeNicholl, WindowInput}, geom::{Segment, Window}, trace::silent};
 //! let window = Window::new(-1.0, -1.0, 1.0, 1.0)?;
 //! let segment = Segment::new(-2.0, -1.0, 2.0, 1.5)?;
-//! assert_eq!(
-//!     silent::<NichollLeeNicholl>(&WindowInput { window, segment }),
-//!     Some(Segment::new(-1.0, -0.375, 1.0, 0.875)?),
-//! );
+//! let visible = silent::<NichollLeeNicholl>(&WindowInput { window, segment });
+//! assert_eq!(visible, Some(Segment::new(-1.0, -0.375, 1.0, 0.875)?));
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
+
+use std::cmp::Ordering;
 
 use serde::Serialize;
 
@@ -57,9 +28,9 @@ use crate::{
 };
 
 use super::{
+    super::parameter::compare_products,
     End, Ratio, Visible, WindowInput,
-    corner_line::CornerLine,
-    crossing::{crossing, on_border},
+    crossing::{crossing, on_border, signed_distances},
     segment_between,
 };
 
@@ -81,12 +52,9 @@ impl WindowRegion {
     pub fn of<R: Real>([x, y]: [R; 2], window: &Window) -> Self {
         let beyond = |a: R, low: Edge, high: Edge| {
             if a < R::new(window.border(low)) {
-                Some(low)
-            } else if a > R::new(window.border(high)) {
-                Some(high)
-            } else {
-                None
+                return Some(low);
             }
+            (a > R::new(window.border(high))).then_some(high)
         };
         Self {
             x: beyond(x, Edge::Left, Edge::Right),
@@ -166,6 +134,75 @@ pub enum NichollLeeNichollEvent {
     },
 }
 
+/// A line from P₁ through a corner C, and P₂ beside it.
+///
+/// With `a` and `b` the ends' coordinates from C, P₂ is left of the line where `(C − P₁) × (P₂ − P₁) = b₁·a₂ − a₁·b₂` is
+/// positive. Each border lies between P₁ and P₂ wherever the algorithm asks, so both products have the same sign, and their
+/// magnitudes tell which is crossed first: `u = |a₁| / (|a₁| + |a₂|)` is below `|b₁| / (|b₁| + |b₂|)` where `|a₁·b₂| < |b₁·a₂|`.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct CornerLine {
+    /// C, the corner.
+    pub corner: Point,
+    /// The vertical and the horizontal side that meet there.
+    pub edges: [Edge; 2],
+    /// `a₁·b₂` and `b₁·a₂`, rounded: P₂ is left of the line where the second is larger.
+    pub products: [f64; 2],
+    /// Where P₂ lies.
+    pub turn: Turn,
+    /// Of the two borders, the one that the segment's line crosses first; `None` through the corner.
+    pub first: Option<Edge>,
+}
+
+/// Where a point lies, looking from P₁ through the corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Turn {
+    /// To the left.
+    Left,
+    /// On the line.
+    Through,
+    /// To the right.
+    Right,
+}
+
+impl CornerLine {
+    /// Where P₂ lies. Neither border may have both ends strictly on the same side.
+    #[must_use]
+    pub fn beside<R: Real>(
+        [x_edge, y_edge]: [Edge; 2],
+        window: &Window,
+        segment: &Segment,
+    ) -> Self {
+        // Distances are positive inside: right and top need their signs turned to give coordinates.
+        let from_corner = |edge: Edge| {
+            let distances = signed_distances::<R>(segment, window, edge);
+            distances.map(|d| if edge.is_max() { -d } else { d })
+        };
+        let ([a1, a2], [b1, b2]) = (from_corner(x_edge), from_corner(y_edge));
+        let order = compare_products([a1, b2], [b1, a2]);
+        let negative = [[a1, b2], [b1, a2]].iter().any(|factors| {
+            let [p, q] = factors.map(R::get);
+            p < 0.0 && q > 0.0 || p > 0.0 && q < 0.0
+        });
+        let nearer = if negative { order.reverse() } else { order };
+        Self {
+            corner: Point::from_finite(window.border(x_edge), window.border(y_edge)),
+            edges: [x_edge, y_edge],
+            products: [a1.get() * b2.get(), b1.get() * a2.get()],
+            turn: match order {
+                Ordering::Less => Turn::Left,
+                Ordering::Equal => Turn::Through,
+                Ordering::Greater => Turn::Right,
+            },
+            first: match nearer {
+                Ordering::Less => Some(x_edge),
+                Ordering::Equal => None,
+                Ordering::Greater => Some(y_edge),
+            },
+        }
+    }
+}
+
 /// What a corner's line is asked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -178,14 +215,12 @@ pub enum Question {
     Leaves,
 }
 
-/// What Nicholl–Lee–Nicholl works in.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NichollLeeNichollHeld {
-    /// The regions of both ends, once known.
+    /// Of both ends, once known.
     pub regions: [Option<WindowRegion>; 2],
     /// The ends, cut ones at their crossings.
     pub ends: [Point; 2],
-    /// The answer, once something is found visible.
     pub visible: Visible,
 }
 
@@ -221,9 +256,7 @@ impl Method for NichollLeeNicholl {
         }
         let sector = match find_sector::<R, T>(input, regions, held, tell)? {
             Ok(sector) => sector,
-            Err(Miss { edge, corner }) => {
-                return tell.tell(held, Event::Reject { edge, corner });
-            }
+            Err(reject) => return tell.tell(held, reject),
         };
         let [enters, leaves] = sector.edges;
         tell.tell(held, Event::Sector { enters, leaves })?;
@@ -257,33 +290,29 @@ impl Method for NichollLeeNicholl {
     }
 }
 
-/// Where the segment comes in and goes out.
 struct Sector {
+    /// Where the segment comes in and goes out.
     edges: [Option<Edge>; 2],
     /// The corner that is all that it meets of the window.
     touch: Option<Point>,
 }
 
-/// Why nothing is visible; see [`NichollLeeNichollEvent::Reject`].
-struct Miss {
-    edge: Edge,
-    corner: Option<Point>,
-}
-
-/// Steps 1 to 4.
+/// Where the segment comes in and goes out, from the regions of both ends; or the event that rejects it.
 #[inline]
 fn find_sector<R: Real, T: Tell<NichollLeeNicholl>>(
     input: &WindowInput,
     [region1, region2]: [WindowRegion; 2],
     held: &NichollLeeNichollHeld,
     tell: &mut T,
-) -> Told<T::Stop, Result<Sector, Miss>> {
+) -> Told<T::Stop, Result<Sector, NichollLeeNichollEvent>> {
+    use NichollLeeNichollEvent as Event;
     if let Some(edge) = region1.shared(region2) {
-        return Told::Continue(Err(Miss { edge, corner: None }));
+        let corner = None;
+        return Told::Continue(Err(Event::Reject { edge, corner }));
     }
     let mut ask = |question, edges| {
         let line = CornerLine::beside::<R>(edges, &input.window, &input.segment);
-        tell.tell(held, NichollLeeNichollEvent::Side { question, line })?;
+        tell.tell(held, Event::Side { question, line })?;
         Told::Continue(line)
     };
     let enters = match region1.corner() {
@@ -302,7 +331,7 @@ fn find_sector<R: Real, T: Tell<NichollLeeNicholl>>(
         match line.first {
             Some(first) if first == next => {
                 let (edge, corner) = (next, Some(line.corner));
-                return Told::Continue(Err(Miss { edge, corner }));
+                return Told::Continue(Err(Event::Reject { edge, corner }));
             }
             Some(_) => {}
             None => touch = Some((next, line.corner)),
@@ -323,7 +352,6 @@ fn in_order([e, f]: [Edge; 2]) -> [Edge; 2] {
     if e.axis() == Axis::X { [e, f] } else { [f, e] }
 }
 
-/// Step 5: the crossing that an end moves to.
 #[inline]
 fn cut<R: Real>(
     edge: Edge,

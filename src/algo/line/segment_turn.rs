@@ -1,24 +1,9 @@
-//! How far a segment is from another answer: the least move as a whole along a border's normal that makes it visible, or
-//! makes it vanish.
+//! How far a segment is from another answer: the least move as a whole along a border's normal that makes it visible, or makes it
+//! vanish. A move is positive inwards; what touches vanishes by any move out.
 //!
-//! ```text
-//!      ┌────────┐
-//!      │        │   ╱P₂      A convex region and a segment are apart exactly where an edge's normal tells them apart,
-//!      │ region │ ╱          or the segment's own. Each of these asks for room + s · slope ≥ 0, and what all of them
-//!      │        ╱            allow is an interval of moves s.
-//!      └──────╱─┘
-//!         P₁╱  ⟵ s ── moved along the deciding border's normal
-//! ```
-//!
-//! 1. An edge with unit normal n rejects the segment where both ends lie beyond it: its room is the larger of both
-//!    distances, its slope n·v for a move along v.
-//! 2. The segment's line rejects the region where all corners lie on one side of it: twice, once for either side.
-//! 3. [`moves_allowed`] has the interval; its end nearer to 0 is the answer.
-//!
-//! *Conventions*: closed region, normals pointing inside; a move is positive inwards. *Degenerate*: a point has no line of
-//! its own; a segment that touches vanishes by any move out. *Cost*: for n edges two distances and two products each, for each
-//! direction that is asked. *Source*: the separating axes of two convex sets; S. Gottschalk, M. Lin and D. Manocha, "OBBTree",
-//! SIGGRAPH '96, §5. `tests/line_exactness/turns.rs` asks the clippers.
+//! A convex region and a segment are apart exactly where an edge's normal tells them apart, or the segment's own (S. Gottschalk,
+//! M. Lin and D. Manocha, "OBBTree", SIGGRAPH '96, §5). Each of these bounds the move, and of the interval that all allow the end
+//! nearer to 0 is the answer. *Cost*: for n edges two distances and two products each, for each direction asked.
 //!
 //! ```
 //! use clipscope::{algo::line::{SegmentTurn, least_move_in, least_move_out}, geom::{ConvexPolygon, Segment, Window}};
@@ -28,16 +13,17 @@
 //! let outside = Segment::new(-3.0, 0.0, -1.5, 0.5)?;
 //! assert_eq!(least_move_in(&planes, window.vertices(), &outside, 3), Some(0.5));
 //! let inside = Segment::new(-0.5, -0.5, 0.75, 0.5)?;
-//! assert_eq!(
-//!     least_move_out(&planes, window.vertices(), &inside),
-//!     Some(SegmentTurn { border_idx: 0, by: -1.5 }),
-//! );
+//! let out = least_move_out(&planes, window.vertices(), &inside);
+//! assert_eq!(out, Some(SegmentTurn { border_idx: 0, by: -1.5 }));
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
 use crate::geom::{HalfPlane, Point, Segment};
 
-use super::{super::parameter::moves_allowed, End};
+use super::{
+    super::parameter::{least_move, moves_allowed, nearest_move},
+    End,
+};
 
 /// A move along a border's normal that turns an answer.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -48,8 +34,7 @@ pub struct SegmentTurn {
     pub by: f64,
 }
 
-/// How far a segment that is not visible has to be moved along the normal of a border so that it is; none where no such
-/// move helps, or there is no such border.
+/// How far a segment that is not visible has to be moved along a border's normal so that it is; none where that is no help.
 #[must_use]
 pub fn least_move_in(
     planes: &[HalfPlane],
@@ -58,9 +43,7 @@ pub fn least_move_in(
     border_idx: usize,
 ) -> Option<f64> {
     let along = unit(planes.get(border_idx)?.normal());
-    let [low, high] = moves_that_meet(planes, corners, segment, along)?;
-    let nearest = if low > 0.0 { low } else { high.min(0.0) };
-    nearest.is_finite().then_some(nearest)
+    nearest_move(moves_that_meet(planes, corners, segment, along)?)
 }
 
 /// The least move outwards across a border, beyond which nothing of a visible segment is left.
@@ -70,12 +53,10 @@ pub fn least_move_out(
     corners: &[Point],
     segment: &Segment,
 ) -> Option<SegmentTurn> {
-    let turns = planes.iter().enumerate().filter_map(|(border_idx, plane)| {
-        let [low, _] = moves_that_meet(planes, corners, segment, unit(plane.normal()))?;
-        let by = low.min(0.0);
-        by.is_finite().then_some(SegmentTurn { border_idx, by })
-    });
-    turns.min_by(|a, b| b.by.total_cmp(&a.by))
+    let moves = |plane: &HalfPlane| moves_that_meet(planes, corners, segment, unit(plane.normal()));
+    let borders = planes.iter().enumerate().rev();
+    let (border_idx, by) = least_move(borders.map(|(idx, plane)| (idx, moves(plane))))?;
+    Some(SegmentTurn { border_idx, by })
 }
 
 /// The moves along a direction after which some of the segment lies in the region.
@@ -92,9 +73,8 @@ fn moves_that_meet(
     });
     let [dx, dy] = between(segment.p1, segment.p2);
     let normal = unit([-dy, dx]);
-    let sides = corners
-        .iter()
-        .map(|&corner| dot(normal, between(segment.p1, corner)));
+    let side = |&corner: &Point| dot(normal, between(segment.p1, corner));
+    let sides = corners.iter().map(side);
     let [min, max] = sides.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], side| {
         [min.min(side), max.max(side)]
     });
@@ -113,9 +93,5 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// Of length 1; zero stays zero.
 fn unit(v: [f64; 2]) -> [f64; 2] {
     let length = dot(v, v).sqrt();
-    if length > 0.0 {
-        v.map(|x| x / length)
-    } else {
-        v
-    }
+    v.map(|x| if length > 0.0 { x / length } else { x })
 }

@@ -1,12 +1,5 @@
-//! The interval of the parameter that is left, while one border after the other makes it shorter.
-//!
-//! ```text
-//!   0 ──[u_min ━━━━━ u_max]── 1        entering raises u_min, leaving lowers u_max;
-//!                                      empty as soon as u_min > u_max
-//! ```
-//!
-//! All comparisons are exact: see [`Param::compare`]. So are the questions that are asked of distances alone,
-//! whatever the borders are: sides of a window, edges of a polygon, planes of a volume.
+//! The interval of the parameter that is left, while one border after the other makes it shorter. All comparisons are exact
+//! ([`Param::compare`]), and so are the questions that are asked of distances alone, whatever the borders are.
 
 use std::cmp::Ordering;
 

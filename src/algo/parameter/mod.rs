@@ -5,16 +5,15 @@ mod interval;
 mod mean;
 mod moves;
 mod order;
-mod share;
 mod upright;
 
 use serde::Serialize;
 
 pub use interval::Interval;
-pub use mean::{Ratio, clamp_between, weighted_mean};
+pub use mean::{Ratio, Share, clamp_between, weighted_mean};
 pub use moves::moves_allowed;
+pub(super) use moves::{least_move, nearest_move};
 pub use order::{Param, compare_products};
-pub use share::Share;
 pub use upright::Upright;
 
 /// One of a segment's two ends.

@@ -1,11 +1,5 @@
-//! How far something may be moved along one direction before a border rejects it.
-//!
-//! ```text
-//!        ┊ ←─ room ─→ ●──▶ along         a border leaves it room; a move by s changes that by s · slope:
-//!      border                            it is not rejected where room + s · slope ≥ 0
-//!
-//!    ──────[low ━━━━━━━━━ high]──────▶ s  what all borders allow is an interval, as in Liang–Barsky
-//! ```
+//! How far something may be moved along one direction before a border rejects it: a border leaves it room, and a move by s
+//! changes that by s · slope.
 
 /// The moves s that all borders allow, of which each is given as its room and its slope; none where they allow no move.
 #[must_use]
@@ -21,6 +15,22 @@ pub fn moves_allowed(borders: impl IntoIterator<Item = [f64; 2]>) -> Option<[f64
         }
     }
     (low <= high).then_some([low, high])
+}
+
+/// The one that is nearest to none.
+pub(in crate::algo) fn nearest_move([low, high]: [f64; 2]) -> Option<f64> {
+    let nearest = if low > 0.0 { low } else { high.min(0.0) };
+    nearest.is_finite().then_some(nearest)
+}
+
+/// The least move outwards beyond which nothing is left, and the border that it crosses, the last of those that are as near;
+/// of each border the moves along its normal that leave something.
+pub(in crate::algo) fn least_move(
+    borders: impl Iterator<Item = (usize, Option<[f64; 2]>)>,
+) -> Option<(usize, f64)> {
+    let moves = borders.filter_map(|(idx, leave)| Some((idx, leave?[0].min(0.0))));
+    let finite = moves.filter(|(_, by)| by.is_finite());
+    finite.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 #[cfg(test)]

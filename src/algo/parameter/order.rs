@@ -1,18 +1,9 @@
 //! Which of two crossings comes first, exactly.
 //!
-//! Borders are sides, edges or planes: all that is asked of one is how far both ends lie from it.
-//!
-//! With `a1` and `a2` the signed distances of P₁ and P₂ from one border (inside positive), `b1` and `b2`
-//! those from another, the crossings lie at `u = a1 / (a1 − a2)` and `v = b1 / (b1 − b2)`. Multiplied out,
-//! `u < v` compares two products:
-//!
-//! ```text
-//!   both enter, or both leave:   u < v  ⇔  a1·b2 > b1·a2
-//!   one of each:                 u < v  ⇔  a1·b2 < b1·a2
-//! ```
-//!
-//! It is done exactly. Quotients that round to the same number decide nothing, and as a border's two
-//! distances change places when the segment is reversed, both directions decide alike.
+//! With `a1` and `a2` the signed distances of P₁ and P₂ from one border (inside positive), `b1` and `b2` those from another, the
+//! crossings lie at `u = a1 / (a1 − a2)` and `v = b1 / (b1 − b2)`. Multiplied out, u < v where a1·b2 > b1·a2 if the line enters
+//! by both or leaves by both, and where a1·b2 < b1·a2 else. Quotients that round to the same number decide nothing, and as a
+//! border's two distances change places when the segment is reversed, both directions decide alike.
 
 use std::cmp::Ordering;
 
@@ -52,8 +43,7 @@ impl<R: Real, B: Copy> Param<R, B> {
         }
     }
 
-    /// Which of two parameters comes first? Exact: see the module. `distances` gives a border's signed
-    /// distances from both ends.
+    /// Which of two parameters comes first? Exact. `distances` gives a border's signed distances from both ends.
     #[inline]
     pub fn compare(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> Ordering {
         let quotients = self.u.partial_cmp(&other.u);
@@ -73,23 +63,13 @@ impl<R: Real, B: Copy> Param<R, B> {
         let [[a1, a2], [b1, b2]] = [self, other].map(|param| param.distances(&distances));
         // u = d1 / (d1 − d2): the denominator is negative where the line enters.
         let order = compare_products([a1, b2], [b1, a2]);
-        if self.leaving == other.leaving {
-            order.reverse()
-        } else {
-            order
-        }
-    }
-
-    /// Is this parameter strictly less than `other`?
-    pub fn is_before(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> bool {
-        self.compare(other, distances) == Ordering::Less
+        let are_alike = self.leaving == other.leaving;
+        if are_alike { order.reverse() } else { order }
     }
 }
 
-/// Compares `a·b` with `c·d` exactly.
-///
-/// Rounding is monotone: where the rounded products differ, the true ones differ the same way, overflow
-/// and underflow included. Only equal ones need their full 106 bits.
+/// Compares `a·b` with `c·d` exactly. Rounding is monotone: where the rounded products differ, the true ones differ the same way,
+/// overflow and underflow included. Only equal ones need their full 106 bits.
 #[inline]
 pub fn compare_products<R: Real>([a, b]: [R; 2], [c, d]: [R; 2]) -> Ordering {
     match (a * b).partial_cmp(&(c * d)) {
@@ -159,12 +139,8 @@ mod tests {
             ([3.0, 7.0], [21.0, 1.0], Ordering::Equal),
         ];
         for (ab, cd, expected) in cases {
-            assert_eq!(compare_products(ab, cd), expected, "{ab:?} against {cd:?}");
-            assert_eq!(
-                compare_products(cd, ab),
-                expected.reverse(),
-                "{cd:?} against {ab:?}"
-            );
+            let orders = [compare_products(ab, cd), compare_products(cd, ab).reverse()];
+            assert_eq!(orders, [expected; 2], "{ab:?} against {cd:?}");
         }
     }
 }

@@ -40,8 +40,7 @@ impl Upright {
         }
     }
 
-    /// `q / p`, also where a difference of huge coordinates has overflowed: halves give the same quotient. A zero has no
-    /// sign.
+    /// `q / p`, by halves where a difference of huge coordinates has overflowed. A zero has no sign.
     pub fn quotient<R: Real>(&self, q: R, p: R) -> R {
         if q.get().is_finite() && p.get().is_finite() {
             return R::new((q / p).get() + 0.0);

@@ -1,35 +1,15 @@
 //! Bresenham's line: the pixels nearest to a line, by additions and the sign of one whole number.
 //!
-//! ```text
-//!            ┌───┬───┬───┬───┐    One pixel along the longer axis a step. Between the two candidates for the next
-//!            │   │   │   │ ◉ │    one lies a midpoint ×; the error term e says on which side of it the line is:
-//!   minor ▲  ├───┼───┼─×─┼───┤
-//!         │  │   │ ◉ │ ◉ │   │        e > 0   the line runs beyond ×: one diagonally
-//!         │  ├───┼───┼───┼───┤        e < 0   it runs before ×: one straight on
-//!         └─ │ ◉ │   │   │   │        e = 0   exactly between both
-//!            └───┴───┴───┴───┘
-//!                       ► major
-//! ```
+//! Let a be the larger and b the smaller of |Δx| and |Δy|. The error term e is 2a times as much as the line is beyond the midpoint
+//! between the two candidates for the next pixel: 2b − a at the first, 2b more for each step along the major axis, 2a less for one
+//! along the minor. Exactly between two pixels the smaller coordinate is taken: walking back gives the same pixels.
 //!
-//! 1. Let a be the larger and b the smaller of |Δx| and |Δy|. At the first pixel e = 2b − a.
-//! 2. Where the line runs beyond the midpoint, go one along the minor axis too, and take 2a off e.
-//! 3. Go one along the major axis and add 2b to e; until the last pixel.
-//!
-//! e is 2a times as much as the line is beyond the midpoint, so all of it are whole numbers and nothing is rounded.
-//!
-//! *Conventions*: both ends are included: a + 1 pixels. Where the line runs exactly between two pixels, the one with the smaller
-//! coordinate is taken: so walking back gives the same pixels. *Degenerate cases*: two ends in one pixel are that pixel.
-//! *Bound*: one event a pixel, at most [`BresenhamInput::MOST_PIXELS`]. *Cost*: to begin with three additions;
-//! a pixel after the first one comparison, one or two additions. Coordinates are i64 and go up and down
-//! by one; the error term is computed with the counting scalar and is a whole number below 2¹⁸, so it is the same in both.
-//!
-//! *Source*: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4, 1965, pp. 25–30.
+//! *Bound*: one event a pixel, at most [`BresenhamInput::MOST_PIXELS`]. *Cost*: three additions, and a pixel after the first one
+//! comparison, one or two additions; e is a whole number below 2¹⁸, exact in the counting scalar. *Source*: J. E. Bresenham, "Algorithm
+//! for computer control of a digital plotter", IBM Systems Journal 4, 1965, pp. 25–30.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::pipeline::{Bresenham, BresenhamInput},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::pipeline::{Bresenham, BresenhamInput}, trace::silent};
 //! let pixels = |from, to| silent::<Bresenham>(&BresenhamInput::new(from, to).expect("few pixels"));
 //! assert_eq!(pixels([0, 0], [4, 2]), [[0, 0], [1, 0], [2, 1], [3, 1], [4, 2]]);
 //! let mut back = pixels([4, 2], [0, 0]);

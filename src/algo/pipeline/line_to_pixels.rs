@@ -1,34 +1,12 @@
-//! A line in the world to its pixels: project, clip, divide, rasterise.
-//!
-//! ```text
-//!   world ──clip_from_world──► clip ──−w ≤ x, y, z ≤ w──► what is left ──÷ w, viewport──► screen ──⌊ ⌋──► two pixels
-//!                                                                                                         │
-//!                                                                                   Bresenham, from one to the other
-//! ```
-//!
-//! 1. Each end times the camera's matrix: four numbers, nothing divided yet.
-//! 2. Clipped by [`HomogeneousLine`]: what is left has w > 0.
-//! 3. Divided by w, and scaled to pixels.
-//! 4. Each end goes to the pixel that it lies in; on the right or lower edge of the picture to the last one.
-//! 5. [`Bresenham`] goes from one to the other.
-//!
-//! Two pixels can be given in place of a segment: then only the last step is left.
+//! A line in the world to its pixels: project, clip ([`HomogeneousLine`]), divide, rasterise ([`Bresenham`]). An end goes to the
+//! pixel that it lies in; on the right or lower edge of the picture to the last one. Of two pixels in place of a segment only the
+//! last step is left.
 //!
 //! *Degenerate*: a segment of which nothing is visible has no pixels. *Bound*: five events, and one a pixel. *Cost*: what its
 //! parts cost; three multiplications and three additions a row of the matrix, three divisions an end.
 //!
-//! *Source*: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4, 1965, pp. 25–30;
-//! J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978, pp. 245–251.
-//!
 //! ```
-//! use clipscope::{
-//!     algo::{
-//!         pipeline::{DrawnSegment, LineToPixels, LineToPixelsInput},
-//!         surface::Viewport,
-//!     },
-//!     geom::{Camera, ViewVolume},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::{pipeline::{DrawnSegment, LineToPixels, LineToPixelsInput}, surface::Viewport}, geom::{Camera, ViewVolume}, trace::silent};
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 9.0)?;
 //! let drawn = DrawnSegment {
 //!     ends: [[0.0, 0.0, -2.0], [4.0, 0.0, -2.0]],

@@ -1,39 +1,13 @@
-//! The viewing pipeline: one vertex, carried through all spaces to its place on the screen.
+//! The viewing pipeline: one vertex, carried through all spaces to its place on the screen: rows of `world_from_model`,
+//! `view_from_world` and `clip_from_view` times the vertex; −w ≤ x, y, z ≤ w asked before anything is divided; the divide where w > 0,
+//! else there is no place; and the viewport, in pixels from the top left, y down. The matrices are those of [`geom`](crate::geom).
 //!
-//! ```text
-//!   model ──M──► world ──V──► view ──P──► clip ──÷ w──► ndc ──viewport──► screen
-//!                                          │
-//!                                −w ≤ x, y, z ≤ w ?            rows times the vertex, one after the other:
-//!                                                              ┌ a b c d ┐ ┌ x ┐
-//!   M  world_from_model   V  view_from_world                   │ · · · · │ │ y │   x′ = a·x + b·y + c·z + d
-//!   P  clip_from_view     of a camera looking down −z          └ · · · · ┘ │ z │
-//!                                                                          └ 1 ┘
-//! ```
-//!
-//! 1. Three rows of `world_from_model`, three of `view_from_world`, four of `clip_from_view`: each times the vertex. The last
-//!    row of the first two is 0 0 0 1: the vertex's 1 stays.
-//! 2. Inside is −w ≤ x, y, z ≤ w, asked before anything is divided.
-//! 3. Where w > 0 the vertex is before the eye: x, y and z are divided by w.
-//! 4. The square −1 to 1 becomes the picture: in pixels from the top left, y down.
-//!
-//! *Conventions*: column vectors; the matrices are those of [`geom`](crate::geom), so that every program that uses them gets
-//! the same numbers, bit for bit. *Degenerate cases*: a singular model is a model; with w ≤ 0 there is no place on the screen,
-//! and that is said. *Bound*: 13 events. *Cost*: three multiplications and three additions a row; at most six comparisons and
-//! one; three divisions; four multiplications, and two additions.
-//!
-//! *Source*: L. G. Roberts, "Homogeneous matrix representation and manipulation of n-dimensional constructs", MIT Lincoln
-//! Laboratory MS-1405, 1965; J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978,
-//! pp. 245–251.
+//! *Bound*: 13 events. *Cost*: three multiplications and three additions a row; at most seven comparisons; three divisions; four
+//! multiplications, and two additions. *Source*: L. G. Roberts, "Homogeneous matrix representation and manipulation of n-dimensional
+//! constructs", MIT Lincoln Laboratory MS-1405, 1965.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::{
-//!         pipeline::{ViewingPipeline, ViewingPipelineInput},
-//!         surface::Viewport,
-//!     },
-//!     geom::{Camera, Matrix, ViewVolume},
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::{pipeline::{ViewingPipeline, ViewingPipelineInput}, surface::Viewport}, geom::{Camera, Matrix, ViewVolume}, trace::silent};
 //! let volume = ViewVolume::perspective(90.0, 1.0, 1.0, 3.0)?;
 //! let camera = Camera::new([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0], volume)?;
 //! let through = |point| {

@@ -8,13 +8,9 @@
 //!                    ● outside end
 //! ```
 //!
-//! - A distance is one vertex's own: the same for every edge and every polygon that it belongs to.
-//! - A crossing is computed from the inside end to the outside end, whichever way the edge is walked, so that
-//!   two polygons which share the edge get the same bits.
-//! - Along an axis the border coordinate is assigned and the sign of a distance is exact. On an oblique border
-//!   the distance is rounded, and so is the crossing: it may come to lie outside by an ulp, of this border or of
-//!   one before it. Then it is moved towards the middle of the region, by ulps, until its own distances
-//!   say that it is inside ([`Borders::settle`]). This is why clipping again changes nothing.
+//! A crossing is computed from the inside end, whichever way the edge is walked: polygons that share an edge get the same bits. Along an
+//! axis the border coordinate is assigned and the sign of a distance is exact. On an oblique border both are rounded, so a crossing
+//! is settled inside by its own distances ([`Borders::settle`]): that is why clipping again changes nothing.
 
 use crate::{
     geom::{Axis, HalfPlane, Point, Segment},
@@ -37,7 +33,6 @@ use super::{
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Border {
     edge_idx: usize,
-    /// As the region has it.
     plane: HalfPlane,
     line: BorderLine,
 }
@@ -73,7 +68,6 @@ impl Border {
         }
     }
 
-    /// The same line with its other side for inside.
     fn flipped(self) -> Self {
         let line = match self.line {
             BorderLine::Upright { axis, c, is_max } => BorderLine::Upright {
@@ -89,7 +83,6 @@ impl Border {
         Self { line, ..self }
     }
 
-    /// As the region numbers its edges.
     pub const fn edge_idx(&self) -> usize {
         self.edge_idx
     }
@@ -185,8 +178,7 @@ impl Border {
         }
     }
 
-    /// How the ends of an edge share in its crossing. `d1` and `d2` are their distances, of which one is
-    /// positive and one negative.
+    /// `d1` and `d2` are the distances of the ends, one positive and one negative.
     #[inline]
     fn share<R: Real>(&self, [p1, p2]: [Point; 2], [d1, d2]: [R; 2]) -> Share<R> {
         match self.line {
@@ -226,8 +218,7 @@ fn run<V: Vertex>(vertices: &[V], inside: bool, is_inside: impl Fn(Point) -> boo
     vertices.iter().position(turns).unwrap_or(vertices.len())
 }
 
-/// A normal whose products with ordinary numbers neither overflow nor vanish: divided by a power of two where
-/// its length is far from 1. Only its direction counts.
+/// Divided by a power of two where its length is far from 1, so that products neither overflow nor vanish.
 fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
     let largest = |n: [f64; 2]| n[0].abs().max(n[1].abs());
     if (2f64.powi(-100)..=2f64.powi(100)).contains(&largest(normal)) {
@@ -253,7 +244,6 @@ pub struct Borders {
 }
 
 impl Borders {
-    /// As the rules of `L` walk around the region.
     pub fn by<L: Rules>(region: &ClipRegion) -> Self {
         let mut all: Vec<Border> = (0..).zip(region.half_planes()).map(Border::new).collect();
         if L::CLOCKWISE {
@@ -282,8 +272,7 @@ impl Borders {
         self.first_oblique < self.all.len()
     }
 
-    /// Where the edge from `ends[0]` to `ends[1]`, one of them strictly inside border `idx` and the other
-    /// outside, crosses it; `None` where rounding puts the crossing on the inside end itself.
+    /// Where an edge with one end strictly inside border `idx` and one outside crosses it; `None` where that rounds to the inside end.
     #[inline]
     pub fn crossing<R: Real, V: Vertex>(
         &self,
@@ -322,9 +311,8 @@ impl Borders {
         })
     }
 
-    /// Moves a crossing with border `idx` towards the middle of the region until it is inside this border and
-    /// all before it, in steps that start below a unit in the last place and double. Of a region so thin that
-    /// its middle is not inside by its own distances, the inside end does.
+    /// Moves a crossing towards the middle of the region, by ulps and then twice as far each time, until it is inside this border and
+    /// all before it. Of a region whose middle is not inside by its own distances, the inside end does.
     fn settle(&self, idx: usize, at: Point, inside: Point) -> Point {
         let is_inside = |p: Point| {
             let borders = &self.all[..=idx];
@@ -346,7 +334,6 @@ impl Borders {
     }
 }
 
-/// The mean of the points that the borders start from.
 fn middle(borders: &[Border]) -> Point {
     let n = borders.len() as f64;
     let mean = |i: usize| borders.iter().map(|b| b.origin().to_array()[i] / n).sum();

@@ -16,8 +16,7 @@ pub enum RingOutcome {
     Whole,
     /// Part of it does: the ring has an area, and perhaps bridges without one.
     Cut,
-    /// There is a ring, but nothing to fill: fewer than three vertices, or lines walked there and back. So ends
-    /// a polygon that only touches the region from outside; and one that had no area to begin with.
+    /// A ring without area: the polygon only touches the region from outside, or had no area to begin with.
     Degenerate,
 }
 
@@ -31,7 +30,6 @@ pub struct ClippedRing<V> {
 }
 
 impl RingOutcome {
-    /// What is left of `polygon`, once clipped to `vertices`.
     pub(super) fn of<V: Vertex>(polygon: &[V], vertices: &[V]) -> Self {
         if vertices.is_empty() {
             Self::Empty
@@ -59,12 +57,10 @@ impl<V: Vertex> ClippedRing<V> {
     }
 }
 
-/// Does the ring go around anything?
+/// Has the ring an area? Exact on the coordinates.
 ///
-/// A vertex that lies straight between its neighbours, or at the tip of a spike, adds nothing to the area: it
-/// is taken out, and again, until every corner turns. What goes nowhere but there and back ends with fewer than
-/// three. Exact on the coordinates; of a simple polygon, clipped, it holds exactly where there is an area. A ring
-/// that crosses itself has an area here even where its parts are of opposite sign and cancel out.
+/// What lies straight between its neighbours, or at the tip of a spike, is taken out until every corner turns: three must be left.
+/// Parts of a ring that crosses itself do not cancel out here.
 pub fn has_area<V: Vertex>(ring: &[V]) -> bool {
     area_is_clear(ring) || turns(ring)
 }

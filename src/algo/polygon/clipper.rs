@@ -1,4 +1,4 @@
-//! Sutherland–Hodgman as a renderer would call it: many polygons, one after the other, against one region.
+//! Sutherland–Hodgman as a renderer would call it: many polygons, one after the other, against one region, without allocating.
 //!
 //! ```text
 //!   polygon ──► extent ──► beyond a border: Outside        no vertex is moved
@@ -6,19 +6,11 @@
 //!                    └───► the borders that it crosses, one pass each, between two buffers
 //! ```
 //!
-//! 1. Against a window, the polygon's extent tells which borders it crosses. At any other border every
-//!    edge would be in → in: the pass would copy the list, and is left out. So is everything where the
-//!    polygon is beyond one border, as all edges would be out → out there.
-//! 2. The passes are those of [`SutherlandHodgman`], with the same step. A crossing lies between the ends of its edge,
-//!    so a border that the polygon does not cross is not crossed by anything that is cut from it either: the
-//!    vertices are the same, bit for bit.
-//! 3. The two lists stay where they are: after the first few polygons nothing is allocated.
+//! Against a window only the borders that the extent crosses get a pass of [`SutherlandHodgman`]'s: any other would copy the list, and
+//! a crossing lies between the ends of its edge, so the vertices are the same, bit for bit. Against oblique edges, where a rounded
+//! crossing may need a pass that its polygon did not, all passes are run, unless every vertex is inside.
 //!
-//! Against a convex polygon with oblique edges, a rounded crossing may need a pass that its polygon did not: there
-//! all passes are run, unless every vertex is inside.
-//!
-//! *Conventions*, *source*: as in [`SutherlandHodgman`]. *Degenerate*: whether what is left has an area is not
-//! asked here: [`Clipped::has_area`] does, for those who need to know.
+//! *Conventions*, *source*: as in [`SutherlandHodgman`]. *Degenerate*: [`Clipped::has_area`] is asked by those who need to know.
 //!
 //! ```
 //! use clipscope::{algo::polygon::{Clipped, Clipper}, geom::{Polygon, Window}};
@@ -58,8 +50,7 @@ pub struct Clipper<V = Point> {
 pub enum Clipped<'a, V = Point> {
     /// Every vertex is inside or on the border: the polygon as it was given.
     Inside(&'a [V]),
-    /// Some are, or edges pass through: one ring, not empty. It may have bridges without an area; or no area at
-    /// all, where the polygon only touches the region: in a point, along an edge, or around a corner.
+    /// One ring, not empty; with bridges perhaps, or without any area where the polygon only touches the region.
     Cut(&'a [V]),
     /// Nothing of the polygon is in the region, not even on its border.
     Outside,
@@ -128,7 +119,6 @@ impl<V: Vertex> Clipper<V> {
         }
     }
 
-    /// Clips against every border but those to be left out.
     fn pass_all<'a>(
         &'a mut self,
         polygon: &[V],
@@ -152,8 +142,7 @@ impl<V: Vertex> Clipper<V> {
     }
 }
 
-/// What is left of `input` behind one border. Only where the side changes is there a step to do: a run of vertices on
-/// one side is copied, or left out, as a whole.
+/// What is left of `input` behind one border: runs of vertices on one side are copied, or left out, as a whole.
 fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<V>) {
     let Some((&first, mut following)) = input.split_first() else {
         return;
@@ -178,7 +167,6 @@ fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<
     let Told::Continue(()) = clip.close::<Right, f64, _>(&limit, [0; 2], &mut put_in(output));
 }
 
-/// Where all of a polygon lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum BoxSide {
     Inside,
@@ -186,7 +174,6 @@ enum BoxSide {
     Both,
 }
 
-/// The smallest rectangle around a polygon.
 struct Extent {
     min: [f64; 2],
     max: [f64; 2],
@@ -206,7 +193,7 @@ impl Extent {
         Self { min, max }
     }
 
-    /// Of an upright border. What has no vertex is outside.
+    /// Of a border along an axis. A polygon without vertices is outside.
     #[inline]
     fn side_of(&self, border: &Border) -> BoxSide {
         let BorderLine::Upright { axis, c, is_max } = border.line() else {

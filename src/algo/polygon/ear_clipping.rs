@@ -10,39 +10,25 @@
 //!  V₀ ●────────────────● V₁
 //! ```
 //!
-//! 1. Classify every vertex by the sign of (x₂ − x₁)(y₃ − y₂) − (y₂ − y₁)(x₃ − x₂), with its two neighbours
-//!    before and after: convex, straight or reflex.
-//! 2. Go around and ask every vertex whether it is an ear. It is where it is convex and no vertex that is not
-//!    convex lies in the closed triangle with its neighbours. Cut it off and classify the two neighbours again:
-//!    their corners have changed, and both are asked in the next round.
-//! 3. Where three vertices are left they are the last triangle; else begin the next round.
+//! 1. Classify every vertex as convex, straight or reflex, by the sign of its corner's area.
+//! 2. Ask every vertex, round by round, whether it is an ear: convex, and no vertex that is not convex in the closed triangle with its
+//!    neighbours. Cut it off, classify both neighbours again and ask them in the next round.
+//! 3. Where three vertices are left they are the last triangle.
 //!
-//! A round asks those alone whose corner has changed in the round before. That is enough: a vertex that is no
-//! ear becomes one only when a neighbour of its is cut off. (The diagonal across an ear lies inside what is left,
-//! so it lay inside before.) And it comes to an end: any simple polygon of more than three vertices has an ear,
-//! so each round cuts one off. Letting the next vertex wait, too, cuts about every second corner of a convex
-//! stretch, instead of a fan of slivers that all meet in one vertex.
+//! A round asks those alone whose corner changed in the round before: a vertex becomes an ear only when a neighbour of its is cut off.
+//! Any simple polygon of more than three vertices has an ear, so each round cuts one. That the next vertex waits, too, cuts about every
+//! second corner of a convex stretch, instead of a fan of slivers.
 //!
-//! Only vertices that are not convex need to be asked whether they lie in a triangle: of those inside a corner,
-//! the one nearest to its tip belongs to a chain that turns back there. `rivals` keeps them by x.
+//! *Conventions*: vertices keep their numbers; ring and triangles run counter-clockwise. *Degenerate*: a straight vertex is never the
+//! tip of an ear, but stays in the ring until it has become a corner, so that no crack opens to a neighbour: n vertices give n − 2
+//! triangles, all with area. *Exact*: only exact signs decide ([`Corner`]). *Bound*: n − 3 cuts in as many rounds; n vertices asked, and
+//! two more after each cut, with two events each, and as many classified: 11n − 22 events. *Cost*: O(n·r) for r vertices that are
+//! not convex.
 //!
-//! *Conventions*: vertices have the numbers that they were given with; the ring runs counter-clockwise whichever
-//! way they were given, and so does every triangle. A corner's own three vertices do not block it, any other one in
-//! the closed triangle does. *Degenerate*: of repeated vertices a [`SimplePolygon`] keeps the first one; a straight vertex is never the tip of an ear, as its triangle would
-//! have no area, but it stays in the ring until it has become a corner. Dropping it instead would leave a crack:
-//! the neighbour across that edge still has it. So n vertices give n − 2 triangles, always, none of them without
-//! area. *Exactness*: only signs decide, and they are exact ([`Corner`]); the triangles' vertices are the
-//! input's, bit for bit.
-//!
-//! *Bound*: n − 3 cuts in at most as many rounds; n vertices are asked, and two more after each cut, with two
-//! events each, and as many classified: at most 11n − 22 events. *Cost*: O(n·r) for r vertices that are not
-//! convex, O(n²) at worst; where corners are small against the polygon, few of them are asked and the rest is
-//! O(n log n).
-//!
-//! *Source*: G. H. Meisters, "Polygons Have Ears", American Mathematical Monthly 82(6), 1975, pp. 648–651,
-//! doi:10.2307/2319703. That a cut changes its two neighbours alone: J. O'Rourke, *Computational Geometry in C*,
-//! 2nd edition, 1998, chapter 1. See also H. ElGindy, H. Everett and G. Toussaint, "Slicing an ear using
-//! prune-and-search", Pattern Recognition Letters 14(9), 1993, pp. 719–722, doi:10.1016/0167-8655(93)90141-Y.
+//! *Source*: G. H. Meisters, "Polygons Have Ears", American Mathematical Monthly 82(6), 1975, pp. 648–651, doi:10.2307/2319703. That a
+//! cut changes its two neighbours alone: J. O'Rourke, *Computational Geometry in C*, 2nd edition, 1998, chapter 1. See also H. ElGindy,
+//! H. Everett and G. Toussaint, "Slicing an ear using prune-and-search", Pattern Recognition Letters 14(9), 1993, pp. 719–722,
+//! doi:10.1016/0167-8655(93)90141-Y.
 //!
 //! ```
 //! use clipscope::{algo::polygon::EarClipping, geom::SimplePolygon, trace::silent};
@@ -164,9 +150,7 @@ pub struct EarClippingHeld {
     /// The last round in which a vertex was asked, or the next one in which it will be.
     due: Vec<usize>,
     round_idx: usize,
-    /// The vertices that this round may ask, in order.
     round: Vec<usize>,
-    /// How many of them have had their turn.
     n_turns: usize,
     next_round: Vec<usize>,
 }
@@ -210,8 +194,6 @@ impl Method for EarClipping {
         held.cut_off
     }
 
-    /// n classifications and two a cut; two events for as many vertices asked; n − 3 rounds and cuts; the last
-    /// triangle, and the end.
     fn max_events(input: &SimplePolygon) -> usize {
         let n = input.vertices().len();
         3 * (3 * n - 6) + 2 * (n - 3) + 2
@@ -225,7 +207,6 @@ impl EarClippingHeld {
         self.round.get(self.n_turns.checked_sub(1)?).copied()
     }
 
-    /// The vertex is to be asked in the next round, if it is not already.
     fn ask_again(&mut self, vertex_idx: usize) {
         if self.due[vertex_idx] <= self.round_idx {
             self.due[vertex_idx] = self.round_idx + 1;
@@ -233,7 +214,6 @@ impl EarClippingHeld {
         }
     }
 
-    /// Where everyone has had a turn, those of the next round are asked.
     fn end_turn(&mut self) {
         if self.n_turns == self.round.len() {
             self.round = std::mem::take(&mut self.next_round);
@@ -242,10 +222,6 @@ impl EarClippingHeld {
     }
 }
 
-/// Cuts the polygon into triangles, as all or a part of what `M` does.
-///
-/// # Errors
-/// What `tell` stopped the run for.
 #[inline]
 pub(super) fn cut_all<M: Includes<EarClipping>, R: Real, T: Tell<M>>(
     held: &mut M::Held,
@@ -254,7 +230,6 @@ pub(super) fn cut_all<M: Includes<EarClipping>, R: Real, T: Tell<M>>(
     Cutting { held, tell }.run::<R>()
 }
 
-/// A run at work.
 struct Cutting<'a, M: Method, T> {
     held: &'a mut M::Held,
     tell: &'a mut T,
@@ -285,7 +260,6 @@ impl<M: Includes<EarClipping>, T: Tell<M>> Cutting<'_, M, T> {
         self.tell(EarClippingEvent::Done { n_triangles })
     }
 
-    /// The next vertex of the round, and before the first of them the round itself.
     #[inline]
     fn turn<R: Real>(&mut self) -> Told<T::Stop> {
         let ears = self.ears();
@@ -347,8 +321,7 @@ impl<M: Includes<EarClipping>, T: Tell<M>> Cutting<'_, M, T> {
         Told::Continue(is_ear)
     }
 
-    /// Cuts an ear off. The angles at both neighbours become smaller, so that only one that was not convex can change its
-    /// kind.
+    /// Both neighbours' angles become smaller, so only one that was not convex can change its kind.
     #[inline]
     fn cut<R: Real>(&mut self, vertex_idx: usize) -> Told<T::Stop> {
         let ears = self.ears_mut();

@@ -30,5 +30,5 @@ pub use vertex::{Textured, Vertex};
 
 pub use super::{
     parameter::Share,
-    ring::{Right, Rule, Rules},
+    ring::{Crossing, EdgeTest, Known, Right, Rule, Rules},
 };

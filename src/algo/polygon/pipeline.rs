@@ -5,20 +5,17 @@
 //!                F, S         F, S         F, S          F, S
 //! ```
 //!
-//! 1. Each clipper holds two vertices: F, the first that came, and S, the one before. What it puts out goes into the
-//!    next clipper at once, before it does anything else.
-//! 2. When the polygon has no more vertices, the first clipper closes its ring: the crossing of its last edge, if any,
-//!    flows on. Then the second closes, and so on: by then all of its vertices have come.
+//! 1. Each clipper holds two vertices: F, the first that came, and S, the one before. What it puts out goes into the next at once.
+//! 2. When the polygon has no more vertices, the first clipper closes its ring, then the second, and so on.
 //!
-//! No list is kept between the clippers, and a vertex that comes out is final: the paper's *reentrant* form, for
-//! hardware and for polygons that do not fit into memory. It does to every vertex what [`SutherlandHodgman`] does,
-//! with the same step, so that the ring is the same, vertex for vertex. The order in which things happen differs.
+//! No list is kept, and a vertex that comes out is final: the paper's *reentrant* form, for hardware and for polygons that do not fit into
+//! memory. Each vertex goes through [`SutherlandHodgman`]'s step, so the ring is the same, vertex for vertex.
 //!
-//! *Conventions*, *degenerate*, *exact*, *cost*: as in [`SutherlandHodgman`]. *Memory*: two vertices a clip edge.
-//! *Bound*: no more than ⌊3n/2⌋ vertices leave a clipper that n enter.
+//! *Conventions*, *degenerate*, *exact*, *cost*: as in [`SutherlandHodgman`]. *Memory*: two vertices a clip edge. *Bound*: ⌊3n/2⌋ vertices
+//! leave a clipper that n enter.
 //!
-//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1),
-//! 1974, pp. 32–42, doi:10.1145/360767.360802.
+//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1), 1974, pp. 32–42,
+//! doi:10.1145/360767.360802.
 //!
 //! ```
 //! use clipscope::{algo::polygon::{Pipeline, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
@@ -44,7 +41,7 @@ use crate::{
 use super::SutherlandHodgman;
 use super::{
     super::line::Ratio,
-    super::ring::{Clip, Crossing, Happening, Right, RingEvent},
+    super::ring::{Clip, Crossing, EdgeTest, Happening, Known, Right, RingEvent},
     ClippedRing, RingOutcome, Rule, SutherlandHodgmanInput, Vertex,
     border::{Borders, NthBorder},
 };
@@ -116,29 +113,28 @@ pub enum PipelineEvent<V> {
 
 impl<V: Copy> RingEvent<V> for PipelineEvent<V> {
     fn happening(&self) -> Option<Happening<V>> {
-        let idx = [0; 2];
         match *self {
             Self::First {
                 at,
                 distance,
                 inside,
                 ..
-            } => Some(Happening::First {
+            } => Some(Happening::First(Known {
                 at,
                 distance,
                 inside,
-            }),
+            })),
             Self::Test {
                 ends,
                 distances,
                 rule,
                 ..
-            } => Some(Happening::Test {
-                idx,
+            } => Some(Happening::Test(EdgeTest {
+                idx: [0; 2],
                 ends,
                 distances,
                 rule,
-            }),
+            })),
             Self::Cross { at, t, .. } => Some(Happening::Cross(Crossing { at, t })),
             Self::Enter { .. } | Self::Output { .. } | Self::Close { .. } | Self::Done { .. } => {
                 None
@@ -177,7 +173,6 @@ pub struct PipelineHeld<V> {
     pub stages: Vec<PipelineStage<V>>,
     /// What has come out.
     pub output: Vec<V>,
-    /// In the end what that amounts to.
     outcome: RingOutcome,
 }
 
@@ -233,8 +228,7 @@ impl<V: Vertex> Method for Pipeline<V> {
         }
     }
 
-    /// For each clipper: every vertex enters, makes an edge and perhaps a crossing; closing is three events more.
-    /// Then what comes out, and the verdict.
+    /// For each clipper: a vertex enters, makes an edge and perhaps a crossing; closing is three more. Then output and verdict.
     fn max_events(input: &Self::Input) -> usize {
         let (mut n, mut total) = (input.vertices.len(), 1_usize);
         for _ in 0..input.region.n_edges() {
@@ -245,11 +239,10 @@ impl<V: Vertex> Method for Pipeline<V> {
     }
 }
 
-/// The clippers at work.
 struct AssemblyLine<'a, V, T> {
     borders: &'a Borders,
-    /// Vertices with the clipper they go to: they have left one, and not yet entered the next. The last one is the next to
-    /// move: a clipper's crossing flows through to the end before the vertex behind it does.
+    /// Vertices that have left one clipper, with the one they go to next. The last moves first: a crossing flows through to the end
+    /// before the vertex behind it does.
     waiting: Vec<(usize, V)>,
     held: &'a mut PipelineHeld<V>,
     tell: &'a mut T,
@@ -297,7 +290,6 @@ impl<V: Vertex, T: Tell<Pipeline<V>>> AssemblyLine<'_, V, T> {
         Told::Continue(())
     }
 
-    /// Lets everything that waits flow on as far as it goes.
     #[inline]
     fn flow<R: Real>(&mut self) -> Told<T::Stop> {
         while let Some((stage_idx, at)) = self.waiting.pop() {
@@ -311,30 +303,20 @@ impl<V: Vertex, T: Tell<Pipeline<V>>> AssemblyLine<'_, V, T> {
         Told::Continue(())
     }
 
-    /// What a clipper does; what it puts out is to go to the next.
     #[inline]
     fn note(&mut self, stage_idx: usize, happening: Happening<V>) -> Told<T::Stop> {
         let event = match happening {
-            Happening::First {
-                at,
-                distance,
-                inside,
-            } => PipelineEvent::First {
+            Happening::First(first) => PipelineEvent::First {
                 stage_idx,
-                at,
-                distance,
-                inside,
+                at: first.at,
+                distance: first.distance,
+                inside: first.inside,
             },
-            Happening::Test {
-                ends,
-                distances,
-                rule,
-                ..
-            } => PipelineEvent::Test {
+            Happening::Test(test) => PipelineEvent::Test {
                 stage_idx,
-                ends,
-                distances,
-                rule,
+                ends: test.ends,
+                distances: test.distances,
+                rule: test.rule,
             },
             Happening::Cross(Crossing { at, t }) => PipelineEvent::Cross { stage_idx, at, t },
             Happening::Output(at) => {

@@ -1,5 +1,4 @@
-//! Sutherland–Hodgman: clip the whole polygon against one edge of the region, then what is left against the
-//! next.
+//! Sutherland–Hodgman: clip the whole polygon against one edge of the region, then what is left against the next.
 //!
 //! ```text
 //!        ╱╲              ╱╲               ┊               one clip edge at a time:
@@ -8,31 +7,23 @@
 //!   └─╱──────╲─┘      ┄┄┄┄┄┄┄             ┊               input list of the next
 //! ```
 //!
-//! 1. For each edge of the region: begin an empty output list.
-//! 2. Put out the first vertex F if it is inside.
-//! 3. For each following vertex P, with S the one before, put out: P if both are inside; the crossing I if only
-//!    S is; I and P if only P is; nothing if neither is.
-//! 4. For the edge that closes the ring, from the last vertex to F, put out its crossing, if any.
-//! 5. The output list is the next edge's input list. The last one is the answer.
+//! 1. For each clip edge: put out the first vertex F if it is inside.
+//! 2. For each following vertex P, with S the one before, put out: P if both are inside; the crossing I if only S is; I and P if only P
+//!    is; nothing if neither is.
+//! 3. For the edge that closes the ring, put out its crossing, if any.
 //!
-//! A crossing is the weighted mean of both ends, (S·|d_P| + P·|d_S|) / (|d_S| + |d_P|), with d the distances from
-//! the border; whatever goes with the vertices is mixed in the same way. Along an axis the border
-//! coordinate is assigned. An end on the border is its own crossing, and not put out twice.
+//! A crossing is the weighted mean of both ends, (S·|d_P| + P·|d_S|) / (|d_S| + |d_P|), and so is whatever goes with the vertices. An end
+//! on the border is its own crossing, and not put out twice. There is one ring of output: where a concave polygon falls apart, its
+//! pieces stay joined by *bridges*, edges along the border, walked there and back.
 //!
-//! There is one ring of output, whatever the input. Where a concave polygon falls apart, its pieces stay joined
-//! by *bridges*: edges along the border, walked there and back, with no area.
+//! *Conventions*: closed, convex region; vertices come out in the order of the input, of either winding. *Degenerate*: [`RingOutcome`];
+//! repeated and collinear vertices are kept; clipping again changes nothing. *Exact* against a window, up to the crossings' free
+//! coordinates; within a rounding of an oblique edge a vertex may fall on either side, and a polygon that touches it may keep a sliver.
+//! *Bound*: at each clip edge n vertices become at most ⌊3n/2⌋, as each that is inside lies between at most two crossings. *Cost* a
+//! vertex and upright clip edge: 1 + and 1 comparison; a crossing: 3 +, 2 × and 1 ÷ more, and 5 or so comparisons.
 //!
-//! *Conventions*: closed, convex region; on its border is inside; vertices come out in the order of the input, of
-//! either winding. *Degenerate*: [`RingOutcome`]; repeated and collinear vertices are kept; a polygon that lies
-//! inside comes back as it was; clipping again changes nothing. *Exact* against a window, up to the crossings' free
-//! coordinates; against an oblique edge distances are rounded too, so that a vertex within a rounding of it may
-//! fall on either side, and a polygon that touches it between its vertices may keep a sliver.
-//! *Bound*: n vertices become at most ⌊3n/2⌋ at each clip edge, as each that is inside lies between at
-//! most two crossings. *Cost* a vertex and upright clip edge: 1 + and 1 comparison; a crossing: 3 +, 2 × and 1 ÷
-//! more, and 5 or so comparisons.
-//!
-//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1),
-//! 1974, pp. 32–42, doi:10.1145/360767.360802.
+//! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1), 1974, pp. 32–42,
+//! doi:10.1145/360767.360802.
 //!
 //! ```
 //! use clipscope::{algo::polygon::{RingOutcome, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
@@ -54,9 +45,8 @@ use crate::{
 };
 
 use super::{
-    super::line::Ratio,
-    super::ring::{Lists, Right, RingClipper, Rules, ring_events},
-    ClipRegion, ClippedRing, RingOutcome, Rule, Vertex,
+    super::ring::{Crossing, EdgeTest, Known, Lists, Right, RingClipper, Rules, ring_events},
+    ClipRegion, ClippedRing, RingOutcome, Vertex,
     border::{Borders, NthBorder},
 };
 
@@ -96,32 +86,11 @@ pub enum SutherlandHodgmanEvent<V> {
         origin: Point,
     },
     /// The first vertex of the input list.
-    First {
-        /// F
-        at: V,
-        /// Its signed distance from the clip edge.
-        distance: f64,
-        /// Is it inside?
-        inside: bool,
-    },
+    First(Known<V>),
     /// The edge from S to P, the last one closing the ring.
-    Test {
-        /// Where S and P stand in the input list.
-        idx: [usize; 2],
-        /// S and P.
-        ends: [V; 2],
-        /// Their signed distances from the clip edge.
-        distances: [f64; 2],
-        /// What follows.
-        rule: Rule,
-    },
+    Test(EdgeTest<V>),
     /// The edge crosses the clip edge.
-    Cross {
-        /// I
-        at: V,
-        /// Where from S to P.
-        t: Ratio,
-    },
+    Cross(Crossing<V>),
     /// A vertex is appended to the output list.
     Output {
         /// F, P or I.
@@ -146,7 +115,6 @@ pub enum SutherlandHodgmanEvent<V> {
 pub struct SutherlandHodgmanHeld<V> {
     /// The list that is clipped, and the one that grows.
     pub lists: Lists<Vec<V>>,
-    /// In the end what the former amounts to.
     outcome: RingOutcome,
 }
 
@@ -186,8 +154,7 @@ impl<V: Vertex, L: Rules> Method for SutherlandHodgman<V, L> {
         }
     }
 
-    /// For each clip edge: its turn; the first vertex, perhaps put out; for each polygon edge a test, a crossing
-    /// with its copies, and an end; the pass. Then the verdict.
+    /// For each clip edge: its turn; the first vertex; for each edge a test, a crossing with copies, an end; the pass. Then the verdict.
     fn max_events(input: &Self::Input) -> usize {
         let per_edge = 3 + L::COPIES;
         let (mut n, mut total) = (input.vertices.len(), 1_usize);

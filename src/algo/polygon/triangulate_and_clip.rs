@@ -1,5 +1,4 @@
-//! Triangulate, then clip: a concave polygon leaves its pieces without bridges when every triangle of it is
-//! clipped on its own.
+//! Triangulate, then clip: a concave polygon leaves its pieces without bridges when every triangle of it is clipped on its own.
 //!
 //! ```text
 //!     ┌────────────────┐        a U reaches into a window          ┌──┐      ┌──┐
@@ -12,20 +11,14 @@
 //!                                                                  └──┘      └──┘
 //! ```
 //!
-//! 1. Cut the polygon into triangles: [`EarClipping`].
-//! 2. Clip each triangle against the region: [`SutherlandHodgman`]. What is left of a convex polygon in a convex
-//!    region is convex: one piece, or none. A triangle that only touches the region leaves none, but for what rounding leaves
-//!    ([`Pieces::rings`]).
+//! By [`EarClipping`], and then by [`SutherlandHodgman`] for each triangle: what is left of a convex polygon in a convex region is one convex
+//! piece, or none. Two that meet along a diagonal share it bit for bit: [`Pieces::outline`] takes such edges out.
 //!
-//! The pieces together are the polygon's part in the region. Two of them that meet along a diagonal share it bit
-//! for bit, as both triangles do and as a crossing belongs to its edge: [`Pieces::outline`] takes such edges out
-//! and leaves what surrounds the pieces when they are merged.
+//! *Conventions*, *degenerate*, *exact*: as in the two. *Bound*: the events of one run of ear clipping, and of n − 2 runs of
+//! Sutherland–Hodgman on three vertices, with two more for each. *Cost*: the sum of both.
 //!
-//! *Conventions*, *degenerate*, *exact*: as in the two. *Bound*: the events of one run of ear clipping, and of
-//! n − 2 runs of Sutherland–Hodgman on three vertices, with two more for each. *Cost*: the sum of both.
-//!
-//! *Source*: splitting a concave polygon and clipping its convex parts one by one is the remedy in D. Hearn and
-//! M. P. Baker, *Computer Graphics, C Version*, 2nd edition, 1997, section 6-8.
+//! *Source*: splitting a concave polygon and clipping its convex parts one by one is the remedy in D. Hearn and M. P. Baker, *Computer
+//! Graphics, C Version*, 2nd edition, 1997, section 6-8.
 //!
 //! ```
 //! use clipscope::{
@@ -199,11 +192,12 @@ impl Method for TriangulateAndClip {
         held.pieces
     }
 
-    /// Those of the triangulation; for each triangle its turn, its clipping and its piece; the end.
     fn max_events(input: &Self::Input) -> usize {
         let n_triangles = input.polygon.vertices().len() - 2;
-        let corner = input.polygon.vertices()[0];
-        let problem = one_triangle(&input.region, [corner; 3]);
+        let problem = SutherlandHodgmanInput {
+            region: input.region.clone(),
+            vertices: input.polygon.vertices()[..3].to_vec(),
+        };
         let per_triangle = <SutherlandHodgman>::max_events(&problem).saturating_add(2);
         EarClipping::max_events(&input.polygon)
             .saturating_add(per_triangle.saturating_mul(n_triangles))
@@ -211,7 +205,6 @@ impl Method for TriangulateAndClip {
     }
 }
 
-/// Short runs need no copies.
 const TRIANGLES_PER_REST: usize = 64;
 
 impl Includes<EarClipping> for TriangulateAndClip {
@@ -273,13 +266,6 @@ impl RingEvent<Point> for TriangulateAndClipEvent {
     }
 }
 
-fn one_triangle(region: &ClipRegion, corners: [Point; 3]) -> SutherlandHodgmanInput {
-    SutherlandHodgmanInput {
-        region: region.clone(),
-        vertices: corners.to_vec(),
-    }
-}
-
 impl Pieces {
     fn push(&mut self, triangle_idx: usize, ring: &[Point], outcome: RingOutcome) {
         if matches!(outcome, RingOutcome::Whole | RingOutcome::Cut) {
@@ -301,15 +287,19 @@ impl Pieces {
         self.ends.is_empty()
     }
 
-    /// Each piece's vertices, counter-clockwise. Where a triangle only touches the region in a point off its vertices,
-    /// and the crossings there are rounded, a sliver may be left that is no wider than that rounding, and turns
-    /// either way.
+    /// Counter-clockwise. Where a triangle only touches the region, rounding may leave a sliver no wider than itself, of either turn.
     #[must_use]
     pub fn rings(&self) -> impl ExactSizeIterator<Item = &[Point]> + '_ {
-        (0..self.ends.len()).map(|i| {
-            let start = i.checked_sub(1).map_or(0, |before| self.ends[before]);
-            &self.vertices[start..self.ends[i]]
-        })
+        (0..self.ends.len()).map(|i| self.ring(i))
+    }
+
+    /// The vertices of one piece.
+    #[must_use]
+    pub fn ring(&self, piece_idx: usize) -> &[Point] {
+        let start = piece_idx
+            .checked_sub(1)
+            .map_or(0, |before| self.ends[before]);
+        &self.vertices[start..self.ends[piece_idx]]
     }
 
     /// The triangle that each piece is left of.
@@ -318,8 +308,7 @@ impl Pieces {
         &self.triangles
     }
 
-    /// The edges that no other piece walks the other way: what surrounds the pieces once they are merged, with
-    /// the inside on the left.
+    /// The edges that no other piece walks the other way: the outline of all pieces together, with the inside on its left.
     #[must_use]
     pub fn outline(&self) -> Vec<Segment> {
         let edges = || self.rings().flat_map(ring_edges);
@@ -329,8 +318,7 @@ impl Pieces {
             .collect()
     }
 
-    /// The pieces merged: rings that surround them, to be filled where an odd number of them goes round. Where rings
-    /// touch in a point they may be joined there; what they surround is the same.
+    /// The pieces merged: rings to be filled where an odd number goes round. Those that touch in a point may be joined there.
     #[must_use]
     pub fn merged(&self) -> Vec<Vec<Point>> {
         let outline = self.outline();

@@ -11,8 +11,7 @@ pub trait Vertex: Copy + PartialEq {
     /// Where it is.
     fn at(&self) -> Point;
 
-    /// The vertex at `at`, where the edge from `self`, which is inside, to `outside` crosses a border.
-    /// Everything but the position is to be mixed by `share`.
+    /// Where the edge from `self`, inside, to `outside` crosses a border: at `at`; all but the position is mixed by `share`.
     #[must_use]
     fn crossing<R: Real>(&self, outside: &Self, at: Point, share: &Share<R>) -> Self;
 }

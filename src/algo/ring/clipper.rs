@@ -49,7 +49,6 @@ pub struct Lists<P> {
 }
 
 impl<P> Lists<P> {
-    /// Of which the first is to be clipped.
     #[inline]
     pub(in crate::algo) const fn new(pair: [P; 2]) -> Self {
         let n_passed = 0;
@@ -86,7 +85,6 @@ impl<P> Lists<P> {
         &mut self.pair[(self.n_passed + 1) % 2]
     }
 
-    /// The list that was clipped last.
     #[inline]
     pub(in crate::algo) fn into_list(self) -> P {
         let [first, second] = self.pair;
@@ -98,39 +96,29 @@ impl<P> Lists<P> {
     }
 }
 
-/// What a clipped ring is made of.
 type VertexOf<M> = <<M as RingClipper>::Ring as Ring>::Vertex;
 
 /// A clipper of rings.
 pub trait RingClipper: Method<Event: From<Happening<VertexOf<Self>>>> {
-    /// What its lists are.
     type Ring: Ring;
-    /// What it may get wrong.
     type Rules: Rules;
-    /// What it clips against, one after the other.
     type Limit<'a>: Limit<VertexOf<Self>>;
     /// Of a shorter list nothing is left to clip.
     const FEWEST: usize = 1;
 
-    /// Both lists.
     fn lists(held: &Self::Held) -> &Lists<Self::Ring>;
 
-    /// Both lists, to be changed.
     fn lists_mut(held: &mut Self::Held) -> &mut Lists<Self::Ring>;
 
     /// An edge crosses the limit.
     fn crossed(_: &mut Self::Held) {}
 
-    /// The next limit's turn.
     fn turn(limit: &Self::Limit<'_>) -> Self::Event;
 
     /// The limit is done with, and so many vertices are left.
     fn passed(limit: &Self::Limit<'_>, n_vertices: usize) -> Self::Event;
 
     /// Clips the list against one limit.
-    ///
-    /// # Errors
-    /// What `tell` stopped the run for.
     #[inline]
     fn clip<R: Real, T: Tell<Self>>(
         held: &mut Self::Held,
@@ -142,9 +130,6 @@ pub trait RingClipper: Method<Event: From<Happening<VertexOf<Self>>>> {
     }
 
     /// Clips the list against one limit after the other.
-    ///
-    /// # Errors
-    /// What `tell` stopped the run for.
     #[inline]
     fn clip_by_all<'a, R: Real, T: Tell<Self>>(
         held: &mut Self::Held,
@@ -183,7 +168,7 @@ pub fn clip_ring<M: RingClipper, R: Real, T: Tell<M>>(
         match happening {
             Happening::Output(at) => M::lists_mut(held).other_mut().push(at),
             Happening::Cross(_) => M::crossed(held),
-            Happening::First { .. } | Happening::Test { .. } => {}
+            Happening::First(_) | Happening::Test(_) => {}
         }
         tell.tell(held, M::Event::from(happening))
     };
@@ -210,3 +195,42 @@ pub fn put_in<V: Copy>(
         Told::Continue(())
     }
 }
+
+/// An event of a clipper of rings: what happens to a vertex or an edge, or something between limits.
+pub trait RingEvent<V> {
+    /// What happens to a vertex or an edge; none between limits.
+    fn happening(&self) -> Option<Happening<V>>;
+}
+
+/// Writes both ways between a [`Happening`] and an enum of events that has the variants `First`, `Test`, `Cross` and `Output`.
+macro_rules! ring_events {
+    ([$($generics:tt)*] $Event:ty, $V:ty, between: $($between:ident)|+) => {
+        impl<$($generics)*> From<$crate::algo::ring::Happening<$V>> for $Event {
+            #[inline]
+            fn from(happening: $crate::algo::ring::Happening<$V>) -> Self {
+                use $crate::algo::ring::Happening;
+                match happening {
+                    Happening::First(first) => Self::First(first),
+                    Happening::Test(test) => Self::Test(test),
+                    Happening::Cross(crossing) => Self::Cross(crossing),
+                    Happening::Output(at) => Self::Output { at },
+                }
+            }
+        }
+
+        impl<$($generics)*> $crate::algo::ring::RingEvent<$V> for $Event {
+            fn happening(&self) -> Option<$crate::algo::ring::Happening<$V>> {
+                use $crate::algo::ring::Happening;
+                Some(match *self {
+                    Self::First(first) => Happening::First(first),
+                    Self::Test(test) => Happening::Test(test),
+                    Self::Cross(crossing) => Happening::Cross(crossing),
+                    Self::Output { at } => Happening::Output(at),
+                    $(Self::$between { .. })|+ => return None,
+                })
+            }
+        }
+    };
+}
+
+pub(in crate::algo) use ring_events;

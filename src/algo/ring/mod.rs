@@ -1,18 +1,12 @@
-//! Rings of vertices against limits, one after the other, each vertex by vertex: every form of Sutherland–Hodgman, in the plane
-//! and in space. Nothing here knows how many dimensions there are: an edge of a window, a plane or a side of clip space is known
-//! by what it says of a vertex, and of an edge of the ring (`Limit`).
+//! Every form of Sutherland–Hodgman: rings of vertices against one limit after the other, in any number of dimensions. An edge of a window,
+//! a plane or a side of clip space is known by what it says of a vertex and of an edge (`Limit`).
 
 mod clipper;
-mod event;
-mod rules;
 mod step;
 
-pub use clipper::{Lists, Ring};
-pub use event::RingEvent;
-pub use rules::{Right, Rules};
-pub use step::{Crossing, Happening, Rule};
+pub use clipper::{Lists, Ring, RingEvent};
+pub use step::{Crossing, EdgeTest, Happening, Known, Right, Rule, Rules};
 pub(super) use {
-    clipper::{RingClipper, clip_ring, put_in},
-    event::ring_events,
+    clipper::{RingClipper, clip_ring, put_in, ring_events},
     step::{Clip, Limit},
 };

@@ -9,12 +9,9 @@
 //!   S ──► P    ┊                    out → out  nothing
 //! ```
 //!
-//! A clipper holds two vertices, the first one and the one before; nothing else. The first vertex follows no
-//! edge: it is put out if it is inside. When the last one has come, the edge that closes the ring leads back to
-//! the first: of it only a crossing is put out, for the first vertex already stands at the head of the list.
-//!
-//! An edge that only touches the border, with its inside end on it, has no crossing: that would be this end
-//! again, which the other rules put out already. So a crossing needs one end strictly inside.
+//! A clipper holds the first vertex, which is put out if it is inside, and the one before. Of the edge that closes the ring only a crossing
+//! is put out, as the first vertex already heads the list. An edge that only touches the border with its inside end has no crossing:
+//! the other rules put that end out already.
 
 use serde::Serialize;
 
@@ -23,15 +20,32 @@ use crate::{
     trace::{Real, Told},
 };
 
-use super::rules::{Right, Rules};
+/// What may be got wrong, known at compile time. The values given here are right; [`super::super::polygon::faulty`] has the others.
+pub trait Rules: Copy {
+    /// Is a vertex on the border inside?
+    const BORDER_IS_INSIDE: bool = true;
+    /// Is the edge from the last vertex to the first one clipped too?
+    const CLOSES: bool = true;
+    /// How many times a crossing is put out.
+    const COPIES: usize = 1;
+    /// Does P come before the crossing where an edge comes in?
+    const END_FIRST: bool = false;
+    /// Are the clip edges walked clockwise, with the inside still to their left?
+    const CLOCKWISE: bool = false;
+}
+
+/// As Sutherland and Hodgman have it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Right;
+
+impl Rules for Right {}
 
 /// What a ring is clipped against: the paper's limiting plane.
 pub trait Limit<V>: Copy {
     /// Signed distance of a vertex: not below 0 inside.
     fn distance<R: Real>(&self, vertex: &V) -> R;
 
-    /// Where the edge from `ends[0]` to `ends[1]`, one of them strictly inside and the other outside, crosses; `None` where
-    /// rounding puts the crossing on the inside end itself.
+    /// Where an edge with one end strictly inside and one outside crosses; `None` where that rounds to the inside end.
     fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>>;
 
     /// A distance as an event tells it.
@@ -48,7 +62,7 @@ pub trait Limit<V>: Copy {
 }
 
 /// Where an edge crosses a limit.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Crossing<V> {
     /// On the border.
     pub at: V,
@@ -71,10 +85,9 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// All four, in the order of the paper's table.
+    /// In the order of the paper's table.
     pub const ALL: [Self; 4] = [Self::InIn, Self::InOut, Self::OutIn, Self::OutOut];
 
-    /// The rule for an edge between such ends.
     #[inline]
     const fn of(is_from_inside: bool, is_to_inside: bool) -> Self {
         match (is_from_inside, is_to_inside) {
@@ -104,56 +117,65 @@ impl Rule {
     }
 }
 
+/// A vertex against the limit at work.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Known<V> {
+    /// The vertex.
+    pub at: V,
+    /// Its signed distance.
+    pub distance: f64,
+    /// Is it inside?
+    pub inside: bool,
+}
+
+/// The edge from S to P, the last one closing the ring, against the limit at work.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct EdgeTest<V> {
+    /// Where S and P stand in the list.
+    pub idx: [usize; 2],
+    /// S and P.
+    pub ends: [V; 2],
+    /// Their signed distances.
+    pub distances: [f64; 2],
+    /// What follows.
+    pub rule: Rule,
+}
+
+impl<V> EdgeTest<V> {
+    /// Are S and P inside?
+    #[must_use]
+    pub const fn inside(&self) -> [bool; 2] {
+        [self.rule.starts_inside(), self.rule.ends_inside()]
+    }
+}
+
 /// What a clipper does, in order.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Happening<V> {
     /// The first vertex is looked at.
-    First {
-        /// F
-        at: V,
-        /// Its signed distance.
-        distance: f64,
-        /// Is it inside?
-        inside: bool,
-    },
+    First(Known<V>),
     /// The edge from S to P is looked at.
-    Test {
-        /// Where S and P stand in the list.
-        idx: [usize; 2],
-        /// S and P.
-        ends: [V; 2],
-        /// Their signed distances.
-        distances: [f64; 2],
-        /// What follows.
-        rule: Rule,
-    },
+    Test(EdgeTest<V>),
     /// The edge crosses the limit.
     Cross(Crossing<V>),
     /// A vertex is put out.
     Output(V),
 }
 
-/// A vertex whose distance from the border has been found.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Known<V> {
-    vertex: V,
-    distance: f64,
-    inside: bool,
-}
-
 impl<V: Copy> Known<V> {
     #[inline]
-    fn find<L: Rules, R: Real>(limit: &impl Limit<V>, vertex: V) -> Self {
-        let distance = limit.distance::<R>(&vertex);
+    fn find<L: Rules, R: Real>(limit: &impl Limit<V>, at: V) -> Self {
+        let distance = limit.distance::<R>(&at);
         let zero = R::new(0.0);
         let inside = if L::BORDER_IS_INSIDE {
             distance >= zero
         } else {
             distance > zero
         };
+        let distance = distance.get();
         Self {
-            vertex,
-            distance: distance.get(),
+            at,
+            distance,
             inside,
         }
     }
@@ -184,17 +206,10 @@ impl<V: Copy> Clip<V> {
         limit: &impl Limit<V>,
         tell: &mut impl FnMut(Happening<V>) -> Told<S>,
     ) -> Told<S> {
-        let Known {
-            vertex: at,
-            distance,
-            inside,
-        } = self.first;
-        tell(Happening::First {
-            at,
-            distance: limit.told(distance),
-            inside,
-        })?;
-        put_out(inside.then_some(at), 1, tell)
+        let first = self.first;
+        let distance = limit.told(first.distance);
+        tell(Happening::First(Known { distance, ..first }))?;
+        put_out(first.inside.then_some(first.at), 1, tell)
     }
 
     /// Takes the next vertex, which stands at `idx[1]` of the list, after the one at `idx[0]`.
@@ -219,8 +234,7 @@ impl<V: Copy> Clip<V> {
         Told::Continue(())
     }
 
-    /// Takes all vertices up to the first on the other side, and returns how many: to a clipper they are all the
-    /// same rule, in → in or out → out. By the right rules only.
+    /// Takes all vertices up to the first on the other side, and returns how many: one rule for all. By the right rules only.
     #[inline]
     pub fn run(&mut self, limit: &impl Limit<V>, vertices: &[V]) -> usize {
         let n = limit.run(vertices, self.previous.inside);
@@ -230,14 +244,12 @@ impl<V: Copy> Clip<V> {
         n
     }
 
-    /// The first vertex.
     pub const fn first(&self) -> V {
-        self.first.vertex
+        self.first.at
     }
 
-    /// The vertex before the next one.
     pub const fn previous(&self) -> V {
-        self.previous.vertex
+        self.previous.at
     }
 
     /// Is the vertex before the next one inside?
@@ -263,7 +275,6 @@ impl<V: Copy> Clip<V> {
     }
 }
 
-/// Which rule the edge from S to P falls under, and where it crosses.
 #[inline]
 fn edge<V: Copy, R: Real, S>(
     limit: &impl Limit<V>,
@@ -273,15 +284,15 @@ fn edge<V: Copy, R: Real, S>(
 ) -> Told<S, (Rule, Option<V>)> {
     let rule = Rule::of(s.inside, p.inside);
     let distances = [s.distance, p.distance];
-    tell(Happening::Test {
+    tell(Happening::Test(EdgeTest {
         idx,
-        ends: [s.vertex, p.vertex],
+        ends: [s.at, p.at],
         distances: distances.map(|d| limit.told(d)),
         rule,
-    })?;
+    }))?;
     let distances = distances.map(R::new);
     let crossing = if rule.changes_side() && crosses(distances) {
-        limit.crossing([&s.vertex, &p.vertex], distances)
+        limit.crossing([&s.at, &p.at], distances)
     } else {
         None
     };

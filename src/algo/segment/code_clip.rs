@@ -1,19 +1,9 @@
-//! A segment against upright borders, decided by codes as far as they decide: one bit a side.
-//!
-//! ```text
-//!   OR  = 0   both ends inside: accept
-//!   AND ≠ 0   both ends beyond one side: reject
-//!   otherwise cut at the side of the lowest bit set in the OR, and look again
-//! ```
-//!
-//! 1. Give both ends a code.
-//! 2. Accept or reject by OR and AND where that is possible.
-//! 3. Take the lowest bit set in the OR. As the AND is 0, exactly one end has it: the segment crosses that side. Replace that
-//!    end by the crossing, give it a new code, go to 2.
+//! A segment against upright borders, decided by codes as far as they decide: one bit a side. OR = 0: both ends are inside. AND ≠
+//! 0: both lie beyond one side. Otherwise cut at the side of the lowest bit set in the OR, which exactly one end has, and look
+//! again.
 //!
 //! The side is chosen from the OR of both codes, not from "the first end that is outside": then the cuts do not depend on the
-//! direction of the segment. What the sides, the codes and the crossings are depends on what is clipped against ([`Coded`]).
-//! *Bound*: each cut clears a bit of the OR for good.
+//! direction of the segment. *Bound*: each cut clears a bit of the OR for good.
 
 use std::{
     fmt::{Debug, Display},
@@ -28,7 +18,7 @@ use crate::{
     trace::{Method, Real, Tell, Told},
 };
 
-use super::{Fields, VisibleLine};
+use super::{Ends, Fields, LineAnswer, VisibleLine};
 
 /// What is clipped by codes, and against what.
 pub trait Coded<const N: usize>: Clone + 'static {
@@ -45,12 +35,12 @@ pub trait Coded<const N: usize>: Clone + 'static {
         + BitAnd<Output = Self::Code>
         + 'static;
     /// The answer, as a program asks for it.
-    type Output: Clone + PartialEq;
+    type Output: LineAnswer<N>;
     /// How many sides there are.
     const N_SIDES: usize;
 
     /// P₁ and P₂.
-    fn ends(&self) -> [[f64; N]; 2];
+    fn ends(&self) -> Ends<N>;
 
     /// The code of a point.
     fn code<R: Real>(&self, at: [f64; N]) -> Self::Code;
@@ -62,10 +52,7 @@ pub trait Coded<const N: usize>: Clone + 'static {
     fn has(&self, code: Self::Code, side: Self::Side) -> bool;
 
     /// Where the segment crosses a side, kept within what is left, and where along the given segment that is.
-    fn crossing<R: Real>(&self, side: Self::Side, left: &[[f64; N]; 2]) -> ([f64; N], Ratio);
-
-    /// What a program gets.
-    fn answer(visible: VisibleLine<N>) -> Self::Output;
+    fn crossing<R: Real>(&self, side: Self::Side, left: &Ends<N>) -> ([f64; N], Ratio);
 }
 
 /// The algorithm on inputs of the kind `I`; see the module.
@@ -117,7 +104,7 @@ pub enum CodeEvent<const N: usize, C, S> {
     /// What is left is visible.
     Accept {
         /// The ends of the visible part.
-        ends: [[f64; N]; 2],
+        ends: Ends<N>,
     },
     /// Nothing is visible.
     Reject {
@@ -158,12 +145,10 @@ impl<const N: usize, C: Serialize, Side: Serialize> Serialize for CodeEvent<N, C
     }
 }
 
-/// What a clipper by codes works in.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CodeHeld<const N: usize> {
-    /// The ends of what is left.
-    pub ends: [[f64; N]; 2],
-    /// The answer, once something is found visible.
+    /// Of what is left.
+    pub ends: Ends<N>,
     pub visible: VisibleLine<N>,
 }
 
@@ -223,7 +208,7 @@ impl<const N: usize, I: Coded<N>> Method for CodeClip<N, I> {
 
     #[inline]
     fn output(held: CodeHeld<N>) -> I::Output {
-        I::answer(held.visible)
+        I::Output::of(held.visible)
     }
 
     /// Two codes; at most one round of OR, AND, choice, cut and code a side; OR and AND; a verdict.

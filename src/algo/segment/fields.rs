@@ -7,27 +7,16 @@ use serde::{Serialize, Serializer, ser::SerializeMap};
 pub struct Fields<S: Serializer>(S::SerializeMap);
 
 impl<S: Serializer> Fields<S> {
-    /// Of the event of this name.
-    ///
-    /// # Errors
-    /// Those of the serializer.
     pub fn of(serializer: S, event: &str) -> Result<Self, S::Error> {
         Self(serializer.serialize_map(None)?).with("event", event)
     }
 
-    /// One more.
-    ///
-    /// # Errors
-    /// Those of the serializer.
     pub fn with(mut self, name: &str, value: &(impl Serialize + ?Sized)) -> Result<Self, S::Error> {
         self.0.serialize_entry(name, value)?;
         Ok(self)
     }
 
     /// The ends of what is visible: in the plane four numbers, in space two places.
-    ///
-    /// # Errors
-    /// Those of the serializer.
     pub fn with_ends<const N: usize>(self, ends: &[[f64; N]; 2]) -> Result<Self, S::Error> {
         if N == 2 {
             self.with("segment", ends.as_flattened())
@@ -36,10 +25,6 @@ impl<S: Serializer> Fields<S> {
         }
     }
 
-    /// No more.
-    ///
-    /// # Errors
-    /// Those of the serializer.
     pub fn end(self) -> Result<S::Ok, S::Error> {
         self.0.end()
     }

@@ -1,27 +1,14 @@
-//! A segment against any planes, in any number of dimensions: one inequality a plane for the parameter.
-//!
-//! ```text
-//!   P(u) = P₁ + u (P₂ − P₁) is inside a plane where  u·p ≤ q       q: how far P₁ lies inside
-//!                                                                  p: how much of that the way to P₂ takes away
-//!   p < 0  the line comes in,   u ≥ r = q/p
-//!   p > 0  it goes out,         u ≤ r              0 ──[u_min ━━━━━ u_max]── 1
-//!   p = 0  parallel: inside if q ≥ 0
-//! ```
-//!
-//! What Liang and Barsky do with a window is the same with the six faces of a box, with planes that stand obliquely, and with
-//! the sides x = ±w of clip space: only p, q and the place of a crossing depend on what is clipped against ([`Bounds`]).
-//!
-//! 1. Start with the whole segment: u_min = 0, u_max = 1.
-//! 2. For each plane, compute p and q. Parallel and outside: reject. Otherwise r = q/p raises u_min or lowers u_max.
-//! 3. Reject as soon as u_min > u_max. Otherwise the answer is P(u_min) to P(u_max).
+//! A segment against any planes, in any number of dimensions: P(u) = P₁ + u (P₂ − P₁) is inside a plane where `u·p ≤ q`, q being
+//! how far P₁ lies inside, and p how much of that the way to P₂ takes away. What Liang and Barsky do with a window is the same
+//! with the faces of a box, with oblique planes, and with the sides x = ±w of clip space: only p, q and the place of a crossing
+//! differ ([`Bounds`]).
 //!
 //! *Exact*: `max`, `min` and `>` on parameters ([`Param::compare`]), so that a touch is told from nothing beyond rounding and
 //! both directions decide alike; an end that was inside comes back bit for bit; swapping the ends swaps the answer's, bit for
-//! bit. Where u_min = u_max both ends are the same point. *Bound*: what begins the run, three events a plane, two ends, a
-//! verdict.
+//! bit. Where u_min = u_max both ends are the same point.
 //!
-//! *Source*: You-Dong Liang and Brian A. Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics
-//! 3(1), 1984, pp. 1–22, doi:10.1145/357332.357333; sections 5 and 6 have three dimensions and perspective.
+//! *Source*: You-Dong Liang and Brian A. Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics 3(1),
+//! 1984, pp. 1–22, doi:10.1145/357332.357333; sections 5 and 6 have three dimensions and perspective.
 
 use std::{fmt::Debug, marker::PhantomData};
 
@@ -35,10 +22,18 @@ use crate::{
     trace::{Method, Real, Tell, Told},
 };
 
-use super::{LineEvent, LineRules, RowNumbers, VisibleLine};
+use super::{Ends, LineAnswer, LineEvent, RowNumbers, VisibleLine};
 
 /// An event of clipping against the bounds `B`.
 pub type EventOf<const N: usize, B> = LineEvent<<B as Bounds<N>>::Plane, N, <B as Bounds<N>>::Row>;
+
+/// What is easily got wrong. The value given here is right; [`crate::algo::volume::faulty`] has the other.
+pub trait LineRules: Copy + 'static {
+    /// Are both ends divided by w before anything is clipped?
+    const DIVIDES_FIRST: bool = false;
+}
+
+impl LineRules for Right {}
 
 /// What a segment of `N` coordinates is clipped against.
 pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
@@ -46,32 +41,30 @@ pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
     type Plane: Copy + Ord + Debug + Serialize + 'static;
     /// The numbers of a plane's row.
     type Row: RowNumbers;
-    /// What is worked out once for all planes.
-    type Once<R: Real>: Copy;
     /// What a program gives: a segment and these bounds.
     type Input: Given<N, Self>;
     /// What it gets.
-    type Output: Clone + PartialEq;
-
-    /// What a program gets.
-    fn answer(visible: VisibleLine<N>) -> Self::Output;
+    type Output: LineAnswer<N>;
 
     /// In the order in which they are asked.
     fn planes(&self) -> impl Iterator<Item = Self::Plane>;
 
-    /// Before the first plane: what is told, and what is worked out; `None` where nothing can be visible. The wrong rules change
-    /// the ends here.
+    /// Before the first plane: what is told, and P₂ − P₁ where it is worked out once for all planes; `None` where nothing can be
+    /// visible. The wrong rules change the ends here.
+    #[inline]
     fn begin<R: Real, L: LineRules>(
         &self,
-        ends: &mut [[f64; N]; 2],
-    ) -> (Option<EventOf<N, Self>>, Option<Self::Once<R>>);
+        _ends: &mut Ends<N>,
+    ) -> (Option<EventOf<N, Self>>, Option<[R; N]>) {
+        (None, Some([R::new(0.0); N]))
+    }
 
     /// p and q, and the row that shows them.
     fn inequality<R: Real>(
         &self,
         plane: Self::Plane,
-        ends: &[[f64; N]; 2],
-        once: &Self::Once<R>,
+        ends: &Ends<N>,
+        delta: &[R; N],
     ) -> ([R; 2], Self::Row);
 
     /// q as an event shows it: a zero has no sign.
@@ -85,11 +78,14 @@ pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
         p > R::new(0.0)
     }
 
-    /// q / p, p not being 0.
-    fn quotient<R: Real>(&self, plane: Self::Plane, ends: &[[f64; N]; 2], p_and_q: [R; 2]) -> R;
+    /// q / p, p not being 0. A zero has no sign.
+    #[inline]
+    fn quotient<R: Real>(&self, _plane: Self::Plane, _ends: &Ends<N>, [p, q]: [R; 2]) -> R {
+        R::new((q / p).get() + 0.0)
+    }
 
     /// Signed distances of both ends, inside positive: their signs and their ratio count.
-    fn distances(&self, plane: Self::Plane, ends: &[[f64; N]; 2]) -> [f64; 2];
+    fn distances(&self, plane: Self::Plane, ends: &Ends<N>) -> [f64; 2];
 
     /// Of two planes that are crossed at the same place the first sets the bound, unless the other wins.
     fn wins_tie(&self, _other: Self::Plane, _first: Self::Plane) -> bool {
@@ -100,19 +96,18 @@ pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
     fn touched<R: Real>(
         &self,
         interval: &Interval<R, Self::Plane>,
-        ends: &[[f64; N]; 2],
+        ends: &Ends<N>,
     ) -> Option<[Self::Plane; 2]> {
         let is_touch = interval.is_touch(|plane| self.distances(plane, ends));
         interval.borders().filter(|_| is_touch)
     }
 
-    /// Where the segment crosses a plane, known to be inside of all: on this plane, and on the `touched` one where it meets
-    /// both there.
+    /// Where the segment crosses a plane, inside of all; and the `touched` one, where it meets both there.
     fn crossing<R: Real>(
         &self,
         plane: Self::Plane,
         touched: Option<Self::Plane>,
-        ends: &[[f64; N]; 2],
+        ends: &Ends<N>,
     ) -> [f64; N];
 }
 
@@ -122,7 +117,7 @@ pub trait Given<const N: usize, B>: Clone + PartialEq + Debug + 'static {
     fn bounds(&self) -> &B;
 
     /// P₁ and P₂, finite.
-    fn ends(&self) -> [[f64; N]; 2];
+    fn ends(&self) -> Ends<N>;
 }
 
 /// The algorithm, against the bounds `B` and by the rules of `L`; see the module.
@@ -130,12 +125,12 @@ pub trait Given<const N: usize, B>: Clone + PartialEq + Debug + 'static {
 pub struct LineClip<const N: usize, B, L = Right>(PhantomData<(B, L)>);
 
 /// What is clipped, and against what.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LineInput<const N: usize, B> {
     /// Closed.
     pub bounds: B,
     /// P₁ and P₂, finite.
-    pub ends: [[f64; N]; 2],
+    pub ends: Ends<N>,
 }
 
 impl<const N: usize, B: Bounds<N>> Given<N, B> for LineInput<N, B> {
@@ -143,7 +138,7 @@ impl<const N: usize, B: Bounds<N>> Given<N, B> for LineInput<N, B> {
         &self.bounds
     }
 
-    fn ends(&self) -> [[f64; N]; 2] {
+    fn ends(&self) -> Ends<N> {
         self.ends
     }
 }
@@ -167,16 +162,16 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
     ) -> Told<T::Stop> {
         use LineEvent as Event;
         let (bounds, mut ends) = (input.bounds(), input.ends());
-        let (first, once) = bounds.begin::<R, L>(&mut ends);
+        let (first, delta) = bounds.begin::<R, L>(&mut ends);
         if let Some(event) = first {
             tell.tell(held, event)?;
         }
-        let Some(once) = once else {
+        let Some(delta) = delta else {
             return tell.tell(held, Event::Reject { plane: None });
         };
         let mut interval = Interval::whole();
         for plane in bounds.planes() {
-            let ([p, q], row) = bounds.inequality(plane, &ends, &once);
+            let ([p, q], row) = bounds.inequality(plane, &ends, &delta);
             tell.tell(held, Event::Row { plane, row })?;
             let visible = if p == R::new(0.0) {
                 let inside = q >= R::new(0.0);
@@ -192,15 +187,31 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
                 let distances = |plane| bounds.distances(plane, &ends);
                 let wins_tie = |first| bounds.wins_tie(plane, first);
                 let moves = interval.shrink(param, distances, wins_tie);
-                tell.tell(held, bound_event(plane, &param, moves, interval.values()))?;
-                let empty = interval.is_empty(distances);
-                let [u_min, u_max] = interval.values();
-                let event = Event::Interval {
-                    u_min,
-                    u_max,
-                    empty,
+                let ([u_min, u_max], r) = (interval.values(), param.u.get());
+                let bound = match (param.leaving, moves) {
+                    (false, raises) => Event::Enter {
+                        plane,
+                        r,
+                        raises,
+                        u_min,
+                    },
+                    (true, lowers) => Event::Leave {
+                        plane,
+                        r,
+                        lowers,
+                        u_max,
+                    },
                 };
-                tell.tell(held, event)?;
+                tell.tell(held, bound)?;
+                let empty = interval.is_empty(distances);
+                tell.tell(
+                    held,
+                    Event::Interval {
+                        u_min,
+                        u_max,
+                        empty,
+                    },
+                )?;
                 !empty
             };
             if !visible {
@@ -214,7 +225,7 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
 
     #[inline]
     fn output(held: VisibleLine<N>) -> B::Output {
-        B::answer(held)
+        B::Output::of(held)
     }
 
     /// What begins; three for each plane; two ends; a verdict.
@@ -227,11 +238,11 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
 #[inline]
 fn put<const N: usize, B, L, R, T>(
     bounds: &B,
-    ends: &[[f64; N]; 2],
+    ends: &Ends<N>,
     interval: &Interval<R, B::Plane>,
     held: &VisibleLine<N>,
     tell: &mut T,
-) -> Told<T::Stop, [[f64; N]; 2]>
+) -> Told<T::Stop, Ends<N>>
 where
     B: Bounds<N>,
     L: LineRules,
@@ -252,32 +263,4 @@ where
         tell.tell(held, LineEvent::Put { end, u, plane, at })?;
     }
     Told::Continue(visible)
-}
-
-/// Raises u_min, or lowers u_max, or does not.
-#[inline]
-fn bound_event<R: Real, P: Copy, const N: usize, W>(
-    plane: P,
-    param: &Param<R, P>,
-    moves: bool,
-    [u_min, u_max]: [f64; 2],
-) -> LineEvent<P, N, W> {
-    let r = param.u.get();
-    if param.leaving {
-        let lowers = moves;
-        LineEvent::Leave {
-            plane,
-            r,
-            lowers,
-            u_max,
-        }
-    } else {
-        let raises = moves;
-        LineEvent::Enter {
-            plane,
-            r,
-            raises,
-            u_min,
-        }
-    }
 }

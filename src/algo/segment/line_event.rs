@@ -8,8 +8,24 @@ use crate::{algo::parameter::End, trace::Real};
 
 use super::Fields;
 
+/// P₁ and P₂.
+pub type Ends<const N: usize> = [[f64; N]; 2];
+
 /// The visible part of a segment by its ends; `None` where there is none.
-pub type VisibleLine<const N: usize> = Option<[[f64; N]; 2]>;
+pub type VisibleLine<const N: usize> = Option<Ends<N>>;
+
+/// The visible part of a segment, as a program asks for it.
+pub trait LineAnswer<const N: usize>: Clone + PartialEq {
+    /// From its ends.
+    fn of(visible: VisibleLine<N>) -> Self;
+}
+
+impl<const N: usize> LineAnswer<N> for VisibleLine<N> {
+    #[inline]
+    fn of(visible: Self) -> Self {
+        visible
+    }
+}
 
 /// What happens, in order; `P` are planes, `W` the numbers of a row.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -22,7 +38,7 @@ pub enum LineEvent<P, const N: usize, W = PlaneRow> {
     /// In clip space: what is clipped, and which ends lie behind the eye.
     Depths {
         /// Both ends as they will be clipped.
-        ends: [[f64; N]; 2],
+        ends: Ends<N>,
         /// w < 0, of each end: where both have it, nothing is visible.
         behind: [bool; 2],
     },
@@ -87,13 +103,20 @@ pub enum LineEvent<P, const N: usize, W = PlaneRow> {
     /// What is left is visible.
     Accept {
         /// The ends of the visible part.
-        ends: [[f64; N]; 2],
+        ends: Ends<N>,
     },
     /// Nothing is visible.
     Reject {
         /// The plane at which it was decided; `None` where none had to be asked.
         plane: Option<P>,
     },
+}
+
+impl<P, const N: usize, W> LineEvent<P, N, W> {
+    pub(in crate::algo) fn delta<R: Real>(delta: [R; N]) -> Self {
+        let delta = delta.map(R::get);
+        Self::Delta { delta }
+    }
 }
 
 /// The numbers of a row.
@@ -119,8 +142,8 @@ pub trait RowNumbers: Copy + PartialEq + Debug + 'static {
 pub struct Spelling {
     /// The event of a row.
     pub row: &'static str,
-    /// A plane.
-    pub plane: &'static str,
+    /// A plane, in two dimensions and in more.
+    pub plane: [&'static str; 2],
     /// q, where it stands alone.
     pub q: &'static str,
     /// The parameter of a crossing.
@@ -131,7 +154,7 @@ pub struct Spelling {
     pub bounds: [&'static str; 2],
 }
 
-/// p and q of a plane.
+/// p and q of a plane, or of a side.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PlaneRow {
     /// Which way the line goes: inside where negative.
@@ -153,7 +176,7 @@ impl PlaneRow {
 impl RowNumbers for PlaneRow {
     const SPELLING: Spelling = Spelling {
         row: "row",
-        plane: "plane",
+        plane: ["edge", "plane"],
         q: "q",
         r: "r",
         u: "u",
@@ -168,7 +191,9 @@ impl RowNumbers for PlaneRow {
 impl<P: Serialize, const N: usize, W: RowNumbers> Serialize for LineEvent<P, N, W> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let names = W::SPELLING;
-        let of_plane = |to, event, plane: &P| Fields::of(to, event)?.with(names.plane, plane);
+        let [min_field, max_field] = names.bounds;
+        let plane_field = names.plane[usize::from(N > 2)];
+        let of_plane = |to, event, plane: &P| Fields::of(to, event)?.with(plane_field, plane);
         let fields = match self {
             Self::Delta { delta } => {
                 let fields = Fields::of(to, "delta")?;
@@ -193,9 +218,7 @@ impl<P: Serialize, const N: usize, W: RowNumbers> Serialize for LineEvent<P, N, 
                 u_min,
             } => {
                 let fields = of_plane(to, "enter", plane)?.with(names.r, r)?;
-                fields
-                    .with("raises", raises)?
-                    .with(names.bounds[0], u_min)?
+                fields.with("raises", raises)?.with(min_field, u_min)?
             }
             Self::Leave {
                 plane,
@@ -204,24 +227,22 @@ impl<P: Serialize, const N: usize, W: RowNumbers> Serialize for LineEvent<P, N, 
                 u_max,
             } => {
                 let fields = of_plane(to, "leave", plane)?.with(names.r, r)?;
-                fields
-                    .with("lowers", lowers)?
-                    .with(names.bounds[1], u_max)?
+                fields.with("lowers", lowers)?.with(max_field, u_max)?
             }
             Self::Interval {
                 u_min,
                 u_max,
                 empty,
             } => {
-                let fields = Fields::of(to, "interval")?.with(names.bounds[0], u_min)?;
-                fields.with(names.bounds[1], u_max)?.with("empty", empty)?
+                let fields = Fields::of(to, "interval")?.with(min_field, u_min)?;
+                fields.with(max_field, u_max)?.with("empty", empty)?
             }
             Self::Put { end, u, plane, at } => {
                 let fields = Fields::of(to, "put")?.with("end", end)?.with(names.u, u)?;
-                fields.with(names.plane, plane)?.with("at", &at[..])?
+                fields.with(plane_field, plane)?.with("at", &at[..])?
             }
             Self::Accept { ends } => Fields::of(to, "accept")?.with_ends(ends)?,
-            Self::Reject { plane } => Fields::of(to, "reject")?.with(names.plane, plane)?,
+            Self::Reject { plane } => Fields::of(to, "reject")?.with(plane_field, plane)?,
         };
         fields.end()
     }

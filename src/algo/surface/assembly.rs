@@ -47,7 +47,6 @@ pub struct MeshRef<'a, const N: usize> {
     pub first_id: u32,
 }
 
-/// Where a vertex is on the screen, if it is inside.
 #[derive(Clone, Copy)]
 pub(super) struct Seen {
     code: SideCode,
@@ -58,8 +57,7 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// Of a point in clip space. Of those that are inside, w > 0; only the point of the volume where w is 0 lands anywhere,
-    /// in a corner.
+    /// Inside, w > 0 but for one point, which lands in a corner.
     #[inline]
     pub(super) fn new(at @ [x, y, z, w]: [f64; 4], viewport: &Viewport) -> Self {
         let inverse_w = 1.0 / w;
@@ -82,8 +80,7 @@ impl Seen {
     }
 }
 
-/// Appends to `triangles` what is to be drawn of a mesh, in the order of its faces: clipped, divided, snapped, culled.
-/// Triangles between the middles of pixels are left out.
+/// Appends what is to be drawn, face by face: clipped, divided, snapped, culled, and covering a middle of a row and of a column.
 pub fn assemble<const N: usize>(
     mesh: &MeshRef<'_, N>,
     clip_from_model: &Matrix,
@@ -127,7 +124,6 @@ pub fn assemble<const N: usize>(
     }
 }
 
-/// Does the box around a triangle reach over the middles of a row and of a column?
 #[inline]
 fn reaches_middles<const N: usize>(corners: &[Corner<N>; 3], viewport: &Viewport) -> bool {
     [0, 1].into_iter().all(|axis| {
@@ -136,8 +132,7 @@ fn reaches_middles<const N: usize>(corners: &[Corner<N>; 3], viewport: &Viewport
     })
 }
 
-/// Calls back with the triangles that are left of one, clipped before the divide, but those that are culled. Its vertices are
-/// asked for only where it is clipped.
+/// Calls back with what clipping before the divide leaves of a triangle, but what is culled. Only what is clipped asks for vertices.
 #[inline]
 pub(super) fn for_each_piece<const N: usize>(
     [a, b, c]: [&Seen; 3],

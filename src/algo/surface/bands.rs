@@ -4,11 +4,9 @@ use std::ops::Range;
 
 use super::{ScreenTriangle, Viewport};
 
-/// So many pixels are near enough.
 const PIXELS_AT_ONCE: u32 = 1 << 16;
 
-/// Calls back with some of the rows, from the top, the places of their pixels among those of all rows, and which triangles
-/// reach into them, in their order.
+/// Calls back with rows from the top, their pixels' places among those of all rows, and the triangles that reach there, in order.
 pub(super) fn for_each_band<const N: usize>(
     triangles: &[ScreenTriangle<N>],
     viewport: &Viewport,
@@ -27,7 +25,6 @@ pub(super) fn for_each_band<const N: usize>(
     }
 }
 
-/// Triangles by the bands that they reach into.
 struct Sorted {
     /// Where those of each band begin, and where the last ones end.
     starts: Vec<u32>,

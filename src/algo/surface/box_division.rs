@@ -13,14 +13,11 @@
 
 use super::rounded_box::{Contents, FourBoxes, RoundedBox};
 
-/// More triangles are divided, whatever it costs.
 const MOST_IN_LEAF: usize = 4;
-/// Where a box may be divided along an axis.
 const N_BINS: usize = 12;
 /// Divided by cost no more than so often; then in the middle of the list, which is over after 31 times.
 const MOST_BY_COST: usize = 32;
 
-/// A triangle's box and its place in the list.
 #[derive(Clone, Copy)]
 pub(super) struct Boxed {
     bounds: RoundedBox,
@@ -31,15 +28,12 @@ pub(super) struct Boxed {
 /// Boxes that wait at once on the way down, at most: three of each generation, and one that is opened.
 pub(super) const MOST_WAITING: usize = 3 * (MOST_BY_COST + 31) + 1;
 
-/// What the boxes were divided into.
 pub(super) struct Division {
     /// The first is opened first.
     pub nodes: Vec<FourBoxes>,
-    /// How many wait at once on the way down, at most.
     pub most_waiting: usize,
 }
 
-/// A box, and what it holds: two boxes, or triangles.
 struct Half {
     bounds: RoundedBox,
     first: usize,
@@ -47,7 +41,6 @@ struct Half {
     n_triangles: usize,
 }
 
-/// Where a list of boxes is cut in two.
 struct Cut {
     axis: usize,
     /// The first bin of the upper side.
@@ -55,7 +48,6 @@ struct Cut {
     cost: f32,
 }
 
-/// The boxes along the axes by their middles.
 struct Bins {
     low: [f32; 3],
     scale: [f32; 3],
@@ -153,7 +145,6 @@ impl Bins {
 }
 
 impl Cut {
-    /// None where nothing tells them apart.
     fn cheapest(part: &[Boxed]) -> Option<(Bins, Self)> {
         let middles = part.iter().fold(RoundedBox::EMPTY, |all, one| {
             all.joined(&RoundedBox {

@@ -9,18 +9,14 @@
 //!          ● eye
 //! ```
 //!
-//! 1. Build. Choose a triangle; its plane is the node. All others lie before it, behind it or in it; what lies on both sides is cut
-//!    in two. Go on with what is before, then with what is behind.
-//! 2. Walk. Whatever lies on the other side of a plane than the eye cannot hide what lies on the eye's own side: so paint the other
-//!    side, then what is in the plane, then the eye's side.
+//! 1. Build. A triangle's plane is the node. All others lie before it, behind it or in it; what lies on both sides is cut in two.
+//! 2. Walk. What lies on the other side than the eye cannot hide what lies on the eye's: paint it first, then what is in the plane.
 //!
-//! *Conventions*: before a plane is where its triangle shows its front. Pieces keep their triangle's id. In one plane the lower id is painted later. What is culled is not
-//! built in; what has no area neither. *Exact*: on which side a triangle lies is the sign of a determinant of the given coordinates; of a piece, on
-//! its rounded vertices. A piece covers those pixels of its triangle where the triangle lies on the piece's side of the planes
-//! that cut it, so that pieces leave no gap. *Bound*: each piece is asked by a node at most once, and there are no more nodes than pieces;
-//! for each node its choice and its visit, each piece painted once; the phases. An input that would need more than
-//! [`BspTooLarge::MOST_PIECES`] pieces or [`BspTooLarge::MOST_QUESTIONS`] questions is refused before. *Cost*: of a vertex against a plane five
-//! additions, three multiplications, a comparison; exact signs are not counted, nor is the choice.
+//! *Conventions*: before a plane is where its triangle shows its front. In one plane the lower id is painted later. What is culled or
+//! without area is not built in. *Exact*: a triangle's side is the sign of a determinant of given coordinates, a piece's that of its
+//! rounded vertices; pieces leave no gap. *Bound*: a node asks each piece at most once, and there are no more nodes than pieces; for each
+//! its choice, its visit and its painting; the phases. More than [`BspTooLarge::MOST_PIECES`] pieces or [`BspTooLarge::MOST_QUESTIONS`]
+//! questions are refused. *Cost* of a vertex against a plane: 5 +, 3 × and 1 comparison; exact signs and choices are not counted.
 //!
 //! *Source*: H. Fuchs, Z. M. Kedem and B. F. Naylor, "On visible surface generation by a priori tree structures", SIGGRAPH 1980,
 //! pp. 124–133.
@@ -48,7 +44,7 @@ use serde::Serialize;
 use crate::trace::{Listening, Method, Real, Tell, Told};
 
 use super::{
-    BspChoice, BspNode, BspPiece, BspSide, BspTooLarge, Picture, Surfaces,
+    BspNode, BspPiece, BspSide, Picture, Surfaces,
     bsp_tree::{attach, chosen, eye_side, sorted, whole_pieces},
 };
 
@@ -60,6 +56,32 @@ const PAINTING: usize = 16;
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
 pub struct Bsp;
+
+/// Whose plane is taken.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum BspChoice {
+    /// That of the first in the list.
+    #[default]
+    First,
+    /// Of the first few, that which cuts the fewest.
+    FewestCuts,
+}
+
+impl BspChoice {
+    /// So many are compared.
+    pub const MOST_CANDIDATES: usize = 8;
+}
+
+/// It would come to too many pieces, or to too many questions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BspTooLarge;
+
+impl BspTooLarge {
+    /// So many pieces are taken.
+    pub const MOST_PIECES: usize = 65_536;
+    /// So many pieces are asked on which side of a plane they lie.
+    pub const MOST_QUESTIONS: usize = 4_000_000;
+}
 
 /// Surfaces whose tree is not too large.
 #[derive(Clone, PartialEq, Debug)]
@@ -176,12 +198,13 @@ pub enum BspEvent {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct BspOutput {
+    /// Whose each pixel is.
+    #[serde(rename = "ids")]
+    pub picture: Picture,
     /// How many pieces the triangles have become.
     pub n_pieces: usize,
-    /// Whose each pixel is.
-    pub picture: Picture,
 }
 
 /// What it works in.
@@ -201,7 +224,6 @@ pub struct BspHeld {
     walk: Option<Vec<Next>>,
 }
 
-/// Where the walk goes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Next {
     Visit(u32),
@@ -267,8 +289,6 @@ impl Method for Bsp {
         }
     }
 
-    /// Each of the pieces, and of those that were cut, by each node; for each node its choice and its visit; each piece painted; the
-    /// phases.
     fn max_events(input: &Self::Input) -> usize {
         let n = input.n_pieces;
         2 + 3 * n + n * 2 * n

@@ -61,7 +61,6 @@ pub struct BspNode {
 }
 
 impl BspNode {
-    /// One that nothing has been asked of yet.
     pub(super) fn new(id: u32, piece: u32, parent: Option<(u32, BspSide)>) -> Self {
         Self {
             id,
@@ -74,7 +73,6 @@ impl BspNode {
         }
     }
 
-    /// A piece, or its parts, to where they lie.
     pub(super) fn sort(&mut self, piece: u32, side: BspSide, parts: Option<[u32; 2]>) {
         match (side, parts) {
             (BspSide::Front, _) => self.before.push(piece),
@@ -88,7 +86,6 @@ impl BspNode {
     }
 }
 
-/// The triangles that are built in, each in one piece.
 pub(super) fn whole_pieces(surfaces: &Surfaces) -> Vec<BspPiece> {
     let kept = surfaces.ids().zip(surfaces.triangles()).filter(|(_, t)| {
         let is_left_out = surfaces.culls_backs() && !surfaces.shows(t);
@@ -102,7 +99,6 @@ pub(super) fn whole_pieces(surfaces: &Surfaces) -> Vec<BspPiece> {
     .collect()
 }
 
-/// Which of a list of pieces the plane is taken of.
 pub(super) fn chosen(
     surfaces: &Surfaces,
     choice: BspChoice,
@@ -146,8 +142,7 @@ pub(super) fn sorted<R: Real>(
 }
 
 impl BspPiece {
-    /// What lies before a plane and what lies behind it. Where rounding leaves nothing on one of the sides, the other has it all:
-    /// what should lie there is thinner than a cut is exact.
+    /// Before and behind a plane. Where rounding leaves nothing on one side the other has it all: what is missing is thinner than a cut is exact.
     fn halves(&self, surfaces: &Surfaces, id: u32) -> Result<[Self; 2], BspSide> {
         let ([x, y, z], d) = plane(corners(surfaces, id));
         // A plane of a triangle too small for its own normal cuts nothing.
@@ -186,8 +181,7 @@ impl BspPiece {
         whole
     }
 
-    /// What a piece covers: those pixels of its triangle at which it lies on the right side of every plane that has cut it. So two
-    /// pieces share no pixel's middle, and leave none out between them.
+    /// The pixels of its triangle that lie on its side of every plane that cut it: pieces share none, and leave none out.
     pub(super) fn rows(&self, surfaces: &Surfaces) -> Rows {
         let own = corners(surfaces, self.id);
         let (rays, (n, d)) = (Rays::of(surfaces), plane(own));
@@ -228,7 +222,6 @@ impl BspPiece {
     }
 }
 
-/// Where vertices lie, as seen from the plane of a triangle.
 fn side_of<R: Real>(triangle: &[[f64; 3]; 3], vertices: &[[f64; 3]]) -> BspSide {
     let (mut is_before, mut is_behind) = (false, false);
     for &v in vertices {
@@ -281,7 +274,6 @@ fn corners(surfaces: &Surfaces, id: u32) -> &[[f64; 3]; 3] {
     &surfaces.triangles()[id as usize]
 }
 
-/// Makes a node known to the one above it.
 pub(super) fn attach(nodes: &mut [BspNode], node: u32, parent: Option<(u32, BspSide)>) {
     let Some((parent, side)) = parent else {
         return;

@@ -18,7 +18,6 @@ use super::{
     screen_triangle::{Corner, Linear},
 };
 
-/// A triangle, clipped, divided and snapped, in view space before.
 pub(super) struct Coverage {
     pieces: Vec<Piece>,
     /// Between the shallowest and the deepest corner: a pixel's middle that only snapping puts inside is not far outside of it.
@@ -30,7 +29,6 @@ struct Piece {
     depth: Linear<f64>,
 }
 
-/// The pixels of one row that one piece of a triangle covers.
 #[derive(Clone, Copy)]
 pub(super) struct Span<'a> {
     pub row: u32,
@@ -41,7 +39,6 @@ pub(super) struct Span<'a> {
 }
 
 impl Span<'_> {
-    /// In the middle of a pixel.
     pub fn depth<R: Real>(&self, column: u32) -> f64 {
         let [low, high] = self.range;
         self.depth.of::<R>(column, self.row).get().clamp(low, high)
@@ -99,7 +96,6 @@ impl Coverage {
         })
     }
 
-    /// Calls back with each row of each piece.
     pub fn for_each_span(&self, viewport: &Viewport, mut span: impl FnMut(Span<'_>)) {
         let [_, height] = viewport.size();
         let ControlFlow::Continue(()) = self.try_for_each_span(viewport, &(0..height), |it| {
@@ -155,12 +151,10 @@ pub(super) fn plane([v0, v1, v2]: &[[f64; 3]; 3]) -> ([f64; 3], f64) {
     (n, -(n[0] * v0[0] + n[1] * v0[1] + n[2] * v0[2]))
 }
 
-/// The rows of pixels that a triangle covers.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct Rows(pub Vec<(u32, [u32; 2])>);
 
 impl Rows {
-    /// Of one of some surfaces.
     pub fn of(surfaces: &Surfaces, id: u32) -> Self {
         let mut rows = Vec::new();
         let triangle = surfaces.triangles().get(id as usize);
@@ -172,7 +166,6 @@ impl Rows {
         Self(rows)
     }
 
-    /// Puts an id over whatever is there.
     pub fn paint(&self, picture: &mut Picture, id: u32) {
         for &(row, [first, end]) in &self.0 {
             for column in first..end {

@@ -7,19 +7,12 @@
 //!      A A A(A)B B        .46 .52 .58(.70).56 .49            else            nothing is written
 //! ```
 //!
-//! 1. Clear: the picture to background, every depth to ∞.
-//! 2. Of every triangle find the pixels whose middles it covers, row by row, and its depth at each.
-//! 3. Less than the depth that stands there: write id and depth. Not less: nothing happens.
+//! *Conventions*: depth is (z/w + 1) / 2, 0 on the near and 1 on the far plane, both closed: linear over the screen. Strictly less wins, so
+//! of two that are as near the one drawn first is seen. The top-left rule settles edges. *Degenerate*: a triangle without area, or
+//! edge-on, covers nothing. *Bound*: clearing; for each triangle its turn and a step for each fragment (or row) of it; the end. *Cost* of a
+//! fragment: 2 ×, 2 + and 1 comparison. Clipping, and where rows begin and end, is not counted.
 //!
-//! *Conventions*: depth is (z/w + 1) / 2, 0 on the near and 1 on the far plane, both closed: after the divide it is linear over
-//! the screen. Strictly less wins, so of two that are as near the one drawn first is seen. The top-left rule settles edges.
-//! The order in which triangles come changes nothing but such ties. *Degenerate cases*: a triangle without area, or edge-on,
-//! covers nothing. *Bound*: clearing; for each triangle its turn and a step for each fragment (or row) of it; the end.
-//! *Cost*: of a fragment two multiplications and two additions for its depth, and one comparison. Clipping, and where rows begin
-//! and end, is not counted here.
-//!
-//! *Source*: E. Catmull, "A subdivision algorithm for computer display of curved surfaces", dissertation, University of Utah,
-//! 1974.
+//! *Source*: E. Catmull, "A subdivision algorithm for computer display of curved surfaces", dissertation, University of Utah, 1974.
 //!
 //! ```
 //! use clipscope::{
@@ -47,10 +40,7 @@ use crate::{
     trace::{Listening, Method, Real, Tell, Told},
 };
 
-use super::{
-    DepthBufferInput, DepthFormat, DepthSteps, Fragment, FragmentTally, Picture, SurfaceRules,
-    coverage::Coverage,
-};
+use super::{DepthFormat, Picture, SurfaceRules, Surfaces, coverage::Coverage};
 
 /// A run can go on from every so-manieth triangle: so many are drawn in less than a millisecond.
 const REST_EVERY: usize = 512;
@@ -58,6 +48,87 @@ const REST_EVERY: usize = 512;
 /// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthBuffer<L = Right>(PhantomData<L>);
+
+/// How much happens in one step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum DepthSteps {
+    /// One fragment: the pixel of one triangle.
+    #[default]
+    Fragments,
+    /// All of a triangle's fragments in one row.
+    Spans,
+    /// All of a triangle's fragments.
+    Triangles,
+}
+
+/// Triangles, in the order in which they are drawn.
+#[derive(Clone, PartialEq, Debug)]
+pub struct DepthBufferInput {
+    /// What is to be seen.
+    pub surfaces: Surfaces,
+    /// Ids, the first that is drawn first: it wins ties. What names no triangle is passed over.
+    pub order: Vec<u32>,
+    /// How depths are stored.
+    pub format: DepthFormat,
+    /// How much happens in one step.
+    pub steps: DepthSteps,
+    /// Only what happens at this pixel, where one is named.
+    pub pixel: Option<[u32; 2]>,
+}
+
+impl DepthBufferInput {
+    /// All of them in the order of their ids, at all pixels, fragment by fragment, and nothing rounded.
+    #[must_use]
+    pub fn new(surfaces: Surfaces) -> Self {
+        Self {
+            order: surfaces.ids().collect(),
+            surfaces,
+            format: DepthFormat::default(),
+            steps: DepthSteps::default(),
+            pixel: None,
+        }
+    }
+}
+
+/// What comes of one triangle at one pixel.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Fragment {
+    /// Of the triangle.
+    pub id: u32,
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// (z/w + 1) / 2
+    pub depth: f64,
+    /// The same as the buffer stores it.
+    pub new: f64,
+    /// What stood there; not finite where nothing had been written.
+    pub stored: f64,
+    /// Whose that was, or [`Picture::BACKGROUND`].
+    pub stored_id: i32,
+    /// Is it written?
+    pub kept: bool,
+}
+
+/// How much has been done.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct FragmentTally {
+    /// Fragments so far.
+    pub fragments: u64,
+    /// As many of them as were written.
+    pub writes: u64,
+    /// Pixels that have been written at all.
+    pub pixels: u64,
+}
+
+impl FragmentTally {
+    fn add(&mut self, fragment: &Fragment) {
+        self.fragments += 1;
+        if fragment.kept {
+            self.writes += 1;
+            self.pixels += u64::from(fragment.stored_id == Picture::BACKGROUND);
+        }
+    }
+}
 
 /// What happens, in order.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
@@ -101,13 +172,15 @@ pub enum DepthBufferEvent {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct DepthBufferOutput {
     /// Whose each pixel is.
+    #[serde(rename = "ids")]
     pub picture: Picture,
     /// What is stored of each pixel, row by row; not finite where nothing was written.
     pub depth: Vec<f64>,
     /// How much was done.
+    #[serde(skip)]
     pub tally: FragmentTally,
 }
 
@@ -163,8 +236,7 @@ impl<L: SurfaceRules> Method for DepthBuffer<L> {
         held.so_far
     }
 
-    /// Clearing and the end; for each triangle its turn, and by fragments each pixel once, by spans each row of each of the seven
-    /// triangles that clipping may make of it.
+    /// Clipping may make seven triangles of one.
     fn max_events(input: &Self::Input) -> usize {
         let [_, height] = input.surfaces.size();
         let of_triangle = match input.steps {
@@ -184,7 +256,6 @@ fn cleared<L: SurfaceRules>(format: &DepthFormat) -> f64 {
     }
 }
 
-/// Draws one of the triangles.
 #[inline]
 pub(super) fn triangle<L: SurfaceRules, R: Real, T: Tell<DepthBuffer<L>>>(
     input: &DepthBufferInput,
@@ -244,7 +315,6 @@ pub(super) fn triangle<L: SurfaceRules, R: Real, T: Tell<DepthBuffer<L>>>(
 }
 
 impl DepthBufferOutput {
-    /// Compares a fragment with what stands at its pixel, and writes it where it is nearer.
     #[inline(always)]
     fn fragment<L: SurfaceRules, R: Real>(
         &mut self,

@@ -118,7 +118,6 @@ impl DepthFormat {
         }
     }
 
-    /// Is what is new nearer than what is stored?
     pub(super) fn is_nearer<R: Real>(&self, new: f64, stored: f64) -> bool {
         let [new, stored] = [new, stored].map(R::new);
         if self.is_reversed {

@@ -30,8 +30,7 @@ impl SurfaceRules for WritesAlways {
     const COMPARES: bool = false;
 }
 
-/// Distances from the eye are interpolated straight across the screen. They are not linear there: surfaces bend, and change places
-/// where they are near each other.
+/// Distances from the eye are interpolated straight across the screen, where they are not linear: surfaces bend.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct StraightDistance;
 
@@ -39,7 +38,7 @@ impl SurfaceRules for StraightDistance {
     const STRAIGHT_DISTANCE: bool = true;
 }
 
-/// The list is painted as it is sorted: no key of one number a triangle tells which of two hides the other.
+/// The list is painted as it is sorted, though no key of one number tells which of two triangles hides the other.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct KeysOnly;
 

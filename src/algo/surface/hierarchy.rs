@@ -20,8 +20,7 @@ use super::{
     Ray, RayCastingOutput, RayHit, Rays, Surfaces,
     box_division::{Boxed, Division, MOST_WAITING, divide},
     ray_casting::ray_triangles,
-    ray_plane::RayTriangle,
-    rough_edges::{RoughEdges, RoughLine},
+    ray_plane::{RayTriangle, RoughEdges, RoughLine},
     rounded_box::{Contents, FourBoxes, RayInBoxes, RoundedBox},
 };
 
@@ -31,7 +30,6 @@ const FEW_WAITING: usize = 40;
 /// Triangles in boxes in boxes.
 pub struct Hierarchy {
     nodes: Vec<FourBoxes>,
-    /// How many boxes wait at once, at most.
     most_waiting: usize,
     /// Those that can be seen at all, in the order of the last boxes.
     edges: Vec<RoughEdges>,

@@ -1,72 +1,71 @@
 //! Which surface is seen at each pixel.
 //!
-//! [`assemble`] takes a mesh from the vertices to triangles on the screen: transformed, clipped before the divide by
-//! the clipper that is taught ([`super::volume::HomogeneousTriangle`]), divided, snapped to fractions of a pixel, culled.
-//! [`draw_rows`] fills them into a range of rows, so that rows can be drawn side by side, and hands out values, never
-//! colours; [`shade_rows`] goes the same way and keeps what its caller makes of them. It is the project's only way from a mesh
-//! to pixels.
-//!
-//! The algorithms that are taught start from triangles in view space ([`Surfaces`]) and go the same way: by the same
-//! clipper, the same snapping and the same walk over a triangle's rows.
+//! [`assemble`] takes a mesh to triangles on the screen: transformed, clipped before the divide by the clipper that is taught
+//! ([`super::volume::HomogeneousTriangle`]), divided, snapped, culled. [`draw_rows`] and [`shade_rows`] fill them into a range of rows:
+//! the project's only way from a mesh to pixels. The algorithms that are taught start from triangles in view space ([`Surfaces`]) and go
+//! the same way.
 
 mod assembly;
 mod bands;
 mod box_division;
 mod bsp;
-mod bsp_choice;
 mod bsp_tree;
 mod coverage;
 mod depth_buffer;
-mod depth_buffer_input;
 mod depth_format;
 pub mod faulty;
-mod fragment;
 mod hierarchy;
-mod lanes;
 mod occlusion;
-mod occlusion_query;
 mod painter;
-mod painter_event;
-mod picture;
 mod precedence;
 mod ray_casting;
 mod ray_plane;
 mod rays;
-mod rough_edges;
 mod rounded_box;
-mod rules;
 mod scan;
 mod screen_triangle;
 mod surface_list;
-mod viewport;
+
+use super::ring::Right;
 
 pub use assembly::{Cull, MeshRef, assemble};
-pub use bsp::{Bsp, BspEvent, BspHeld, BspInput, BspOutput};
-pub use bsp_choice::{BspChoice, BspTooLarge};
+pub use bsp::{Bsp, BspChoice, BspEvent, BspHeld, BspInput, BspOutput, BspTooLarge};
 pub use bsp_tree::{BspNode, BspPiece, BspSide};
 pub use depth_buffer::{
-    DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferOutput, pixel_story,
+    DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferInput, DepthBufferOutput,
+    DepthSteps, Fragment, FragmentTally, pixel_story,
 };
-pub use depth_buffer_input::{DepthBufferInput, DepthSteps};
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
-pub use fragment::{Fragment, FragmentTally};
 pub use hierarchy::Hierarchy;
-pub use lanes::{LANES, Lanes};
 pub use occlusion::{
     Occlusion, OcclusionEvent, OcclusionHeld, OcclusionInput, OcclusionObject, OcclusionOutput,
     QueryResult,
 };
-pub use painter::{Painter, PainterAnswer, PainterHeld, PainterOutput};
-pub use painter_event::{PainterEvent, PairTally};
-pub use picture::Picture;
+pub use painter::{Painter, PainterAnswer, PainterEvent, PainterHeld, PainterOutput, PairTally};
 pub use precedence::{Occupant, PairTest};
 pub use ray_casting::{
     RayCasting, RayCastingEvent, RayCastingHeld, RayCastingInput, RayCastingOutput, RayHit,
 };
 pub use ray_plane::{Meeting, PlaneHit};
 pub use rays::{Ray, Rays};
-pub use rules::SurfaceRules;
-pub use scan::{draw_rows, shade_rows};
-pub use screen_triangle::ScreenTriangle;
-pub use surface_list::Surfaces;
-pub use viewport::Viewport;
+pub use scan::{LANES, Lanes, draw_rows, shade_rows};
+pub use screen_triangle::{ScreenTriangle, Viewport};
+pub use surface_list::{Picture, Surfaces};
+
+/// What may be got wrong, known at compile time. The values given here are right; [`faulty`] has the others.
+pub trait SurfaceRules: Copy + 'static {
+    /// Is the depth buffer cleared to the near plane's depth, and not to nothing at all?
+    const CLEARS_TO_NEAR: bool = false;
+    /// Does the farther fragment win?
+    const TURNS_COMPARISON: bool = false;
+    /// Is a fragment compared before it is written?
+    const COMPARES: bool = true;
+    /// Is the distance in view space interpolated straight across the screen, and not the depth after the divide?
+    const STRAIGHT_DISTANCE: bool = false;
+    /// Are triangles sorted by their nearest vertex, and not by the farthest?
+    const SORTS_BY_NEAREST: bool = false;
+    /// Is the sorted list painted as it is, without asking which triangle hides which?
+    const KEYS_ONLY: bool = false;
+}
+
+impl SurfaceRules for Right {}

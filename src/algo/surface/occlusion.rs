@@ -7,17 +7,14 @@
 //!        └─────────┘    └─────┘
 //! ```
 //!
-//! 1. Draw what hides much: the occluders, into the depth buffer.
-//! 2. Of every other object ask its bounding box: at how many of its pixels would it be seen?
-//! 3. None: the object is skipped. Else it is drawn.
+//! Occluders are drawn first. Of every other object the bounding box is asked; at no pixel seen, the object is skipped.
 //!
-//! *Conventions*: boxes lie along the axes of the view, and are larger than what is in them by four of the steps that vertices are snapped
-//! to; as near as what is stored is seen; a box that reaches the near plane is drawn unasked. So what is skipped has no visible pixel: the
-//! answer is conservative, never wrong. *Bound*: for each object its question, its answer and its drawing; the end. *Cost*: as of
-//! [`DepthBuffer`](super::DepthBuffer), and for each pixel of a box its depth and one comparison.
+//! *Conventions*: boxes lie along the axes of the view, four snapping steps larger than what is in them; as near as what is stored is seen; a
+//! box that reaches the near plane is drawn unasked. So the answer is conservative, never wrong. *Bound*: for each object its question
+//! and its fate; the end. *Cost*: as of [`DepthBuffer`](super::DepthBuffer), and for each pixel of a box its depth and one comparison.
 //!
-//! *Source*: D. Bartz, M. Meißner and T. Hüttner, "OpenGL-assisted occlusion culling for large polygonal models", Computers &
-//! Graphics 23, 1999, pp. 667–679.
+//! *Source*: D. Bartz, M. Meißner and T. Hüttner, "OpenGL-assisted occlusion culling for large polygonal models", Computers & Graphics
+//! 23, 1999, pp. 667–679.
 //!
 //! ```
 //! use clipscope::{
@@ -40,13 +37,13 @@ use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
+    geom::{AlignedBox, Sight},
     trace::{Method, Real, Silent, Tell, Told},
 };
 
 use super::{
-    DepthBuffer, DepthBufferHeld, DepthBufferInput, Picture, Surfaces,
-    depth_buffer::triangle,
-    occlusion_query::{ask, query_box, reaches_near},
+    DepthBuffer, DepthBufferHeld, DepthBufferInput, DepthFormat, Picture, Surfaces,
+    coverage::Coverage, depth_buffer::triangle,
 };
 
 /// The algorithm; see the module.
@@ -115,13 +112,15 @@ pub enum OcclusionEvent {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct OcclusionOutput {
     /// Whose each pixel is: as if everything had been drawn.
+    #[serde(rename = "ids")]
     pub picture: Picture,
     /// What is stored of each pixel.
     pub depth: Vec<f64>,
     /// The objects that were drawn, the occluders first.
+    #[serde(skip)]
     pub drawn: Vec<usize>,
     /// The objects that were skipped, in the order in which they were asked.
     pub skipped: Vec<usize>,
@@ -206,13 +205,11 @@ impl Method for Occlusion {
         }
     }
 
-    /// For each object its query and its fate; the end.
     fn max_events(input: &Self::Input) -> usize {
         2 * input.objects.len() + 1
     }
 }
 
-/// The corners of an object's box, and at how many pixels it would be seen.
 fn query<R: Real>(
     input: &OcclusionInput,
     object: &OcclusionObject,
@@ -245,5 +242,75 @@ impl OcclusionObject {
         let n = surfaces.triangles().len();
         let [from, to] = [self.first, self.first.saturating_add(self.n_triangles)];
         &surfaces.triangles()[(from as usize).min(n)..(to as usize).min(n)]
+    }
+}
+
+/// The faces of a box, counter-clockwise as seen from outside, by the numbers of its corners.
+const FACES: [[usize; 3]; 12] = [
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+];
+
+/// A little larger than what is in it, by more than snapping moves vertices anywhere in it.
+fn query_box(surfaces: &Surfaces, triangles: &[[[f64; 3]; 3]]) -> Option<AlignedBox> {
+    /// Of a pixel: four of the steps that vertices are snapped to.
+    const MARGIN: f64 = 1.0 / 16_384.0;
+    let bounds = AlignedBox::around(triangles.as_flattened().iter().copied()).ok()?;
+    let volume = surfaces.volume();
+    let distance = match volume.sight() {
+        Sight::Perspective => -bounds.min()[2],
+        Sight::Parallel => 1.0,
+    };
+    let (half, size) = (volume.half_size(), surfaces.size().map(f64::from));
+    let pixel = (2.0 * half[0] / size[0]).max(2.0 * half[1] / size[1]);
+    let margin = MARGIN * pixel * distance.max(0.0);
+    let [x, y, z] = bounds.min().map(|x| x - margin);
+    let [right, top, front] = bounds.max().map(|x| x + margin);
+    AlignedBox::new([x, y, z, right, top, front]).ok()
+}
+
+/// Does it reach the near plane? Then its front may be cut away, and nothing can be told from what is left.
+fn reaches_near(surfaces: &Surfaces, bounds: &AlignedBox) -> bool {
+    -bounds.max()[2] <= surfaces.volume().near()
+}
+
+/// Calls back with every pixel that the box's front covers, and whether it would be seen: as near as what is stored is seen.
+fn ask<R: Real>(
+    surfaces: &Surfaces,
+    bounds: &AlignedBox,
+    depths: &[f64],
+    mut tell: impl FnMut([u32; 2], bool),
+) {
+    let corners = bounds.corners();
+    let faces: Vec<[[f64; 3]; 3]> = FACES.map(|face| face.map(|i| corners[i])).to_vec();
+    let (format, places) = (DepthFormat::default(), Picture::empty(surfaces.size()));
+    let Some(faces) = Surfaces::new(surfaces.size(), *surfaces.volume(), faces, true) else {
+        return;
+    };
+    for face in faces.triangles() {
+        let Some(coverage) = Coverage::of::<Right>(&faces, face) else {
+            continue;
+        };
+        coverage.for_each_span(faces.viewport(), |span| {
+            let [first, end] = span.columns;
+            for column in first..end {
+                let pixel = [column, span.row];
+                let stored = depths[places.place(pixel)];
+                tell(
+                    pixel,
+                    !format.is_nearer::<R>(stored, span.depth::<R>(column)),
+                );
+            }
+        });
     }
 }

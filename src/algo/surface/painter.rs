@@ -6,20 +6,18 @@
 //!            ╱        ╱     ╱                must come before: then that one first
 //! ```
 //!
-//! 1. Each triangle's key: how far its farthest vertex lies before the eye's plane. Sort, the largest first.
-//! 2. The first that is not placed, P, asks all others that are not: may P come before you ([`PairTest`])? If all say yes, P is placed.
-//! 3. If Q says no, Q must come before P: Q asks in the same way, and P goes on when Q has been placed.
-//! 4. If Q itself is waiting for P, there is no order: a cycle is found.
-//! 5. Paint what is placed, in that order, over everything.
+//! 1. Sort by each triangle's key, how far its farthest vertex lies before the eye's plane, the largest first.
+//! 2. The first that is not placed, P, asks all others that are not: may P come before you ([`PairTest`])? If all say yes, it is placed.
+//! 3. If Q says no, Q asks in the same way, and P goes on when Q has been placed; if Q is waiting for P, a cycle is found.
+//! 4. Paint what is placed, in that order, over everything.
 //!
-//! *Conventions*: as in [`PairTest`]; triangles that are culled are left out, those that cover no pixel are not. Two that pierce each other are a cycle of two. Of
-//! equal keys the higher id is asked first. What lies deeper than any that follows in the list needs not ask further.
-//! *Bound*: for each triangle its key, its place in the list, its turn to be painted; each ordered pair
-//! at most once; a constraint, a placing and a place in the cycle for each triangle; the end. *Cost*: of the comparisons of keys and extents; the exact
-//! signs of determinants, up to some forty a pair, are not counted.
+//! *Conventions*: as in [`PairTest`]; what is culled is left out. Two that pierce each other are a cycle of two. Of equal keys the higher id
+//! is asked first. What lies deeper than any that follows needs not ask further. *Bound*: for each triangle its key, its place in the
+//! list, a constraint, a placing, a place in the cycle, its painting; each ordered pair at most once; the end. *Cost*: the comparisons of
+//! keys and extents; exact signs of determinants, up to some forty a pair, are not counted.
 //!
-//! *Source*: M. E. Newell, R. G. Newell and T. L. Sancha, "A solution to the hidden surface problem", Proceedings of the ACM
-//! Annual Conference, 1972, pp. 443–450.
+//! *Source*: M. E. Newell, R. G. Newell and T. L. Sancha, "A solution to the hidden surface problem", Proceedings of the ACM Annual
+//! Conference, 1972, pp. 443–450.
 //!
 //! ```
 //! use clipscope::{
@@ -40,29 +38,97 @@
 
 use std::{cmp::Ordering, marker::PhantomData};
 
+use serde::Serialize;
+
 use crate::{
     algo::ring::Right,
     trace::{Method, Real, Tell, Told},
 };
 
-use super::{
-    PainterEvent as Event, PairTally, PairTest, Picture, SurfaceRules, Surfaces, coverage::Rows,
-    precedence::Occupant,
-};
+use super::{PairTest, Picture, SurfaceRules, Surfaces, coverage::Rows, precedence::Occupant};
+use PainterEvent as Event;
 
 /// The algorithm; see the module. `L` are its rules.
 #[derive(Clone, Copy, Debug)]
 pub struct Painter<L = Right>(PhantomData<L>);
 
+/// How many pairs have been asked, and by which test each was decided, in the order of [`PairTest::ALL`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct PairTally {
+    /// Ordered pairs.
+    pub pairs: u64,
+    /// By each of the tests.
+    pub decided: [u64; 5],
+}
+
+/// What happens, in order.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum PainterEvent {
+    /// A triangle's depths.
+    Key {
+        /// Whose.
+        id: u32,
+        /// By which it is sorted.
+        key: f64,
+        /// Its nearest and its farthest vertex.
+        depths: [f64; 2],
+    },
+    /// The next in the sorted list.
+    Sort {
+        /// Which.
+        id: u32,
+    },
+    /// Another one is asked whether P may come before it.
+    Pair {
+        /// P
+        id: u32,
+        /// The one that is asked.
+        other: u32,
+        /// The test that decided.
+        test: PairTest,
+        /// May P come first?
+        may: bool,
+        /// So far.
+        tally: PairTally,
+    },
+    /// One must come before another.
+    Constraint {
+        /// First this one.
+        before: u32,
+        /// Then this one.
+        after: u32,
+    },
+    /// Nothing that is left must come before it: the next to be painted.
+    Place {
+        /// Which.
+        id: u32,
+    },
+    /// The next of a cycle, in which each must come before the next.
+    Cycle {
+        /// Which.
+        id: u32,
+    },
+    /// It is painted over everything.
+    Paint {
+        /// Which.
+        id: u32,
+    },
+    /// Nothing is left to do.
+    Done,
+}
+
 /// Is there an order?
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[serde(untagged)]
 pub enum PainterAnswer {
     /// There is.
     Order {
+        /// What comes of it.
+        #[serde(rename = "ids")]
+        picture: Picture,
         /// Ids, the one painted first first.
         order: Vec<u32>,
-        /// What comes of it.
-        picture: Picture,
     },
     /// There is none.
     Cycle {
@@ -72,11 +138,13 @@ pub enum PainterAnswer {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct PainterOutput {
     /// Is there an order?
+    #[serde(flatten)]
     pub answer: PainterAnswer,
     /// How many pairs were asked.
+    #[serde(skip)]
     pub tally: PairTally,
 }
 
@@ -188,15 +256,12 @@ impl<L: SurfaceRules> Method for Painter<L> {
         }
     }
 
-    /// Key, place in the list, constraint, placing, place in a cycle and painting of each; each ordered pair; the end. A constraint leads to
-    /// another triangle that asks, or ends everything.
     fn max_events(surfaces: &Self::Input) -> usize {
         let n = surfaces.triangles().len();
         1 + 6 * n + n * n.saturating_sub(1)
     }
 }
 
-/// Places one, and before it what must come before it.
 fn place<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
     surfaces: &Surfaces,
     held: &mut PainterHeld,

@@ -62,11 +62,8 @@ pub struct Occupant {
     corners: [[f64; 3]; 3],
     /// `Equal` where nothing of it can be seen.
     turn: Ordering,
-    /// What of it is in the view volume.
     visible: Vec<[f64; 3]>,
-    /// Before the eye's plane: the nearest and the farthest vertex.
     depths: [f64; 2],
-    /// The least and the largest x and y on the screen, of what is visible.
     screen: [[f64; 2]; 2],
 }
 
@@ -75,7 +72,6 @@ impl Occupant {
     #[must_use]
     pub fn new(surfaces: &Surfaces, id: u32, corners: [[f64; 3]; 3]) -> Self {
         let [a, b, c] = corners.map(|[_, _, z]| -z);
-        let is_shown = surfaces.shows(&corners);
         let mut visible = corners.to_vec();
         for plane in surfaces.volume().planes() {
             visible = clipped(&visible, &plane);
@@ -93,10 +89,10 @@ impl Occupant {
         Self {
             id,
             corners,
-            turn: if is_shown && !visible.is_empty() {
-                surfaces.turn(corners)
-            } else {
+            turn: if visible.is_empty() {
                 Ordering::Equal
+            } else {
+                surfaces.shown_turn(&corners)
             },
             visible,
             depths: [a.min(b).min(c), a.max(b).max(c)],
@@ -179,8 +175,7 @@ impl Occupant {
         })
     }
 
-    /// Given that they share an area and do not lie in one plane: is it the nearer one at a corner of that area? The corners are
-    /// vertices of one inside the other, and crossings of edges.
+    /// Given that they share an area and no plane: is it nearer at a corner of that area, a vertex inside the other or a crossing of edges?
     fn is_nearer_somewhere(&self, other: &Self, surfaces: &Surfaces) -> bool {
         let nearer_side = |a: &Self, b: &Self, is_nearer: Ordering| {
             let eye = side(&b.corners, surfaces.eye());
@@ -223,7 +218,6 @@ fn passes_before([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2], surfaces: &Surfac
     is_between(to_a, to_b) && sign_of_four([a, b, c, d].map(point)) == to_d.reverse()
 }
 
-/// On which side of a triangle's plane something lies.
 fn side(&[a, b, c]: &[[f64; 3]; 3], v: [f64; 4]) -> Ordering {
     sign_of_four([point(a), point(b), point(c), v])
 }

@@ -8,14 +8,10 @@
 //!           t = 1                               Else: does the point lie in the triangle?
 //! ```
 //!
-//! 1. For each pixel: the ray from the eye through its middle, which is at t = 1 on the near plane.
-//! 2. For each triangle: t, and what it tells ([`Meeting`]).
-//! 3. Of all that are hit the smallest t is seen.
-//!
 //! *Conventions*: near and far are closed; of two that are as near the lower id is seen; the top-left rule settles edges; depth is
-//! (z/w + 1) / 2 of the hit. *Exact*: whether a ray passes inside ([`RayTriangle`](super::ray_plane)). *Bound*: for each pixel
-//! its ray, each triangle, and its end; the end. *Cost*: rays times triangles; of each question six multiplications, five additions and
-//! a division, three comparisons, and where those let it pass three determinants. What belongs to a triangle alone is not counted.
+//! (z/w + 1) / 2 of the hit. *Exact*: whether a ray passes inside ([`RayTriangle`](super::ray_plane)). *Bound*: for each pixel its ray,
+//! each triangle, and its end; the end. *Cost*: rays times triangles; a question is 6 ×, 5 +, 1 ÷ and 3 comparisons, and where those let it
+//! pass 3 determinants. What belongs to a triangle alone is not counted.
 //!
 //! *Source*: A. Appel, "Some techniques for shading machine renderings of solids", AFIPS Spring Joint Computer Conference 32, 1968,
 //! pp. 37–45.
@@ -103,13 +99,15 @@ pub enum RayCastingEvent {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RayCastingOutput {
     /// Whose each pixel is.
+    #[serde(rename = "ids")]
     pub picture: Picture,
     /// Of the nearest hit of each pixel, row by row; not finite where nothing is hit.
     pub depth: Vec<f64>,
     /// How many triangles were asked, for all pixels together.
+    #[serde(skip)]
     pub n_asked: u64,
 }
 
@@ -183,7 +181,6 @@ impl Method for RayCasting {
         held.so_far
     }
 
-    /// For each pixel its turn, every triangle, and what is seen; the end.
     fn max_events(input: &Self::Input) -> usize {
         let n_pixels = input.pixel.map_or(input.surfaces.n_pixels(), |_| 1);
         1 + n_pixels * (2 + input.surfaces.triangles().len())
@@ -191,7 +188,6 @@ impl Method for RayCasting {
 }
 
 impl RayCastingInput {
-    /// Those that are asked for, row by row from the top left.
     fn pixels(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
         let [width, height] = self.surfaces.size();
         let wanted = self.pixel;
@@ -236,7 +232,6 @@ impl RayHit {
     }
 }
 
-/// All triangles, in the order of their ids.
 pub(super) fn ray_triangles(surfaces: &Surfaces) -> impl Iterator<Item = RayTriangle> + use<'_> {
     let numbered = surfaces.ids().zip(surfaces.triangles());
     numbered.map(|(id, corners)| RayTriangle::new(surfaces, id, corners))

@@ -10,7 +10,7 @@
 //! Whether the ray passes inside is the sign of three determinants |r, Vᵢ, Vⱼ|, exact on the given coordinates: one for each edge, the side of
 //! the plane through eye and edge that the ray runs on. On an edge the top-left rule decides, as it does for the rasteriser.
 
-use std::cmp::Ordering;
+use std::{cmp::Ordering, ops::Range};
 
 use serde::Serialize;
 
@@ -20,6 +20,10 @@ use crate::{
 };
 
 use super::{Ray, Rays, Surfaces, coverage::plane};
+
+/// Bounds, and largest components of lines, that f32 takes without running over or under.
+const BOUNDS: Range<f32> = 1e-24..1e18;
+const LARGEST: Range<f32> = 1e-12..1e12;
 
 /// What a line of sight has to do with a triangle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
@@ -54,7 +58,6 @@ pub struct PlaneHit {
     pub meeting: Meeting,
 }
 
-/// A triangle as rays ask for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RayTriangle {
     pub id: u32,
@@ -65,7 +68,6 @@ pub(super) struct RayTriangle {
     d: f64,
     /// Of each edge, Vᵢ × Vⱼ along the lines of sight, and the sums of the products' sizes.
     pub edges: [[[f64; 3]; 2]; 3],
-    /// The nearest and the farthest vertex, before the eye's plane.
     distances: [f64; 2],
 }
 
@@ -105,7 +107,7 @@ impl RayTriangle {
         self.turn != Ordering::Equal
     }
 
-    /// Its corners, and where they would be as near as rounding can tell t of any of its points: n·p + d, which should be 0 there, over what t
+    /// Its corners, and where they would be as near as rounding can tell t of any of its points: n·p + d, which should be 0, over what t
     /// is divided by. So a box around these begins no later than any t that is told.
     pub fn reach(&self, surfaces: &Surfaces, eye_z: f64) -> [[f64; 3]; 6] {
         let (n, d) = (self.n, self.d);
@@ -133,7 +135,6 @@ impl RayTriangle {
         [a, b, c, near_a, near_b, near_c]
     }
 
-    /// Of a line of sight.
     pub fn ask<R: Real>(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> PlaneHit {
         let n = self.n.map(R::new);
         let [o, r] = [ray.origin, ray.direction].map(|v| v.map(R::new));
@@ -173,7 +174,6 @@ impl RayTriangle {
         told(Some(t), meeting)
     }
 
-    /// Does a line of sight pass through it?
     fn holds<R: Real>(&self, surfaces: &Surfaces, r: [f64; 3]) -> bool {
         (0..3).all(|i| match self.side::<R>(surfaces, i, r) {
             Ordering::Equal => self.is_top_left(surfaces, i),
@@ -217,6 +217,79 @@ impl RayTriangle {
             Ordering::Greater => true,
             Ordering::Less => false,
             Ordering::Equal => grows([0.0, 1.0, 0.0]) == Ordering::Less,
+        }
+    }
+}
+
+/// Whether a ray passes a triangle by, in f32: the three determinants |r, Vᵢ, Vⱼ| side by side, turned to be positive inside.
+///
+/// *Conservative*: one below −bound is negative. With u = 2⁻²⁴ the three products and two sums are off by no more than 5.1·u of the sum
+/// of their sizes, for which stands the sum of |Vᵢ × Vⱼ| times the largest of |r|; what the cross product was off by is added. The
+/// bound has 8·u of it. Where f32 would run over or under it is infinite: nothing is told, and the exact question is asked.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct RoughEdges {
+    /// By axis; the fourth edge is the first once more.
+    normals: [[f32; 4]; 3],
+    /// Of a line whose largest component is 1.
+    bound: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RoughLine {
+    r: [f32; 3],
+    largest: f32,
+}
+
+impl RoughEdges {
+    pub fn new(triangle: &RayTriangle) -> Self {
+        let sign = if triangle.turn == Ordering::Greater {
+            -1.0
+        } else {
+            1.0
+        };
+        let normals =
+            [0, 1, 2].map(|axis| [0, 1, 2, 0].map(|i| (sign * triangle.edges[i][0][axis]) as f32));
+        let bounds = triangle.edges.map(|[normal, size]| {
+            let sum: f64 = normal.iter().map(|x| x.abs()).sum();
+            let size: f64 = size.iter().sum();
+            4.0 * f64::from(f32::EPSILON) * sum + 16.0 * f64::EPSILON * size
+        });
+        let bound = bounds.into_iter().fold(0.0, f64::max) as f32;
+        Self {
+            normals,
+            bound: if BOUNDS.contains(&bound) {
+                bound
+            } else {
+                f32::INFINITY
+            },
+        }
+    }
+
+    #[inline]
+    pub fn are_missed(&self, line: &RoughLine) -> bool {
+        let ([x, y, z], r) = (&self.normals, line.r);
+        let mut lowest = f32::INFINITY;
+        for i in 0..4 {
+            let det = x[i] * r[0] + y[i] * r[1] + z[i] * r[2];
+            lowest = if det < lowest { det } else { lowest };
+        }
+        lowest < -(self.bound * line.largest)
+    }
+}
+
+impl RoughLine {
+    #[inline]
+    pub fn new(sight_line: [f64; 3]) -> Self {
+        let r = sight_line.map(|x| x as f32);
+        let largest = r.into_iter().fold(0.0, |most: f32, x| most.max(x.abs()));
+        Self {
+            r,
+            largest: if LARGEST.contains(&largest) {
+                largest
+            } else {
+                f32::INFINITY
+            },
         }
     }
 }

@@ -151,8 +151,7 @@ impl Rays {
         }
     }
 
-    /// The depth of the plane n·p + d = 0 over the picture's pixels: linear, as perspective leaves planes flat. `None` where the plane is
-    /// seen edge-on.
+    /// Linear, as perspective leaves planes flat. `None` where the plane n·p + d = 0 is seen edge-on.
     pub(super) fn plane_depth(&self, n: [f64; 3], d: f64) -> Option<Linear<f64>> {
         let first = self.through([0, 0]);
         let [half_x, half_y] = self.volume.half_size();

@@ -26,7 +26,6 @@ const STEEPEST: f64 = (1_u64 << 40) as f64;
 /// By so much a number that was rounded a few times is made larger than the true one.
 const ABOVE: f32 = 1.0 + 8.0 * f32::EPSILON;
 
-/// A box along the axes that is larger than what is in it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct RoundedBox {
     pub min: [f32; 3],
@@ -38,11 +37,9 @@ pub(super) struct RoundedBox {
 #[repr(align(64))]
 pub(super) struct FourBoxes {
     sides: [[[f32; 4]; 2]; 3],
-    /// What is in each of them.
     pub contents: [Contents; 4],
 }
 
-/// What is in a box: other boxes, or triangles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contents {
     /// Of its triangles, or its four boxes' place in the list.
@@ -50,7 +47,6 @@ pub(super) struct Contents {
     n_triangles: u32,
 }
 
-/// A ray as boxes ask for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RayInBoxes {
     /// Not below the origin, and not above it.
@@ -61,13 +57,11 @@ pub(super) struct RayInBoxes {
 }
 
 impl RoundedBox {
-    /// Nothing is in it.
     pub const EMPTY: Self = Self {
         min: [f32::INFINITY; 3],
         max: [f32::NEG_INFINITY; 3],
     };
 
-    /// Around some points.
     pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Self {
         points.into_iter().fold(Self::EMPTY, |bounds, at| {
             bounds.joined(&Self {
@@ -77,7 +71,6 @@ impl RoundedBox {
         })
     }
 
-    /// Around both.
     #[inline]
     pub fn joined(&self, other: &Self) -> Self {
         Self {
@@ -133,7 +126,6 @@ impl FourBoxes {
         contents: [Contents::triangles(0, 0); 4],
     };
 
-    /// Puts one in place.
     pub fn put(&mut self, i: usize, bounds: &RoundedBox, contents: Contents) {
         for (axis, [lower, upper]) in self.sides.iter_mut().enumerate() {
             lower[i] = bounds.min[axis];

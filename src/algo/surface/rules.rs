@@ -2,8 +2,7 @@
 
 use crate::algo::ring::Right;
 
-/// What may be got wrong. The values given here are right; [`super::faulty`] has the others. Known at compile time, so that the
-/// right ones pay nothing for them.
+/// What may be got wrong, known at compile time. The values given here are right; [`super::faulty`] has the others.
 pub trait SurfaceRules: Copy + 'static {
     /// Is the depth buffer cleared to the near plane's depth, and not to nothing at all?
     const CLEARS_TO_NEAR: bool = false;

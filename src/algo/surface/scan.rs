@@ -15,17 +15,43 @@ use std::{
     ops::{ControlFlow, Range},
 };
 
-use super::{
-    ScreenTriangle, Viewport,
-    bands::for_each_band,
-    lanes::{LANES, Lanes, chosen, with_lanes},
-};
+use super::{ScreenTriangle, Viewport, bands::for_each_band};
 
-/// Draws triangles into the pixels of some rows; at each pixel, in their order.
+/// So many pixels beside each other are worked out at once: arrays and masks, which the compiler can vectorise.
+pub const LANES: usize = 8;
+
+/// Of pixels beside each other, from left to right.
+pub type Lanes<T> = [T; LANES];
+
+/// The first where all bits are set, the second where none is.
+#[inline]
+fn chosen(mask: Lanes<u32>, first: Lanes<u32>, second: Lanes<u32>) -> Lanes<u32> {
+    std::array::from_fn(|lane| first[lane] & mask[lane] | second[lane] & !mask[lane])
+}
+
+/// Works on some numbers from a place on; beyond the end of the list they are `beyond`.
+#[inline]
+fn with_lanes<T: Copy, O>(
+    list: &mut [T],
+    place: usize,
+    beyond: T,
+    work: impl Fn(&mut Lanes<T>) -> O,
+) -> O {
+    let list = &mut list[place..];
+    if let Some(lanes) = list.first_chunk_mut() {
+        return work(lanes);
+    }
+    let mut lanes = [beyond; LANES];
+    lanes[..list.len()].copy_from_slice(list);
+    let output = work(&mut lanes);
+    list.copy_from_slice(&lanes[..list.len()]);
+    output
+}
+
+/// Draws triangles into some rows, in their order.
 ///
-/// `depths` holds those rows, one number a pixel; what is nearer than the number there replaces it, and is put out by its
-/// place in `depths`, its id, and its attributes, divided by w and multiplied again, so that they are right in
-/// perspective. Of equal depths the first stays.
+/// `depths` holds one number a pixel. What is nearer replaces it, and is put out by its place there, id and attributes, which are right
+/// in perspective. Of equal depths the first stays.
 pub fn draw_rows<const N: usize>(
     triangles: &[ScreenTriangle<N>],
     viewport: &Viewport,
@@ -56,11 +82,8 @@ pub fn draw_rows<const N: usize>(
     });
 }
 
-/// The same on a clear picture, for samples of 32 bits: `samples` holds of every pixel what `shade` makes of the nearest id and
-/// its attributes, or `background`.
-///
-/// `shade` answers for some pixels beside each other; of those beyond the triangle, or behind another, whatever attributes
-/// come out are handed over, and the answer is dropped.
+/// The same on a clear picture: `samples` holds `background`, or what `shade` makes of the nearest id and attributes of some pixels
+/// at once; what it says of those beyond the triangle or behind another is dropped.
 pub fn shade_rows<const N: usize>(
     triangles: &[ScreenTriangle<N>],
     viewport: &Viewport,
@@ -153,7 +176,6 @@ fn fill<const N: usize>(
     }
 }
 
-/// Calls back with every row, and the columns that the triangle covers there.
 #[inline]
 fn for_each_span<const N: usize>(
     triangle: &ScreenTriangle<N>,
@@ -167,7 +189,6 @@ fn for_each_span<const N: usize>(
     });
 }
 
-/// The same, until the callback breaks off.
 #[inline]
 pub(super) fn try_for_each_span<const N: usize, S>(
     triangle: &ScreenTriangle<N>,
@@ -220,7 +241,6 @@ struct Side {
 }
 
 impl Side {
-    /// At `row`, which the edge passes.
     #[inline]
     fn new(upper: [i32; 2], lower: [i32; 2], row: u32, viewport: &Viewport) -> Self {
         let pixel = viewport.pixel();

@@ -1,10 +1,77 @@
-//! A triangle on the screen, ready to be filled.
+//! The screen, and a triangle on it, ready to be filled.
 
 use std::ops::Range;
 
 use crate::trace::Real;
 
-use super::Viewport;
+/// Pixels, row by row from the top left; each is sampled in its middle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Viewport {
+    size: [u32; 2],
+    subpixel_bits: u32,
+}
+
+impl Viewport {
+    /// As wide, and as high, as a picture may be.
+    pub const MAX_SIDE: u32 = 4096;
+    /// Fractions of a pixel that pictures need.
+    pub const PICTURE_BITS: u32 = 8;
+    /// Fractions of a pixel that answers need: no sample farther from an edge than that is on the wrong side.
+    pub const ANSWER_BITS: u32 = 16;
+
+    /// From 1 to [`Viewport::MAX_SIDE`] columns and rows, and 0 to 16 bits for fractions of a pixel; `None` beyond that.
+    #[must_use]
+    pub fn new(size: [u32; 2], subpixel_bits: u32) -> Option<Self> {
+        let is_usable = size.iter().all(|side| (1..=Self::MAX_SIDE).contains(side))
+            && subpixel_bits <= Self::ANSWER_BITS;
+        is_usable.then_some(Self {
+            size,
+            subpixel_bits,
+        })
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub const fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// One pixel, in the units that vertices are snapped to.
+    #[must_use]
+    pub const fn pixel(&self) -> i64 {
+        1 << self.subpixel_bits
+    }
+
+    /// The first row whose middle is not above y, or column whose middle is not left of x: ⌈(y − pixel/2) / pixel⌉.
+    #[inline]
+    pub(super) const fn first_middle(&self, y: i32) -> u32 {
+        // y is not negative.
+        (2 * y as u32 + (1 << self.subpixel_bits) - 1) >> (self.subpixel_bits + 1)
+    }
+
+    /// Where a point of the square −1 to 1 lies, in pixels from the top left, y down.
+    #[inline]
+    #[must_use]
+    pub fn screen_from_ndc<R: Real>(&self, [x, y]: [R; 2]) -> [R; 2] {
+        let [width, height] = self.size.map(|side| R::new(f64::from(side)));
+        let half = R::new(0.5);
+        [(half * x + half) * width, (half - half * y) * height]
+    }
+
+    /// The same, snapped; within the picture's edges.
+    #[inline]
+    pub(super) fn snapped(&self, ndc: [f64; 2]) -> [i32; 2] {
+        let [x, y] = self.screen_from_ndc(ndc);
+        let pixel = self.pixel() as f64;
+        let snap = |along: f64, side: u32| {
+            // To the nearest: what is cast is not negative.
+            let (snapped, most) = (along * pixel + 0.5, f64::from(side) * pixel);
+            let snapped = if snapped > 0.0 { snapped } else { 0.0 };
+            (if snapped < most { snapped } else { most }) as i32
+        };
+        [snap(x, self.size[0]), snap(y, self.size[1])]
+    }
+}
 
 /// Snapped corners, and what is linear over the screen: depth, 1/w, and attributes over w.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,8 +92,7 @@ pub struct ScreenTriangle<const N: usize> {
     pub(super) attributes: [Linear<f32>; N],
 }
 
-/// What is linear over the screen: value at the origin of the picture's pixels, and how it changes from column to column
-/// and from row to row.
+/// Linear over the screen: the value in the middle of pixel (0, 0), and its steps from column to column and row to row.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Linear<T> {
     pub at: T,
@@ -34,7 +100,6 @@ pub(super) struct Linear<T> {
     pub by_row: T,
 }
 
-/// A corner on its way to the screen.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Corner<const N: usize> {
     pub at: [i32; 2],
@@ -99,7 +164,6 @@ fn from_the_top(places: [[i32; 2]; 3]) -> [[i32; 2]; 3] {
     sorted.map(|key| [key as i32, (key >> 32) as i32])
 }
 
-/// What turns three values at the corners into a linear function.
 struct Slopes {
     origin: [f64; 2],
     edges: [[f64; 2]; 2],
@@ -144,7 +208,6 @@ impl Linear<f64> {
         }
     }
 
-    /// In the middle of a pixel.
     #[inline]
     pub fn of<R: Real>(&self, column: u32, row: u32) -> R {
         let [at, by_column, by_row] = [self.at, self.by_column, self.by_row].map(R::new);
@@ -153,7 +216,6 @@ impl Linear<f64> {
 }
 
 impl Linear<f32> {
-    /// In the middle of a pixel.
     #[inline]
     pub fn of(&self, column: u32, row: u32) -> f32 {
         self.at + self.by_column * column as f32 + self.by_row * row as f32

@@ -1,6 +1,8 @@
-//! What all of them are asked: triangles in view space, who looks at them, and with how many pixels.
+//! What all of them are asked, triangles in view space before a camera, and the picture that they leave.
 
 use std::{cmp::Ordering, ops::Range, sync::Arc};
+
+use serde::Serialize;
 
 use crate::geom::{Sight, ViewVolume, sign_of_three};
 
@@ -19,9 +21,8 @@ impl Surfaces {
     /// No more triangles than have an id below 2³¹.
     pub const MOST_TRIANGLES: usize = i32::MAX as usize;
 
-    /// Columns and rows, each from 1 to [`Viewport::MAX_SIDE`]; what is seen; triangles in view space, counter-clockwise as
-    /// seen from outside; and whether those that show their back are left out. `None` where a side is none, a coordinate is not
-    /// finite, or there are too many.
+    /// A size as of [`Viewport::new`]; triangles counter-clockwise from outside. `None` where the size or the number is out of range,
+    /// or a coordinate is not finite.
     #[must_use]
     pub fn new(
         size: [u32; 2],
@@ -99,8 +100,7 @@ impl Surfaces {
         }
     }
 
-    /// Can anything be seen of this triangle, as far as its own turn tells? Not where it is edge-on, nor where it shows its back
-    /// and such are left out. Exact.
+    /// Exact: not where the triangle is edge-on, nor where it shows its back and such are left out.
     #[must_use]
     pub fn shows(&self, triangle: &[[f64; 3]; 3]) -> bool {
         self.shown_turn(triangle) != Ordering::Equal
@@ -114,8 +114,7 @@ impl Surfaces {
         }
     }
 
-    /// Which way three points turn as they are seen: `Greater` counter-clockwise, `Equal` where they lie in one line or one plane with
-    /// the eye. Exact on the given coordinates.
+    /// Which way points turn as they are seen, exactly: `Greater` counter-clockwise, `Equal` in one line, or one plane with the eye.
     #[must_use]
     pub fn turn(&self, points: [[f64; 3]; 3]) -> Ordering {
         sign_of_three(points.map(|point| self.sight_line(point))).reverse()
@@ -137,5 +136,70 @@ impl Surfaces {
             Sight::Perspective => [0.0, 0.0, 0.0, 1.0],
             Sight::Parallel => [0.0, 0.0, 1.0, 0.0],
         }
+    }
+}
+
+/// Ids row by row from the top left.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[serde(transparent)]
+pub struct Picture {
+    ids: Vec<i32>,
+    #[serde(skip)]
+    width: u32,
+}
+
+impl Picture {
+    /// Where no surface is.
+    pub const BACKGROUND: i32 = -1;
+
+    /// Nothing but background.
+    #[must_use]
+    pub fn empty([width, height]: [u32; 2]) -> Self {
+        let n = width as usize * height as usize;
+        Self {
+            ids: vec![Self::BACKGROUND; n],
+            width,
+        }
+    }
+
+    /// Of all pixels: the id of the surface there, or [`Picture::BACKGROUND`].
+    #[must_use]
+    pub fn ids(&self) -> &[i32] {
+        &self.ids
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        let height = self.ids.len() as u32 / self.width.max(1);
+        [self.width, height]
+    }
+
+    /// The surface at a pixel, which is one of the picture's.
+    #[must_use]
+    pub fn at(&self, pixel: [u32; 2]) -> Option<u32> {
+        u32::try_from(self.ids[self.place(pixel)]).ok()
+    }
+
+    /// Where a pixel stands in the list.
+    #[must_use]
+    pub const fn place(&self, [column, row]: [u32; 2]) -> usize {
+        row as usize * self.width as usize + column as usize
+    }
+
+    /// The same with another id for each surface: that of the object it belongs to, say.
+    #[must_use]
+    pub fn renamed(&self, new: impl Fn(u32) -> u32) -> Self {
+        let renamed = |&id: &i32| u32::try_from(id).map_or(id, |id| new(id) as i32);
+        Self {
+            ids: self.ids.iter().map(renamed).collect(),
+            width: self.width,
+        }
+    }
+
+    pub(super) fn put(&mut self, pixel: [u32; 2], id: u32) {
+        let place = self.place(pixel);
+        // Ids are below 2³¹.
+        self.ids[place] = id as i32;
     }
 }

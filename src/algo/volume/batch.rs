@@ -1,13 +1,6 @@
-//! Many triangles before the divide, as a renderer has them: most lie inside or outside, and need no clipper.
-//!
-//! ```text
-//!   codes ──┬─ AND ≠ 0 ──▶ nothing
-//!           ├─ OR = 0 ───▶ the triangle itself
-//!           └─ else ─────▶ HomogeneousTriangle's sides, and the fan of what they leave
-//! ```
-//!
-//! Whole triangles are not copied into a polygon and out of it; all that are cut are cut between the same two polygons. The answer is bit
-//! for bit that of [`HomogeneousTriangle`](super::HomogeneousTriangle), whose clipper it is that cuts.
+//! Many triangles before the divide, as a renderer has them: by their codes most are inside or outside and are not copied; the
+//! others are cut between the same two polygons, by the clipper of [`HomogeneousTriangle`](super::HomogeneousTriangle) and to the
+//! same bits.
 //!
 //! ```
 //! use clipscope::algo::volume::{ClipVertex, clip_triangles};

@@ -1,15 +1,17 @@
-//! What is clipped before the divide: a point in clip space, and whatever travels with it.
+//! What is clipped before the divide: a point in clip space with whatever travels with it, and a polygon of such, without a heap.
 
 use serde::Serialize;
 
 use crate::{
     algo::{
         parameter::Share,
-        ring::{Crossing, Limit},
+        ring::{Crossing, Limit, Ring},
     },
     geom::VolumeSide,
     trace::Real,
 };
+
+use super::{plane_cut::inside_first, space_vertex::independent};
 
 /// What a crossing interpolates besides its position: texture coordinates, a colour, a normal.
 pub trait Attributes: Copy + PartialEq {
@@ -59,11 +61,8 @@ pub struct ClipVertex<A = ()> {
 pub(super) fn divided<R: Real>(at: [f64; 4]) -> [f64; 4] {
     let [x, y, z, w] = at.map(R::new);
     let at_one = [(x / w).get(), (y / w).get(), (z / w).get(), 1.0];
-    if at_one.iter().all(|x| x.is_finite()) {
-        at_one
-    } else {
-        at
-    }
+    let is_point = at_one.iter().all(|x| x.is_finite());
+    if is_point { at_one } else { at }
 }
 
 /// w + x for the left side, w − x for the right: not below 0 inside. The sign is exact.
@@ -106,9 +105,8 @@ impl<A: Attributes> Limit<ClipVertex<A>> for VolumeSide {
         distance(*self, vertex.at)
     }
 
-    /// From the inside end to the outside one, whichever way the edge is walked: two triangles that share it get the same
-    /// bits. Every coordinate is a mean by the same weights, so that what holds of both ends (x ≤ w) holds of it; the one
-    /// that is clipped is assigned.
+    /// From the inside end to the outside one: two triangles that share the edge get the same bits. Every coordinate is a mean by the
+    /// same weights, so that what holds of both ends (x ≤ w) holds of it; the one that is clipped is assigned.
     #[inline]
     fn crossing<R: Real>(
         &self,
@@ -116,12 +114,8 @@ impl<A: Attributes> Limit<ClipVertex<A>> for VolumeSide {
         distances: [R; 2],
     ) -> Option<Crossing<ClipVertex<A>>> {
         let is_leaving = distances[0].get() > 0.0;
-        let ([inside, outside], [d1, d2]) = if is_leaving {
-            (ends, distances)
-        } else {
-            ([ends[1], ends[0]], [distances[1], distances[0]])
-        };
-        let share = self.share([inside.at, outside.at], [d1, d2]);
+        let ([inside, outside], distances) = inside_first(ends, distances);
+        let share = self.share([inside.at, outside.at], distances);
         let axis = self.axis();
         // The last is w, the others are the axes that are not clipped.
         let free = [(axis + 1) % 3, (axis + 2) % 3, 3];
@@ -141,9 +135,104 @@ impl<A: Attributes> Limit<ClipVertex<A>> for VolumeSide {
         };
         let attributes = inside.attributes.crossing(&outside.attributes, &share);
         let t = share.ratio(is_leaving);
-        (at != inside.at).then_some(Crossing {
-            at: ClipVertex { at, attributes },
-            t,
+        let vertex = ClipVertex { at, attributes };
+        (at != inside.at).then_some(Crossing { at: vertex, t })
+    }
+}
+
+/// At most nine vertices in clip space: three, and one more for each of six sides.
+#[derive(Clone, Copy, Debug)]
+pub struct ClipPolygon<A = ()> {
+    /// What lies beyond `len` means nothing.
+    vertices: [ClipVertex<A>; 9],
+    len: usize,
+    first_given: ClipVertex<A>,
+}
+
+impl<A: PartialEq> PartialEq for ClipPolygon<A> {
+    fn eq(&self, other: &Self) -> bool {
+        self.first_given == other.first_given
+            && self.vertices[..self.len] == other.vertices[..other.len]
+    }
+}
+
+impl<A: Copy> ClipPolygon<A> {
+    /// A side that cuts a convex polygon takes one vertex or more and adds two.
+    pub const MAX_VERTICES: usize = 9;
+
+    #[inline]
+    pub(super) const fn of(&[a, b, c]: &[ClipVertex<A>; 3]) -> Self {
+        Self {
+            vertices: [a, b, c, a, a, a, a, a, a],
+            len: 3,
+            first_given: a,
+        }
+    }
+
+    #[inline]
+    pub(super) const fn begin(&mut self, &[a, b, c]: &[ClipVertex<A>; 3]) {
+        [self.vertices[0], self.vertices[1], self.vertices[2]] = [a, b, c];
+        self.len = 3;
+        self.first_given = a;
+    }
+
+    /// The same triangle's, without a vertex.
+    #[inline]
+    pub(super) const fn emptied(mut self) -> Self {
+        self.len = 0;
+        self
+    }
+
+    /// In order.
+    #[inline]
+    #[must_use]
+    pub fn vertices(&self) -> &[ClipVertex<A>] {
+        &self.vertices[..self.len]
+    }
+
+    /// The triangle's first vertex, whatever has become of it.
+    #[must_use]
+    pub const fn first_given(&self) -> ClipVertex<A> {
+        self.first_given
+    }
+
+    /// The fan from the first vertex: none where there is nothing to fill.
+    pub fn triangles(&self) -> impl Iterator<Item = [ClipVertex<A>; 3]> + '_ {
+        let vertices = self.vertices();
+        let n = if self.has_area() { self.len } else { 0 };
+        (2..n).map(|i| [vertices[0], vertices[i - 1], vertices[i]])
+    }
+
+    /// Does it go around anything? Exact: not where all vertices lie on one line of space.
+    #[must_use]
+    pub fn has_area(&self) -> bool {
+        let vertices = self.vertices();
+        (2..self.len).any(|i| {
+            let [a, b, c] = [&vertices[0], &vertices[i - 1], &vertices[i]];
+            independent([a.at, b.at, c.at])
         })
+    }
+}
+
+impl<A: Copy> Ring for ClipPolygon<A> {
+    type Vertex = ClipVertex<A>;
+
+    #[inline]
+    fn vertices(&self) -> &[ClipVertex<A>] {
+        self.vertices()
+    }
+
+    /// A tenth, which only rounding or a clipper that is wrong on purpose could make, is left out.
+    #[inline]
+    fn push(&mut self, vertex: ClipVertex<A>) {
+        if let Some(place) = self.vertices.get_mut(self.len) {
+            *place = vertex;
+            self.len += 1;
+        }
+    }
+
+    #[inline]
+    fn clear(&mut self) {
+        self.len = 0;
     }
 }

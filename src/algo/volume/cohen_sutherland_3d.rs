@@ -1,36 +1,11 @@
-//! Cohen–Sutherland in space: six bits instead of four, 27 regions instead of nine.
-//!
-//! ```text
-//!        ┌──────┬──────┬──────┐           one bit a face, written far near top bottom right left
-//!       ╱ 1001 ╱ 1000 ╱ 1010 ╱│
-//!      ├──────┼──────┼──────┤ ╱│          before zmin each of the nine codes has 01 in front,
-//!     ╱ 0001 ╱ 0000 ╱ 0010 ╱│╱ │          behind zmax 10, between the two 00
-//!    ├──────┼──────┼──────┤ ╱│╱
-//!   ╱ 0101 ╱ 0100 ╱ 0110 ╱│╱              OR  = 000000  both ends inside: accept
-//!  └──────┴──────┴──────┘ ╱               AND ≠ 000000  both beyond one face: reject
-//! ```
-//!
-//! 1. Give both ends a code.
-//! 2. Accept or reject by OR and AND where that is possible.
-//! 3. Take the lowest bit set in the OR. As the AND is 0, exactly one end has it: the segment crosses that face. Replace that
-//!    end by the crossing, give it a new code, go to 2.
-//!
-//! The face is taken from the OR of both codes, as in the plane ([`CodeClip`]); crossings come from the ends as they were given,
-//! and a cut end is kept within what is left.
-//!
-//! *Conventions*: closed box, near is zmin. *Degenerate*: a point is accepted or rejected by its codes; a touch is accepted.
-//! *Bound*: each cut clears a bit of the OR for good, so there are at most 6. *Cost*: 12 comparisons for the codes; 5 +, 4 ×,
-//! 2 ÷ and 12 comparisons a cut.
+//! Cohen–Sutherland in space: six bits instead of four, 27 regions instead of nine ([`CodeClip`]); near is zmin. *Bound*: at most 6
+//! cuts. *Cost*: 12 comparisons for the codes; 5 +, 4 ×, 2 ÷ and 12 comparisons a cut.
 //!
 //! *Source*: Newman and Sproull, *Principles of Interactive Computer Graphics*, 1973, pp. 123–124; in three dimensions J. D.
 //! Foley and A. van Dam, *Fundamentals of Interactive Computer Graphics*, 1982, section 8.4.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::volume::{CohenSutherland3d, CohenSutherland3dInput},
-//!     geom::AlignedBox,
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::volume::{CohenSutherland3d, CohenSutherland3dInput}, geom::AlignedBox, trace::silent};
 //! let bounds = AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0])?;
 //! let ends = [[-2.0, 0.0, 0.0], [0.0, 0.0, 2.0]];
 //! let visible = silent::<CohenSutherland3d>(&CohenSutherland3dInput { bounds, ends });
@@ -41,7 +16,7 @@
 use crate::{
     algo::{
         parameter::{Ratio, clamp_between},
-        segment::{CodeClip, CodeEvent, Coded, VisibleLine},
+        segment::{CodeClip, CodeEvent, Coded, Ends, LineInput, VisibleLine},
     },
     geom::{AlignedBox, VolumeSide},
     trace::Real,
@@ -56,13 +31,7 @@ pub type CohenSutherland3d = CodeClip<3, CohenSutherland3dInput>;
 pub type CohenSutherland3dEvent = CodeEvent<3, SideCode, VolumeSide>;
 
 /// What to clip, and against what.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CohenSutherland3dInput {
-    /// Closed.
-    pub bounds: AlignedBox,
-    /// P₁ and P₂, finite.
-    pub ends: [[f64; 3]; 2],
-}
+pub type CohenSutherland3dInput = LineInput<3, AlignedBox>;
 
 impl Coded<3> for CohenSutherland3dInput {
     type Side = VolumeSide;
@@ -70,7 +39,7 @@ impl Coded<3> for CohenSutherland3dInput {
     type Output = VisibleLine<3>;
     const N_SIDES: usize = 6;
 
-    fn ends(&self) -> [[f64; 3]; 2] {
+    fn ends(&self) -> Ends<3> {
         self.ends
     }
 
@@ -86,7 +55,7 @@ impl Coded<3> for CohenSutherland3dInput {
         code.has(side)
     }
 
-    fn crossing<R: Real>(&self, side: VolumeSide, left: &[[f64; 3]; 2]) -> ([f64; 3], Ratio) {
+    fn crossing<R: Real>(&self, side: VolumeSide, left: &Ends<3>) -> ([f64; 3], Ratio) {
         let share = upright(&self.bounds, side, &self.ends).share::<R>();
         let to = std::array::from_fn(|axis| {
             if axis == side.axis() {
@@ -96,9 +65,5 @@ impl Coded<3> for CohenSutherland3dInput {
             clamp_between(mean, left[0][axis], left[1][axis])
         });
         (to, share.ratio(true))
-    }
-
-    fn answer(visible: VisibleLine<3>) -> VisibleLine<3> {
-        visible
     }
 }

@@ -1,9 +1,7 @@
-//! **Wrong on purpose.** Clipping lines and triangles in space with one mistake each, as they are found in lecture notes, tutorials and
-//! programs that students hand in: to be stepped beside the right one, on the student's own scene.
-//!
-//! They run through the very same algorithms with one choice changed ([`LineRules`], [`VolumeRules`] and [`Rules`] say which can be), and report
-//! the same events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?" knows this
-//! room.
+//! **Wrong on purpose.** Clipping lines and triangles in space with one mistake each, as they are found in lecture notes,
+//! tutorials and programs that students hand in. They run through the very same algorithms with one choice changed
+//! ([`LineRules`], [`VolumeRules`] and [`Rules`] say which can be), so that the first differing step is the first differing
+//! event. Only "what is wrong here?" knows this room.
 
 use crate::algo::ring::Rules;
 
@@ -31,8 +29,7 @@ impl Rules for DropsOnPlane {
 
 impl VolumeRules for DropsOnPlane {}
 
-/// A crossing keeps the texture coordinates of the vertex that it stands for: the picture shifts and stretches as the triangle is
-/// cut.
+/// A crossing keeps the texture coordinates of the vertex that it stands for: the picture shifts and stretches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct KeepsPlaceInTexture;
 

@@ -1,23 +1,10 @@
-//! A triangle against the clip volume −w ≤ x, y, z ≤ w, before anything is divided by w.
+//! A triangle against the clip volume −w ≤ x, y, z ≤ w, before anything is divided by w. Codes first: OR = 0 keeps it whole, AND
+//! ≠ 0 leaves nothing. Else it is clipped as Sutherland and Hodgman do, by those sides that a code names: one convex polygon of
+//! at most nine vertices.
 //!
-//! ```text
-//!        x ╲      │      ╱ x = w        a vertex behind the eye has w < 0: divided first, it would land on the
-//!           ╲     │  B  ╱               screen's other side. Here it is just another point outside, and the
-//!            ╲    │ ╱╲ ╱                edge to it is cut where x = w, a place that can be divided
-//!        A ───╲───┼╱──╳──► w
-//!              ╲  ╱  ╱ ╲
-//! ```
-//!
-//! 1. Six bits for each vertex ([`SideCode`]). OR = 0: keep it whole. AND ≠ 0: nothing of it is visible.
-//! 2. Else clip it as Sutherland and Hodgman do, one side after the other, by those sides that a code names.
-//! 3. What is left is one convex polygon of at most nine vertices: fan it from its first.
-//!
-//! *Conventions*: sides in the order near, far, left, right, bottom, top; closed; the list starts with the first vertex put
-//! out and keeps order and winding. *Exact*: signs of w ± x; a clipped coordinate is assigned (x = w, bit for bit);
-//! triangles that share an edge share its cuts, bit for bit, and a cut stays inside every side that both ends of its edge are
-//! inside of. *Bound*: the codes; for each side its turn, the first vertex with its output, a test, a crossing and an output for
-//! each edge, the pass; the end. *Cost*: six comparisons a vertex; a side costs an addition and a comparison a vertex, a
-//! crossing a mean for each coordinate but one and for each attribute.
+//! *Exact*: signs of w ± x; a clipped coordinate is assigned (x = w, bit for bit); triangles that share an edge share its cuts,
+//! bit for bit, and a cut stays inside every side that both ends of its edge are inside of. *Cost*: six comparisons a vertex; a
+//! side costs an addition and a comparison a vertex, a crossing a mean for each coordinate but one and for each attribute.
 //!
 //! *Source*: J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978, pp. 245–251.
 //!
@@ -35,18 +22,14 @@ use std::marker::PhantomData;
 use serde::Serialize;
 
 use crate::{
-    algo::{
-        parameter::Ratio,
-        ring::{Lists, Right, Ring, RingClipper, Rule, ring_events},
-    },
+    algo::ring::{Crossing, EdgeTest, Known, Lists, Right, Ring, RingClipper, ring_events},
     geom::VolumeSide,
     trace::{Method, Real, Tell, Told},
 };
 
 use super::{
     VolumeRules,
-    clip_polygon::ClipPolygon,
-    clip_vertex::{Attributes, ClipVertex, divided},
+    clip_vertex::{Attributes, ClipPolygon, ClipVertex, divided},
     side_code::SideCode,
 };
 
@@ -78,32 +61,11 @@ pub enum HomogeneousTriangleEvent<A> {
         side: VolumeSide,
     },
     /// The first vertex of the input list.
-    First {
-        /// F
-        at: ClipVertex<A>,
-        /// w ± its coordinate.
-        distance: f64,
-        /// Is it inside?
-        inside: bool,
-    },
+    First(Known<ClipVertex<A>>),
     /// The edge from S to P, the last one closing the ring.
-    Test {
-        /// Where S and P stand in the input list.
-        idx: [usize; 2],
-        /// S and P.
-        ends: [ClipVertex<A>; 2],
-        /// Their w ± the coordinate.
-        distances: [f64; 2],
-        /// What follows.
-        rule: Rule,
-    },
+    Test(EdgeTest<ClipVertex<A>>),
     /// The edge crosses the side.
-    Cross {
-        /// I
-        at: ClipVertex<A>,
-        /// Where from S to P.
-        t: Ratio,
-    },
+    Cross(Crossing<ClipVertex<A>>),
     /// A vertex is appended to the output list.
     Output {
         /// F, P or I.

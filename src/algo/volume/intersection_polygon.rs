@@ -1,35 +1,16 @@
-//! A triangle against planes, as one polygon: cut into triangles once, when all planes have had their turn.
+//! A triangle against planes, as one polygon: each plane clips it as Sutherland and Hodgman do, and it is cut into triangles, the
+//! fan from its first vertex, when all planes have had their turn. Each plane adds one vertex at most, and n vertices make n − 2
+//! triangles: never more than [`super::PlaneAtATime`] leaves, whose diagonals are cut again by later planes.
 //!
-//! ```text
-//!        A                A                      A
-//!       ╱ ╲   plane 1    ╱ ╲     plane 2        ╱ ╲      at the end
-//!      ╱   ╲  ───────►  ╱   ╲   ────────►      ╱   C₂    ───────►  A B C₁, A C₁ C₂
-//!     ╱     ╲           │    ╲                 │   │
-//!    B───────C          B─────C                B───C₁
-//! ```
-//!
-//! 1. The list is the triangle's three vertices.
-//! 2. Each plane clips it as Sutherland and Hodgman do: vertices inside are put out, and a crossing where an edge changes sides.
-//! 3. What is left after the last plane is one convex polygon: the fan from its first vertex.
-//!
-//! Each plane adds one vertex at most, and n vertices make n − 2 triangles: never more than [`super::PlaneAtATime`] leaves, whose
-//! diagonals are cut again by later planes.
-//!
-//! *Conventions*: planes in the order in which they are given; normals point inside; closed; the list starts with the first vertex
-//! put out and keeps order and winding. *Exact*: on a plane across an axis the crossing's coordinate is assigned; triangles that
-//! share an edge share its crossings, bit for bit; clipping again changes nothing. *Degenerate*: a triangle without area leaves
-//! none, nor does one that only touches. *Bound*: for each plane its turn, the first vertex with its output, a test, a crossing and
-//! an output for each edge, the pass; the fan; the end. *Cost*: three multiplications, three additions and a comparison a vertex and
-//! plane; for a crossing a mean of each coordinate.
+//! *Exact*: on a plane across an axis the crossing's coordinate is assigned; triangles that share an edge share its crossings,
+//! bit for bit; clipping again changes nothing. *Degenerate*: a triangle without area leaves none, nor does one that only
+//! touches. *Cost*: three multiplications, three additions and a comparison a vertex and plane; for a crossing a mean of each
+//! coordinate.
 //!
 //! *Source*: I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM 17, 1974, pp. 32–42.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::volume::{IntersectionPolygon, SpaceVertex, TrianglePlanes},
-//!     geom::Plane,
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::volume::{IntersectionPolygon, SpaceVertex, TrianglePlanes}, geom::Plane, trace::silent};
 //! let planes = vec![Plane::new([1.0, 0.0, 0.0, 0.0])?, Plane::new([0.0, 1.0, 0.0, 0.0])?];
 //! let triangle = [[-1.0, 1.0, 0.0], [2.0, -2.0, 0.0], [2.0, 4.0, 0.0]].map(SpaceVertex::new);
 //! let left = silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle });
@@ -44,16 +25,13 @@ use std::marker::PhantomData;
 use serde::Serialize;
 
 use crate::{
-    algo::{
-        parameter::Ratio,
-        ring::{Lists, Right, RingClipper, Rule, clip_ring, ring_events},
-    },
+    algo::ring::{Crossing, EdgeTest, Known, Lists, Right, RingClipper, clip_ring, ring_events},
     trace::{Method, Real, Tell, Told},
 };
 
 use super::{
-    CutTriangles, SpaceVertex, TrianglePlanes, VolumeRules, cut_triangles::fan, has_area,
-    space_vertex::LastPlane,
+    CutTriangles, SpaceVertex, TrianglePlanes, VolumeRules, has_area,
+    space_vertex::{LastPlane, fan},
 };
 
 /// The algorithm, by the rules of `L`; see the module.
@@ -70,32 +48,11 @@ pub enum IntersectionPolygonEvent {
         plane_idx: usize,
     },
     /// The first vertex of the input list.
-    First {
-        /// F
-        at: SpaceVertex,
-        /// Its signed distance from the plane.
-        distance: f64,
-        /// Is it inside?
-        inside: bool,
-    },
+    First(Known<SpaceVertex>),
     /// The edge from S to P, the last one closing the ring.
-    Test {
-        /// Where S and P stand in the input list.
-        idx: [usize; 2],
-        /// S and P.
-        ends: [SpaceVertex; 2],
-        /// Their signed distances from the plane.
-        distances: [f64; 2],
-        /// What follows.
-        rule: Rule,
-    },
+    Test(EdgeTest<SpaceVertex>),
     /// The edge crosses the plane.
-    Cross {
-        /// I
-        at: SpaceVertex,
-        /// Where from S to P.
-        t: Ratio,
-    },
+    Cross(Crossing<SpaceVertex>),
     /// A vertex is appended to the output list.
     Output {
         /// F, P or I.
@@ -131,15 +88,6 @@ pub struct IntersectionPolygonHeld {
     pub left: CutTriangles,
 }
 
-/// The vertices that a list begins with, and how many of them belong together: one ring, or by a mistake three edges.
-fn paths<L: VolumeRules>([a, b, c]: [SpaceVertex; 3]) -> (Vec<SpaceVertex>, Vec<usize>) {
-    if L::EDGE_BY_EDGE {
-        (vec![a, b, b, c, c, a], vec![2; 3])
-    } else {
-        (vec![a, b, c], vec![3])
-    }
-}
-
 impl<L: VolumeRules> Method for IntersectionPolygon<L> {
     type Input = TrianglePlanes;
     type Held = IntersectionPolygonHeld;
@@ -148,7 +96,12 @@ impl<L: VolumeRules> Method for IntersectionPolygon<L> {
 
     #[inline]
     fn begin(input: &Self::Input) -> Self::Held {
-        let (list, paths) = paths::<L>(input.triangle);
+        let [a, b, c] = input.triangle;
+        let (list, paths) = if L::EDGE_BY_EDGE {
+            (vec![a, b, b, c, c, a], vec![2; 3])
+        } else {
+            (vec![a, b, c], vec![3])
+        };
         IntersectionPolygonHeld {
             lists: Lists::new([list, Vec::new()]),
             paths,

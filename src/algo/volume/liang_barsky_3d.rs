@@ -1,20 +1,8 @@
-//! Liang–Barsky in space: six inequalities, one for each face of a box.
+//! Liang–Barsky in space: six inequalities, one for each face of a box ([`LineClip`]).
 //!
-//! ```text
-//!   side      p     q                  side      p     q
-//!   near     −Δz    z₁ − zmin          far       Δz    zmax − z₁
-//!   left     −Δx    x₁ − xmin          right     Δx    xmax − x₁
-//!   bottom   −Δy    y₁ − ymin          top       Δy    ymax − y₁
-//! ```
-//!
-//! What follows from them is [`super::LineClip`]'s; the two of a pair differ by their sign, so that the line comes in across
-//! one face of each pair and goes out across the other, or runs along both.
-//!
-//! *Conventions*: closed box, near is zmin. *Degenerate*: a point has all p = 0 and is accepted if all q ≥ 0; a box may be
-//! flat. *Exact*: the face's own coordinate is assigned, at a touched edge both; the others are weighted means of the given
-//! ends', kept within the box. *Cost*: at most 19 +, 8 ×, 10 ÷ and 37 comparisons.
-//!
-//! *Source*: Liang and Barsky, 1984, section 5.
+//! *Conventions*: closed box, near is zmin. *Degenerate*: a point has all p = 0 and is accepted if all q ≥ 0; a box may be flat.
+//! *Exact*: the face's own coordinate is assigned, at a touched edge both; the others are weighted means of the given ends', kept
+//! within the box. *Cost*: at most 19 +, 8 ×, 10 ÷ and 37 comparisons. *Source*: Liang and Barsky, 1984, section 5.
 //!
 //! ```
 //! use clipscope::{algo::volume::{LiangBarsky3d, LineInput}, geom::AlignedBox, trace::silent};
@@ -29,7 +17,7 @@ use crate::{
     algo::{
         parameter::{Upright, clamp_between},
         segment::{
-            Bounds, EventOf, LineClip, LineEvent, LineInput, LineRules, PlaneRow, VisibleLine,
+            Bounds, Ends, EventOf, LineClip, LineEvent, LineInput, LineRules, PlaneRow, VisibleLine,
         },
     },
     geom::{AlignedBox, VolumeSide},
@@ -40,7 +28,7 @@ use crate::{
 pub type LiangBarsky3d = LineClip<3, AlignedBox>;
 
 /// A face and both ends, along the axis across it.
-pub fn upright(bounds: &AlignedBox, side: VolumeSide, ends: &[[f64; 3]; 2]) -> Upright {
+pub fn upright(bounds: &AlignedBox, side: VolumeSide, ends: &Ends<3>) -> Upright {
     Upright {
         ends: ends.map(|at| at[side.axis()]),
         at: bounds.border(side),
@@ -51,14 +39,8 @@ pub fn upright(bounds: &AlignedBox, side: VolumeSide, ends: &[[f64; 3]; 2]) -> U
 impl Bounds<3> for AlignedBox {
     type Plane = VolumeSide;
     type Row = PlaneRow;
-    /// P₂ − P₁
-    type Once<R: Real> = [R; 3];
     type Input = LineInput<3, Self>;
     type Output = VisibleLine<3>;
-
-    fn answer(visible: VisibleLine<3>) -> VisibleLine<3> {
-        visible
-    }
 
     fn planes(&self) -> impl Iterator<Item = VolumeSide> {
         VolumeSide::ALL.into_iter()
@@ -66,17 +48,16 @@ impl Bounds<3> for AlignedBox {
 
     fn begin<R: Real, L: LineRules>(
         &self,
-        [p1, p2]: &mut [[f64; 3]; 2],
+        [p1, p2]: &mut Ends<3>,
     ) -> (Option<EventOf<3, Self>>, Option<[R; 3]>) {
-        let once = std::array::from_fn(|axis| R::new(p2[axis]) - R::new(p1[axis]));
-        let delta = once.map(R::get);
-        (Some(LineEvent::Delta { delta }), Some(once))
+        let delta = std::array::from_fn(|axis| R::new(p2[axis]) - R::new(p1[axis]));
+        (Some(LineEvent::delta(delta)), Some(delta))
     }
 
     fn inequality<R: Real>(
         &self,
         side: VolumeSide,
-        ends: &[[f64; 3]; 2],
+        ends: &Ends<3>,
         delta: &[R; 3],
     ) -> ([R; 2], PlaneRow) {
         let axis = side.axis();
@@ -89,11 +70,11 @@ impl Bounds<3> for AlignedBox {
         (p_and_q, PlaneRow::of(p_and_q))
     }
 
-    fn quotient<R: Real>(&self, side: VolumeSide, ends: &[[f64; 3]; 2], [p, q]: [R; 2]) -> R {
+    fn quotient<R: Real>(&self, side: VolumeSide, ends: &Ends<3>, [p, q]: [R; 2]) -> R {
         upright(self, side, ends).quotient(q, p)
     }
 
-    fn distances(&self, side: VolumeSide, ends: &[[f64; 3]; 2]) -> [f64; 2] {
+    fn distances(&self, side: VolumeSide, ends: &Ends<3>) -> [f64; 2] {
         upright(self, side, ends).distances()
     }
 
@@ -101,7 +82,7 @@ impl Bounds<3> for AlignedBox {
         &self,
         side: VolumeSide,
         touched: Option<VolumeSide>,
-        ends: &[[f64; 3]; 2],
+        ends: &Ends<3>,
     ) -> [f64; 3] {
         let share = upright(self, side, ends).share::<R>();
         let assigned = [Some(side), touched].map(|side| Some((side?.axis(), self.border(side?))));

@@ -1,23 +1,10 @@
 //! How far a point, a segment or a triangle is from another answer: the least move as a whole along a plane's normal that brings
-//! something of it inside all planes, or takes all of it out.
+//! something of it inside all planes, or takes all of it out. A move is positive inwards; what touches vanishes by any move out.
 //!
-//! ```text
-//!   V0 ●───────● V1      a point of the part is V0 + u (V1 − V0) + v (V2 − V0); moved by s along the deciding plane's
-//!       ╲     ╱          normal it is inside plane k where
-//!   ─────╲───╱───── k        room + s · slope + u · (d1 − d0) + v · (d2 − d0) ≥ 0
-//!         ╲ ╱   ↓ s      and u ≥ 0, v ≥ 0, u + v ≤ 1. For which s is there such a point?
-//!       V2 ●
-//! ```
-//!
-//! 1. Write one inequality a plane, and those of u and v.
-//! 2. Eliminate v, then u: where one inequality bounds a variable from below and another from above, their sum without it holds
-//!    exactly where there is a value between both (J. Fourier, 1826; T. Motzkin, 1936).
-//! 3. What is left says room + s · slope ≥ 0, as of a point ([`moves_allowed`]): the interval's end nearer to 0 is the answer.
-//!
-//! *Conventions*: closed half-spaces, normals pointing inside, of any length; a move is positive inwards. *Degenerate*: corners on
-//! a line or in one place are as good as others; what touches vanishes by any move out. *Cost*: for n planes at most (n + 3)² / 4
-//! inequalities without v, and a quarter of the square of that in the end: for the six of a view volume some dozens.
-//! `tests/space_exactness/verdicts.rs` asks the clippers.
+//! A point V0 + u (V1 − V0) + v (V2 − V0) of the part, moved by s, is inside a plane where one inequality in s, u and v holds, beside
+//! u ≥ 0, v ≥ 0, u + v ≤ 1. Eliminate v, then u (J. Fourier, 1826; T. Motzkin, 1936): what is left is an interval of moves, and its
+//! end nearer to 0 is the answer. *Cost*: for n planes at most (n + 3)² / 4 inequalities without v, and a quarter of the square of
+//! that in the end: for the six of a view volume some dozens.
 //!
 //! ```
 //! use clipscope::{algo::volume::{PartTurn, part_move_in, part_move_out}, geom::Plane};
@@ -30,7 +17,10 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use crate::{algo::parameter::moves_allowed, geom::Plane};
+use crate::{
+    algo::parameter::{least_move, moves_allowed, nearest_move},
+    geom::Plane,
+};
 
 use super::signed_distance;
 
@@ -46,26 +36,20 @@ pub struct PartTurn {
 /// `room + slope · s + … · u + … · v ≥ 0`
 type Row = [f64; 4];
 
-/// How far what lies between these corners (one, two or three) has to be moved along a plane's normal so that something of it is
-/// inside all planes; none where no such move helps, or there is no such plane.
+/// How far what lies between one, two or three corners has to be moved along a plane's normal so that something of it is inside.
 #[must_use]
 pub fn part_move_in(planes: &[Plane], corners: &[[f64; 3]], plane_idx: usize) -> Option<f64> {
     let along = planes.get(plane_idx)?.unit_normal();
-    let [low, high] = moves_that_meet(planes, corners, along)?;
-    let nearest = if low > 0.0 { low } else { high.min(0.0) };
-    nearest.is_finite().then_some(nearest)
+    nearest_move(moves_that_meet(planes, corners, along)?)
 }
 
-/// The least move outwards across a plane, beyond which nothing is left of what lies between these corners, of which something
-/// is inside.
+/// The least move outwards across a plane, beyond which nothing is left of it.
 #[must_use]
 pub fn part_move_out(planes: &[Plane], corners: &[[f64; 3]]) -> Option<PartTurn> {
-    let turns = planes.iter().enumerate().filter_map(|(plane_idx, plane)| {
-        let [low, _] = moves_that_meet(planes, corners, plane.unit_normal())?;
-        let by = low.min(0.0);
-        by.is_finite().then_some(PartTurn { plane_idx, by })
-    });
-    turns.max_by(|a, b| a.by.total_cmp(&b.by))
+    let moves = |plane: &Plane| moves_that_meet(planes, corners, plane.unit_normal());
+    let borders = planes.iter().enumerate();
+    let (plane_idx, by) = least_move(borders.map(|(idx, plane)| (idx, moves(plane))))?;
+    Some(PartTurn { plane_idx, by })
 }
 
 /// The moves along a direction after which something of it is inside all planes.

@@ -1,37 +1,16 @@
-//! A triangle against planes, one plane after the other: each takes a list of triangles and leaves a list of triangles.
+//! A triangle against planes, one plane after the other: each takes a list of triangles and leaves a list of triangles. What a
+//! plane leaves of a triangle is a triangle, or a quadrilateral, which is split at its first vertex. The data are simple; but a
+//! diagonal that one plane drew, the next one cuts: there are more triangles in the end, and more crossings, than
+//! [`super::IntersectionPolygon`] has.
 //!
-//! ```text
-//!   vertices inside:  3 kept whole     2 a quadrilateral,    1 one triangle     0 dropped
-//!                                        two triangles
-//!                        ╱╲               ╱╲                    ╱╲                 ──────
-//!                       ╱  ╲             ╱  ╲                  ╱  ╲                  ╱╲
-//!                      ╱────╲           ╱ ╲  ╲               ──────                 ╱  ╲
-//!                     ────────         ──────────
-//! ```
-//!
-//! 1. The list is the triangle.
-//! 2. Each plane splits each triangle of the list; what lies inside is a triangle, or a quadrilateral, which is split at its first
-//!    vertex.
-//! 3. The triangles that are left are the next plane's list.
-//!
-//! Only triangles are ever held, which makes for simple data; but a diagonal that one plane drew, the next one cuts. So there are
-//! more triangles in the end, and more crossings, than [`super::IntersectionPolygon`] has.
-//!
-//! *Conventions*: planes in the order in which they are given; normals point inside; closed; pieces keep order and winding.
-//! *Exact*: on a plane across an axis the crossing's coordinate is assigned; triangles that share an edge share its crossings, bit
-//! for bit, the pieces of one triangle among them; clipping again changes nothing. *Degenerate*: a triangle without area leaves
-//! none; what only touches a plane from outside is dropped. *Bound*: the number of triangles doubles at a plane at most; a plane has
-//! its turn and its pass, a triangle one test, two crossings and two pieces; the end. *Cost*: three multiplications, three additions
-//! and a comparison for each corner of each triangle and plane; for a crossing a mean of each coordinate.
+//! *Exact*: as there, the pieces of one triangle among those that share an edge. *Degenerate*: a triangle without area leaves
+//! none; what only touches a plane from outside is dropped. *Cost*: three multiplications, three additions and a comparison for
+//! each corner of each triangle and plane; for a crossing a mean of each coordinate.
 //!
 //! *Source*: D. H. Eberly, *3D Game Engine Design*, second edition, Morgan Kaufmann 2006, section 2.4.
 //!
 //! ```
-//! use clipscope::{
-//!     algo::volume::{PlaneAtATime, SpaceVertex, TrianglePlanes},
-//!     geom::Plane,
-//!     trace::silent,
-//! };
+//! use clipscope::{algo::volume::{PlaneAtATime, SpaceVertex, TrianglePlanes}, geom::Plane, trace::silent};
 //! let planes = vec![Plane::new([0.0, 1.0, 0.0, 0.0])?];
 //! let triangle = [[0.0, 2.0, 0.0], [-2.0, -2.0, 0.0], [2.0, 2.0, 0.0]].map(SpaceVertex::new);
 //! let left = silent::<PlaneAtATime>(&TrianglePlanes { planes, triangle });
@@ -52,8 +31,8 @@ use crate::{
 };
 
 use super::{
-    CutTriangles, SpaceVertex, TrianglePlanes, VolumeRules, cut_triangles::fan, has_area,
-    space_vertex::LastPlane,
+    CutTriangles, SpaceVertex, TrianglePlanes, VolumeRules, has_area,
+    space_vertex::{LastPlane, fan},
 };
 
 /// The algorithm, by the rules of `L`; see the module.
@@ -219,19 +198,13 @@ impl Split {
         let mut edge = [0; 2];
         let mut note = |happening: Happening<SpaceVertex>| {
             match happening {
-                Happening::First {
-                    distance: d,
-                    inside: is_inside,
-                    ..
-                } => (distances[0], inside[0]) = (d, is_inside),
-                Happening::Test {
-                    idx,
-                    distances: [_, d],
-                    rule,
-                    ..
-                } => {
-                    edge = idx;
-                    (distances[idx[1]], inside[idx[1]]) = (d, rule.ends_inside());
+                Happening::First(first) => {
+                    (distances[0], inside[0]) = (first.distance, first.inside);
+                }
+                Happening::Test(test) => {
+                    edge = test.idx;
+                    let [_, end] = edge;
+                    (distances[end], inside[end]) = (test.distances[1], test.rule.ends_inside());
                 }
                 Happening::Cross(crossing) => crossings.push((edge, crossing)),
                 Happening::Output(vertex) => ring.push(vertex),

@@ -1,23 +1,19 @@
-//! Where an edge crosses the last of some planes, and on which side of it a vertex lies.
+//! Where an edge crosses the last of some planes, and on which side of it a vertex lies; and a flat polygon against one plane.
 //!
-//! ```text
-//!   inside end ●                 d = n·V + D: positive inside, 0 on the plane
-//!            d₁│ ╲
-//!   ───────────┴──×──┬────────   crossing: (V₁·|d₂| + V₂·|d₁|) / (|d₁| + |d₂|), coordinate by coordinate
-//!                  ╲ │d₂
-//!                    ● outside end
-//! ```
-//!
-//! - A crossing is found from the inside end to the outside end, whichever way the edge is walked: two triangles that share the
-//!   edge get the same bits.
-//! - On a plane across an axis the coordinate is assigned. Elsewhere it is rounded, and may come to lie outside by an ulp, of this
-//!   plane or of one before it. Then it is moved inwards, by ulps, until its own distances say that it is inside: so clipping again
-//!   changes nothing.
+//! A crossing is found from the inside end to the outside end, whichever way the edge is walked: two triangles that share the
+//! edge get the same bits. On a plane across an axis the coordinate is assigned. Elsewhere it is rounded, and may come to lie
+//! outside by an ulp, of this plane or of one before it. Then it is moved inwards until its own distances say that it is inside:
+//! so clipping again changes nothing.
+
+use std::slice;
 
 use crate::{
-    algo::parameter::{Ratio, Share, clamp_between},
+    algo::{
+        parameter::{Ratio, Share, clamp_between},
+        ring::{Clip, Crossing, Limit, Right, put_in},
+    },
     geom::Plane,
-    trace::Real,
+    trace::{Real, Told},
 };
 
 use super::weighted_sum;
@@ -47,13 +43,23 @@ pub(super) fn distance<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
     }
 }
 
-/// The same with everything so small that nothing overflows: normal and point by 2⁻⁵¹³, which makes the largest product of two
-/// numbers less than 2¹⁰²².
+/// The same, normal and point by 2⁻⁵¹³ each, so that the largest product of two numbers is less than 2¹⁰²².
 #[cold]
 fn small_sum<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
     const SMALL: f64 = 3.729_170_365_600_103_4e-155;
     let [n, p] = [plane.normal(), p].map(|v| v.map(|x| R::new(SMALL * x)));
     n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + R::new(SMALL * (SMALL * plane.d()))
+}
+
+/// An edge's ends and their distances, the inside end first.
+#[inline]
+pub(super) fn inside_first<E, R: Real>([a, b]: [E; 2], [d1, d2]: [R; 2]) -> ([E; 2], [R; 2]) {
+    let is_leaving = d1.get() > 0.0;
+    if is_leaving {
+        ([a, b], [d1, d2])
+    } else {
+        ([b, a], [d2, d1])
+    }
 }
 
 /// Where the edge between `ends`, of which one lies strictly inside of the last of `planes` and the other outside, crosses that
@@ -65,11 +71,7 @@ pub(super) fn plane_cut<R: Real>(
 ) -> Option<PlaneCut<R>> {
     let plane = planes.last()?;
     let is_leaving = distances[0].get() > 0.0;
-    let ([inside, outside], along) = if is_leaving {
-        (ends, distances)
-    } else {
-        ([ends[1], ends[0]], [distances[1], distances[0]])
-    };
+    let ([inside, outside], along) = inside_first(ends, distances);
     let share = share(plane, [inside, outside], along);
     let mut at = std::array::from_fn(|i| share.mean(inside[i], outside[i]));
     let assigned = across(plane);
@@ -158,4 +160,76 @@ fn outside_by(plane: &Plane, at: [f64; 3]) -> f64 {
     let size: f64 = (0..3).map(|i| (n[i] * at[i]).abs()).sum();
     let roundings = f64::EPSILON * (size + plane.d().abs());
     (roundings - distance::<f64>(plane, at).min(0.0)) / plane.length()
+}
+
+impl Limit<[f64; 3]> for Plane {
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &[f64; 3]) -> R {
+        distance(self, *vertex)
+    }
+
+    #[inline]
+    fn crossing<R: Real>(
+        &self,
+        ends: [&[f64; 3]; 2],
+        distances: [R; 2],
+    ) -> Option<Crossing<[f64; 3]>> {
+        let cut = plane_cut(slice::from_ref(self), ends.map(|&end| end), distances)?;
+        Some(Crossing {
+            at: cut.at,
+            t: cut.t,
+        })
+    }
+}
+
+/// The part of a convex polygon that lies inside of a plane: none of one that only touches it.
+#[must_use]
+pub fn clipped(polygon: &[[f64; 3]], plane: &Plane) -> Vec<[f64; 3]> {
+    let mut left = Vec::with_capacity(polygon.len() + 1);
+    let Some((&first, following)) = polygon.split_first() else {
+        return left;
+    };
+    let mut clip = Clip::begin::<Right, f64>(plane, first);
+    let Told::Continue(()) = clip.tell_first(plane, &mut put_in(&mut left));
+    for &vertex in following {
+        let vertex = ([0; 2], vertex);
+        let Told::Continue(()) =
+            clip.vertex::<Right, f64, _>(plane, vertex, &mut put_in(&mut left));
+    }
+    let Told::Continue(()) = clip.close::<Right, f64, _>(plane, [0; 2], &mut put_in(&mut left));
+    if left.len() < 3 {
+        left.clear();
+    }
+    left
+}
+
+/// A convex polygon in two: what lies inside of a plane, and what lies outside. What is on the plane belongs to both.
+#[must_use]
+pub fn split(polygon: &[[f64; 3]], plane: &Plane) -> [Vec<[f64; 3]>; 2] {
+    [*plane, plane.turned()].map(|plane| clipped(polygon, &plane))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_parts_of_a_square_meet_in_the_cut() {
+        let between = |left: f64, right: f64| {
+            let corners = [[left, -1.0], [right, -1.0], [right, 1.0], [left, 1.0]];
+            corners.map(|[x, y]| [x, y, 0.0])
+        };
+        let plane = Plane::new([2.0, 0.0, 0.0, -1.0]).unwrap();
+        let [inside, outside] = split(&between(-1.0, 1.0), &plane);
+        assert_eq!(inside, between(0.5, 1.0));
+        assert_eq!(outside, between(-1.0, 0.5));
+    }
+
+    #[test]
+    fn what_touches_the_plane_is_not_cut() {
+        let triangle = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+        let plane = Plane::new([1.0, 0.0, 0.0, 0.0]).unwrap();
+        let [inside, outside] = split(&triangle, &plane);
+        assert_eq!((inside.len(), outside.len()), (3, 0));
+    }
 }

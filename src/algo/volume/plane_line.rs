@@ -1,21 +1,7 @@
-//! A segment against any planes, oblique ones included.
-//!
-//! ```text
-//!    P₁ ●                      a = n·(p₀ − P₁) / n·(P₂ − P₁)       p₀: any point of the plane
-//!        ╲   ▲ n
-//!   ──────╲──┴───── n·p + d = 0
-//!          ╲                   with d₁ = n·P₁ + d and d₂ = n·P₂ + d that is
-//!           ● P₂               a = d₁ / (d₁ − d₂)
-//! ```
-//!
-//! For n·p₀ = −d the numerator is −d₁, and the denominator is d₂ − d₁, because d falls out of the difference: so a plane is
-//! asked twice what it is asked of any point ([`super::weighted_sum`]), and the rest is [`super::LineClip`]'s, with q = d₁ and
-//! p = d₁ − d₂. A normal need not be of length 1: its length falls out of the quotient.
-//!
-//! *Conventions*: planes in the order in which they are given; normals point inside; all is closed. *Degenerate*: a point is
-//! accepted if no plane has it outside. *Exact*: the signs of d₁ and d₂ are, where products and sums are; a plane square to an
-//! axis assigns its coordinate, −d over the normal's; elsewhere a crossing is on the plane but for rounding. *Cost*: six
-//! multiplications and seven additions a plane, a division where it is crossed, and three for an oblique crossing.
+//! A segment against any planes, oblique ones included: with d₁ = n·P₁ + d and d₂ = n·P₂ + d it meets a plane at a = d₁ / (d₁ − d₂),
+//! whatever the length of n, and the rest is [`LineClip`]'s. A plane square to an axis assigns its coordinate, −d over the normal's;
+//! elsewhere a crossing is on the plane but for rounding. *Cost*: six multiplications and seven additions a plane, a division where it
+//! is crossed, and three for an oblique crossing.
 //!
 //! *Source*: M. Cyrus and J. Beck, "Generalized two- and three-dimensional clipping", Computers & Graphics 3, 1978, pp. 23–28.
 //!
@@ -31,7 +17,7 @@
 use crate::{
     algo::{
         parameter::{Share, clamp_between},
-        segment::{Bounds, EventOf, LineClip, LineInput, LineRules, PlaneRow, VisibleLine},
+        segment::{Bounds, Ends, LineClip, LineInput, PlaneRow, VisibleLine},
     },
     geom::Plane,
     trace::Real,
@@ -42,13 +28,11 @@ use super::weighted_sum;
 /// The algorithm; see the module.
 pub type PlaneLine = LineClip<3, Vec<Plane>>;
 
-/// Numbers whose products leave the range of f64 are made smaller by this first: 2⁻⁵⁴⁰. What that loses is too small to count
-/// beside them.
+/// Numbers whose products leave the range of f64 are made smaller by this first: 2⁻⁵⁴⁰.
 const SMALLER: f64 = 2.778_448_436_856_347e-163;
 
-/// d₁ and d₂: n·p + d of both ends. Where they or their difference are beyond all numbers, both made smaller by the same power
-/// of two: only their ratio counts.
-pub fn plane_distances<R: Real>(plane: &Plane, ends: &[[f64; 3]; 2]) -> [R; 2] {
+/// n·p + d of both ends; made smaller by the same power of two where they or their difference are beyond all numbers.
+pub fn plane_distances<R: Real>(plane: &Plane, ends: &Ends<3>) -> [R; 2] {
     let distances = ends.map(|at| weighted_sum::<R>(plane, at));
     let [d1, d2] = distances.map(R::get);
     if (d1 - d2).is_finite() {
@@ -72,50 +56,24 @@ fn fixed(plane: &Plane) -> Option<(usize, f64)> {
 impl Bounds<3> for Vec<Plane> {
     type Plane = usize;
     type Row = PlaneRow;
-    type Once<R: Real> = ();
     type Input = LineInput<3, Self>;
     type Output = VisibleLine<3>;
-
-    fn answer(visible: VisibleLine<3>) -> VisibleLine<3> {
-        visible
-    }
 
     fn planes(&self) -> impl Iterator<Item = usize> {
         0..self.len()
     }
 
-    fn begin<R: Real, L: LineRules>(
-        &self,
-        _: &mut [[f64; 3]; 2],
-    ) -> (Option<EventOf<3, Self>>, Option<()>) {
-        (None, Some(()))
-    }
-
-    fn inequality<R: Real>(
-        &self,
-        plane: usize,
-        ends: &[[f64; 3]; 2],
-        (): &(),
-    ) -> ([R; 2], PlaneRow) {
+    fn inequality<R: Real>(&self, plane: usize, ends: &Ends<3>, _: &[R; 3]) -> ([R; 2], PlaneRow) {
         let [d1, d2] = plane_distances::<R>(&self[plane], ends);
         let p_and_q = [d1 - d2, d1];
         (p_and_q, PlaneRow::of(p_and_q))
     }
 
-    fn quotient<R: Real>(&self, _: usize, _: &[[f64; 3]; 2], [p, q]: [R; 2]) -> R {
-        R::new((q / p).get() + 0.0)
-    }
-
-    fn distances(&self, plane: usize, ends: &[[f64; 3]; 2]) -> [f64; 2] {
+    fn distances(&self, plane: usize, ends: &Ends<3>) -> [f64; 2] {
         plane_distances(&self[plane], ends)
     }
 
-    fn crossing<R: Real>(
-        &self,
-        plane: usize,
-        touched: Option<usize>,
-        ends: &[[f64; 3]; 2],
-    ) -> [f64; 3] {
+    fn crossing<R: Real>(&self, plane: usize, touched: Option<usize>, ends: &Ends<3>) -> [f64; 3] {
         let [d1, d2] = plane_distances::<R>(&self[plane], ends);
         let share = Share {
             weights: [-d1, d2],

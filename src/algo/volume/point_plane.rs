@@ -1,12 +1,4 @@
-//! Which side of a plane is a point on?
-//!
-//! ```text
-//!            n ▲        n·p + d > 0   inside, in front
-//!              │
-//!   ───────────┴─────   n·p + d = 0   on the plane: inside, for every volume here is closed
-//!
-//!          ● p          n·p + d < 0   outside, behind
-//! ```
+//! Which side of a plane is a point on? Inside is n·p + d ≥ 0, for every volume here is closed.
 
 use serde::Serialize;
 

@@ -1,17 +1,13 @@
 //! Outcodes in space: one bit for each side of the clip volume that a point lies beyond.
 
-use std::ops::{BitAnd, BitOr};
-
-use serde::{Serialize, Serializer};
-
 use crate::{
+    algo::segment::Code,
     geom::{AlignedBox, VolumeSide},
     trace::Real,
 };
 
 /// Six bits, written far, near, top, bottom, right, left: the last four are those of the plane.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct SideCode(u8);
+pub type SideCode = Code<6>;
 
 impl SideCode {
     /// As they are written, from the first digit to the last.
@@ -55,27 +51,6 @@ impl SideCode {
         Self(beyond(0) | beyond(1) << 2 | beyond(2) << 4)
     }
 
-    /// Bitwise OR.
-    #[inline]
-    #[must_use]
-    pub const fn or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// Bitwise AND.
-    #[inline]
-    #[must_use]
-    pub const fn and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
-    /// 000000: inside every side.
-    #[inline]
-    #[must_use]
-    pub const fn is_inside(self) -> bool {
-        self.0 == 0
-    }
-
     /// The side of the lowest bit that is set; `None` for 000000.
     #[inline]
     #[must_use]
@@ -86,9 +61,8 @@ impl SideCode {
 
     /// The sides whose bits are set, as they are written.
     pub fn sides(self) -> impl Iterator<Item = VolumeSide> {
-        Self::WRITTEN
-            .into_iter()
-            .filter(move |&side| self.has(side))
+        let is_set = move |&side: &VolumeSide| self.has(side);
+        Self::WRITTEN.into_iter().filter(is_set)
     }
 
     /// Is the point beyond this side?
@@ -96,36 +70,6 @@ impl SideCode {
     #[must_use]
     pub const fn has(self, side: VolumeSide) -> bool {
         self.0 & Self::bit(side) != 0
-    }
-}
-
-impl BitOr for SideCode {
-    type Output = Self;
-
-    #[inline]
-    fn bitor(self, other: Self) -> Self {
-        self.or(other)
-    }
-}
-
-impl BitAnd for SideCode {
-    type Output = Self;
-
-    #[inline]
-    fn bitand(self, other: Self) -> Self {
-        self.and(other)
-    }
-}
-
-impl std::fmt::Display for SideCode {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:06b}", self.0)
-    }
-}
-
-impl Serialize for SideCode {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 
@@ -157,17 +101,17 @@ mod tests {
 
     #[test]
     fn digits_from_far_to_left() {
-        let of = |at: [f64; 4]| SideCode::of(at).to_string();
-        assert_eq!(of([0.0, 0.0, 0.0, 1.0]), "000000");
-        assert_eq!(of([-2.0, 0.0, 0.0, 1.0]), "000001");
-        assert_eq!(of([2.0, 3.0, 0.0, 1.0]), "001010");
-        assert_eq!(of([0.0, -1.5, 4.0, 1.0]), "100100");
-        assert_eq!(of([1.0, 1.0, -1.0, 1.0]), "000000", "closed");
-        assert_eq!(
-            of([0.0, 0.0, 0.0, -1.0]),
-            "111111",
-            "behind the eye: beyond every side"
-        );
-        assert_eq!(of([0.0; 4]), "000000");
+        let cases = [
+            ([0.0, 0.0, 0.0, 1.0], "000000", "in the middle"),
+            ([-2.0, 0.0, 0.0, 1.0], "000001", "on the left"),
+            ([2.0, 3.0, 0.0, 1.0], "001010", "top right"),
+            ([0.0, -1.5, 4.0, 1.0], "100100", "far below"),
+            ([1.0, 1.0, -1.0, 1.0], "000000", "closed"),
+            ([0.0, 0.0, 0.0, -1.0], "111111", "behind the eye"),
+            ([0.0; 4], "000000", "no point"),
+        ];
+        for (at, expected, what) in cases {
+            assert_eq!(SideCode::of(at).to_string(), expected, "{what}");
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! What is clipped by planes: a point in space, with its place in a texture where it has one.
+//! What is clipped by planes: a triangle of points in space, with their places in a texture where they have one.
 
 use std::marker::PhantomData;
 
@@ -58,23 +58,14 @@ pub(super) fn independent([a, b, c]: [[f64; 4]; 3]) -> bool {
 }
 
 /// The last of some planes, by which the others have clipped before, and by the rules of `L`.
-#[derive(Debug)]
+#[derive(Clone, Copy)]
 pub struct LastPlane<'a, L> {
     planes: &'a [Plane],
     plane: &'a Plane,
     rules: PhantomData<L>,
 }
 
-impl<L> Clone for LastPlane<'_, L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<L> Copy for LastPlane<'_, L> {}
-
 impl<'a, L> LastPlane<'a, L> {
-    /// Each of some planes, with those before it.
     pub fn all(planes: &'a [Plane]) -> impl Iterator<Item = Self> {
         planes.iter().enumerate().map(|(idx, plane)| Self {
             planes: &planes[..=idx],
@@ -83,7 +74,6 @@ impl<'a, L> LastPlane<'a, L> {
         })
     }
 
-    /// Which of them it is.
     pub const fn idx(&self) -> usize {
         self.planes.len() - 1
     }
@@ -107,10 +97,11 @@ impl<L: VolumeRules> Limit<SpaceVertex> for LastPlane<'_, L> {
         distances: [R; 2],
     ) -> Option<Crossing<SpaceVertex>> {
         let cut = plane_cut(self.planes, ends.map(|end| end.at), distances)?;
-        let [inside, outside] = if cut.is_leaving {
-            ends
+        let [first, second] = ends;
+        let (inside, outside) = if cut.is_leaving {
+            (first, second)
         } else {
-            [ends[1], ends[0]]
+            (second, first)
         };
         let uv = if L::MIXES_UV {
             inside.uv_at_crossing(outside, &cut.share)
@@ -120,4 +111,45 @@ impl<L: VolumeRules> Limit<SpaceVertex> for LastPlane<'_, L> {
         let at = SpaceVertex { at: cut.at, uv };
         Some(Crossing { at, t: cut.t })
     }
+}
+
+/// What is cut, and by what.
+#[derive(Clone, PartialEq, Debug)]
+pub struct TrianglePlanes {
+    /// Inside is what all of them have inside.
+    pub planes: Vec<Plane>,
+    /// With a place in a texture at every corner, or at none.
+    pub triangle: [SpaceVertex; 3],
+}
+
+impl TrianglePlanes {
+    /// Has every corner a place in a texture?
+    #[must_use]
+    pub fn has_uv(&self) -> bool {
+        self.triangle.iter().all(|v| v.uv.is_some())
+    }
+}
+
+/// What is left.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct CutTriangles {
+    /// Next to each other, wound as the one that was given.
+    pub triangles: Vec<[SpaceVertex; 3]>,
+    /// How many crossings of edges and planes it took.
+    pub n_crossings: usize,
+    /// Have their corners places in a texture?
+    pub has_uv: bool,
+}
+
+/// The fan from the first vertex: none where there is nothing to fill.
+pub(super) fn fan(ring: &[SpaceVertex]) -> Vec<[SpaceVertex; 3]> {
+    let Some((&first, rest)) = ring.split_first() else {
+        return Vec::new();
+    };
+    let triangles = rest.windows(2).map(|pair| [first, pair[0], pair[1]]);
+    let mut triangles: Vec<_> = triangles.collect();
+    if !triangles.iter().any(has_area) {
+        triangles.clear();
+    }
+    triangles
 }

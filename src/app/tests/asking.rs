@@ -2,14 +2,8 @@
 
 use std::{cell::RefCell, rc::Rc};
 
-use egui::{Context, Event, Key};
-
-use super::{Bench, SIZE, ctrl};
-use crate::{
-    app::{Answer, App, Command, Desktop, Dialog, Platform, Question, Settings, StageFigure},
-    lesson::Course,
-    text::Diagnostic,
-};
+use super::*;
+use crate::text::Diagnostic;
 
 /// A desktop whose dialogs are answered by the test.
 #[derive(Clone, Default)]
@@ -137,12 +131,10 @@ fn a_path_that_cannot_be_read_is_there_to_be_mended() {
     let (mut bench, asked) = bench();
     let before = bench.app.scene().clone();
     bench.press(Key::O, ctrl());
-    asked.answers(
-        &mut bench,
-        Answer::Chosen("/nowhere/at-all.toml".to_owned()),
-    );
+    let path = "/nowhere/at-all.toml".to_owned();
+    asked.answers(&mut bench, Answer::Chosen(path));
     assert!(matches!(bench.app.shown.dialog, Some(Dialog::Open(_))));
-    assert!(bench.app.notices.shown()[0].is_problem);
+    assert!(bench.app.notices[0].is_problem);
     assert_eq!(*bench.app.scene(), before);
 }
 
@@ -152,9 +144,10 @@ fn the_name_is_selected_when_the_path_is_to_be_typed() {
     asked.0.borrow_mut().is_missing = true;
     bench.press(Key::S, ctrl());
     bench.settle();
-    bench.frame(0.1, vec![Event::Text("mine".to_owned())]);
+    bench.write("mine");
     bench.settle();
-    let target = bench.app.shown.dialog.as_ref().and_then(Dialog::target);
+    let dialog = bench.app.shown.dialog.as_mut();
+    let target = dialog.and_then(Dialog::target_mut);
     let path = target.map(|target| &*target.path);
     assert_eq!(path, Some("/nowhere/mine.toml"));
 }

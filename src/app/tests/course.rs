@@ -1,27 +1,18 @@
 //! Walking through the course.
 
-use egui::Key;
+use super::*;
+use crate::{lesson::Loaded, trace::Transport};
 
-use super::{Bench, SIZE};
-use crate::{
-    app::{App, Command, Settings},
-    labs::Edit,
-    lesson::Course,
-    paint::ThemeKind,
-    text::Lang,
-    trace::Transport,
-};
-
-fn n_steps(bench: &Bench) -> usize {
-    let lessons = bench.app.bookmark.lessons();
+fn n_course_steps(bench: &Bench) -> usize {
+    let lessons = &bench.app.bookmark.course.lessons;
     lessons.iter().map(|lesson| lesson.steps.len()).sum()
 }
 
 #[test]
 fn a_presenter_walks_the_course_and_comes_back() {
-    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
+    let mut bench = Bench::course(SIZE);
     bench.key(Key::F5);
-    let n_steps = n_steps(&bench);
+    let n_steps = n_course_steps(&bench);
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageDown);
         assert!(!bench.app.shown.is_answered, "no text is read there");
@@ -32,7 +23,7 @@ fn a_presenter_walks_the_course_and_comes_back() {
     for _ in 0..n_steps + 2 {
         bench.key(Key::PageUp);
     }
-    assert_eq!(bench.app.bookmark.indices(), [0, 0]);
+    assert_eq!(bench.app.bookmark.at, [0, 0]);
     assert!(bench.app.shown.presenting.is_some());
     bench.key(Key::Escape);
     assert!(bench.app.shown.presenting.is_none());
@@ -40,10 +31,8 @@ fn a_presenter_walks_the_course_and_comes_back() {
 
 #[test]
 fn reset_brings_the_lesson_s_scene_back() {
-    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let ctx = bench.ctx.clone();
-    bench.app.apply(&ctx, Command::Edit(Edit::Add(None), None));
-    bench.settle();
+    let mut bench = Bench::course(SIZE);
+    bench.edit(Edit::Add(None));
     assert!(!bench.app.is_untouched());
     bench.key(Key::R);
     assert!(bench.app.is_untouched());
@@ -51,41 +40,35 @@ fn reset_brings_the_lesson_s_scene_back() {
 
 #[test]
 fn a_course_that_breaks_or_vanishes_leaves_the_last_good_one() {
-    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let n_lessons = bench.app.bookmark.lessons().len();
-    bench
-        .app
-        .take_course("lessons", crate::lesson::Loaded::default(), 0.0);
-    assert_eq!(bench.app.bookmark.lessons().len(), n_lessons);
+    let mut bench = Bench::course(SIZE);
+    let n_lessons = bench.app.bookmark.course.lessons.len();
+    bench.app.take_course("lessons", Loaded::default(), 0.0);
+    assert_eq!(bench.app.bookmark.course.lessons.len(), n_lessons);
     assert!(!bench.app.notices.is_empty());
     bench.frame(0.1, Vec::new());
 }
 
 #[test]
 fn settings_come_back() {
-    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let ctx = bench.ctx.clone();
+    let mut bench = Bench::course(SIZE);
     for command in [
         Command::Lesson { forward: true },
         Command::Speed(Transport::SPEEDS[4]),
         Command::Theme(ThemeKind::Dark),
         Command::Language(Lang::Es),
     ] {
-        bench.app.apply(&ctx, command);
+        bench.apply(command);
     }
-    let stored = serde_json::to_string(&bench.app.settings()).expect("plain data");
-    let settings = serde_json::from_str(&stored).expect("as it was written");
-    let again = App::new(Course::embedded(), settings);
-    assert_eq!(again.bookmark.indices(), bench.app.bookmark.indices());
+    let again = restarted(&bench.app);
+    assert_eq!(again.bookmark.at, bench.app.bookmark.at);
     assert_eq!(again.settings(), bench.app.settings());
 }
 
 #[test]
 fn page_down_shows_the_answer_before_it_moves_on() {
-    let mut bench = Bench::with(App::new(Course::embedded(), Settings::default()), SIZE);
-    let n_steps = n_steps(&bench);
+    let mut bench = Bench::course(SIZE);
     let mut n_answers = 0;
-    for _ in 1..n_steps {
+    for _ in 1..n_course_steps(&bench) {
         let before = bench.app.bookmark.page();
         if bench.app.has_answer() {
             bench.key(Key::PageDown);

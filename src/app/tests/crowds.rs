@@ -1,51 +1,40 @@
 //! Very many: vertices that cannot all have a handle, segments of which one is in focus.
 
-use egui::{Event, Key, vec2};
-
-use super::{Bench, SIZE, ctrl};
+use super::*;
 use crate::{
-    app::Command,
-    labs::{
-        Edit, Scene, lines,
-        polygons::{PolygonsChange, SceneVertex},
-    },
-    text::{Catalog, Lang, Value},
+    labs::polygons::{PolygonsChange, SceneVertex},
+    text::Value,
     trace::Counts,
 };
 
+/// The polygons lab with so many random vertices.
+fn crowd(count: usize) -> Bench {
+    let mut bench = Bench::polygons();
+    bench.change(PolygonsChange::Random { count, seed: 1 });
+    bench
+}
+
 #[test]
 fn of_ten_thousand_vertices_the_near_ones_can_be_taken_hold_of() {
-    let mut bench = Bench::polygons();
-    bench.edit(PolygonsChange::Random {
-        count: 10_000,
-        seed: 1,
-    });
+    let mut bench = crowd(10_000);
     assert_eq!(bench.subject().len(), 10_000);
     let vertex = bench.subject()[4321];
     let from = bench.on_screen(vertex);
     bench.frame(0.1, vec![Event::PointerMoved(from)]);
     assert!(bench.app.stage.handle_ids.len() < 100);
     bench.command(Command::Snap(false));
-    bench.drag(from, from + vec2(30.0, 10.0));
+    let to = from + vec2(30.0, 10.0);
+    bench.drag(from, to);
     let moved = bench.subject();
-    let n_moved = moved
-        .iter()
-        .filter(|p| (bench.on_screen(**p) - from - vec2(30.0, 10.0)).length() < 1.0);
-    assert!(
-        n_moved.count() >= 1,
-        "the vertex under the pointer went along"
-    );
-    bench.press(Key::Z, ctrl());
+    let went_along = |p: &[f64; 2]| (bench.on_screen(*p) - to).length() < 1.0;
+    assert!(moved.iter().any(went_along), "the one under the pointer");
+    bench.undo();
     assert_eq!(bench.subject()[4321], vertex);
 }
 
 #[test]
 fn tab_walks_along_a_large_outline() {
-    let mut bench = Bench::polygons();
-    bench.edit(PolygonsChange::Random {
-        count: 500,
-        seed: 1,
-    });
+    let mut bench = crowd(500);
     let n_others = bench.app.stage.handle_ids.len() - 1;
     for _ in 0..n_others + 3 {
         bench.key(Key::Tab);
@@ -56,20 +45,16 @@ fn tab_walks_along_a_large_outline() {
 
 #[test]
 fn a_long_run_keeps_its_place_without_being_searched() {
-    let mut bench = Bench::polygons();
-    bench.edit(PolygonsChange::Random {
-        count: 2000,
-        seed: 1,
-    });
-    let n_steps = bench.app.playback.transport().n_steps();
+    let mut bench = crowd(2000);
+    let n_steps = bench.n_steps();
     assert!(n_steps > 4096);
     bench.app.seek(n_steps / 3);
     let tick = bench.app.playback.main().tick(n_steps / 3);
-    bench.edit(PolygonsChange::Delete(SceneVertex::Subject(7)));
-    let now = bench.app.playback.transport();
-    let part = now.position() as f64 / now.n_steps() as f64;
+    bench.change(PolygonsChange::Delete(SceneVertex::Subject(7)));
+    let position = bench.app.position();
+    let part = position as f64 / bench.n_steps() as f64;
     assert!((part - 1.0 / 3.0).abs() < 0.02, "{part}");
-    assert_eq!(bench.app.playback.main().tick(now.position()), tick);
+    assert_eq!(bench.app.playback.main().tick(position), tick);
 }
 
 #[test]
@@ -77,25 +62,19 @@ fn the_cost_of_all_segments_stands_under_that_of_the_one() {
     let mut bench = Bench::new(SIZE);
     let said = |bench: &mut Bench| {
         let texts = bench.texts().into_iter().map(|(text, _)| text);
-        texts
-            .filter(|text| text.starts_with("all "))
-            .collect::<Vec<_>>()
+        let of_all = texts.filter(|text| text.starts_with("all "));
+        of_all.collect::<Vec<_>>()
     };
     assert!(said(&mut bench).is_empty(), "the one is all there is");
-    let scene = bench.app.scene().get::<lines::Scene>();
-    let scene = scene.expect("the first lab");
-    let segments = lines::random_segments(&scene.window, 200, 5);
-    let scene = lines::Scene::new(scene.method, scene.window, segments.clone());
-    let scene = scene.expect("segments");
-    let of_one = |&segment| {
-        let alone = lines::Scene::new(scene.method, scene.window, vec![segment]);
-        Scene::from(alone.expect("a segment")).document().record()
-    };
+    let &lines::Scene { method, window, .. } = bench.scene();
+    let segments = lines::random_segments(&window, 200, 5);
+    let scene = |segments| Scene::from(lines::Scene::new(method, window, segments).expect("some"));
+    let of_one = |&segment| scene(vec![segment]).document().record();
     let sum: Counts = segments
         .iter()
         .map(|segment| of_one(segment)[0].counts_at(usize::MAX))
         .sum();
-    bench.command(Command::Edit(Edit::Replace(scene.into()), None));
+    bench.edit(Edit::Replace(scene(segments.clone())));
     let said = said(&mut bench).join(" ");
     for n in [200, sum.div, sum.mul, sum.add, sum.cmp] {
         let n = Catalog::of(Lang::En).value(&Value::Count(n as usize));

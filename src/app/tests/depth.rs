@@ -1,43 +1,32 @@
 //! Moving what stands in space by keys: along an axis, and along the sight line.
 
-use egui::{Event, Key, Modifiers};
 use glam::DVec3;
 
-use super::{Bench, SIZE};
-use crate::app::{App, Command, Settings};
-use crate::{
-    labs::{Handle, space},
-    lesson::Course,
-};
+use super::*;
 
 /// The free scene of the frustum lab, the camera's handle in focus.
 fn focused() -> (Bench, Handle) {
-    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    let mut bench = Bench::new(SIZE);
     bench.command(Command::Lab("frustum"));
     bench.settle();
-    let handles = bench.app.scene().document().handles();
-    let (i, handle) = handles
-        .iter()
-        .enumerate()
-        .find(|(_, handle)| handle.kind().id == "camera")
-        .map(|(i, &handle)| (i, handle))
-        .expect("there is a camera");
-    let id = bench.app.stage.handle_ids[i];
-    bench.ctx.memory_mut(|memory| memory.request_focus(id));
+    let handles = bench.document().handles();
+    let is_camera = |handle: &Handle| handle.kind().id == "camera";
+    let i = handles.iter().position(is_camera);
+    let i = i.expect("there is a camera");
+    bench.focus(bench.app.stage.handle_ids[i]);
     bench.frame(0.1, Vec::new());
-    (bench, handle)
+    (bench, handles[i])
 }
 
 fn place(bench: &Bench, handle: Handle) -> DVec3 {
-    let at = bench.app.scene().document().position(handle);
+    let at = bench.document().position(handle);
     at.expect("it is there").into()
 }
 
 #[test]
 fn full_stop_takes_a_handle_away_from_the_eye() {
     let (mut bench, handle) = focused();
-    let scene = bench.app.scene().get::<space::Scene>();
-    let eye = DVec3::from(scene.expect("of that lab").eye.position());
+    let eye = DVec3::from(bench.scene::<space::Scene>().eye.position());
     let before = place(&bench, handle);
     bench.key(Key::Period);
     let after = place(&bench, handle);
@@ -53,13 +42,7 @@ fn full_stop_takes_a_handle_away_from_the_eye() {
 fn an_axis_that_is_held_is_kept_to() {
     let (mut bench, handle) = focused();
     let before = place(&bench, handle);
-    let x = |pressed| Event::Key {
-        key: Key::X,
-        physical_key: None,
-        pressed,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    };
+    let x = |pressed| key_event(Key::X, pressed, Modifiers::NONE);
     bench.frame(0.1, vec![x(true)]);
     bench.key(Key::ArrowRight);
     bench.frame(0.1, vec![x(false)]);

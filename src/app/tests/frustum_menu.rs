@@ -1,27 +1,20 @@
 //! The frustum lab's menu: its camera, its objects.
 
-use egui::{Event, Key, vec2};
-
-use super::{Bench, SIZE};
+use super::*;
 use crate::{
-    app::{App, Command, Settings},
     geom::Solid,
-    labs::{
-        frustum::LAB,
-        space::{MAX_OBJECTS, Model, Opening, Scene},
-    },
-    lesson::Course,
+    labs::space::{MAX_OBJECTS, Model, Opening},
 };
 
 /// On the lab, with nothing in focus.
 fn bench() -> Bench {
-    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
-    bench.command(Command::Lab(LAB.id()));
+    let mut bench = Bench::new(SIZE);
+    bench.command(Command::Lab("frustum"));
     bench
 }
 
-fn scene(bench: &Bench) -> &Scene {
-    bench.app.scene().get().expect("of this lab")
+fn scene(bench: &Bench) -> &space::Scene {
+    bench.scene()
 }
 
 impl Bench {
@@ -34,10 +27,9 @@ impl Bench {
 
     /// Types a number into the field behind this name.
     fn type_into(&mut self, name: &str, text: &str) {
-        let field = self.where_is(name);
-        let field = field.unwrap_or_else(|| panic!("no {name} in {:?}", self.names));
+        let field = self.found(name);
         self.press_at(field.right_center() + vec2(24.0, 0.0));
-        self.frame(0.1, vec![Event::Text(text.to_owned())]);
+        self.write(text);
         self.key(Key::Enter);
         self.settle();
     }
@@ -53,12 +45,13 @@ fn the_camera_s_numbers_are_typed_and_undone() {
     bench.type_into("Field of view", "55");
     assert_eq!(scene(&bench).camera.opening(), Opening::FovY(55.0));
     bench.type_into("Far plane", "1");
+    let depths = [1.5, before.camera.depths()[1]];
     assert_eq!(
         scene(&bench).camera.depths(),
-        [1.5, before.camera.depths()[1]],
-        "what makes no camera changes nothing"
+        depths,
+        "as they make a camera"
     );
-    assert!(!bench.app.notices.is_empty(), "and is said");
+    assert!(!bench.app.notices.is_empty(), "and that is said");
     bench.command(Command::Undo);
     bench.command(Command::Undo);
     assert_eq!(*scene(&bench), before);
@@ -67,7 +60,7 @@ fn the_camera_s_numbers_are_typed_and_undone() {
 #[test]
 fn perspective_and_parallel_see_as_much_at_the_target() {
     let mut bench = bench();
-    let before = scene(&bench).camera;
+    let before = scene(&bench).camera.opening();
     bench.open_menus(&["Scene", "Camera", "Parallel"]);
     let parallel = scene(&bench).camera.opening();
     assert!(
@@ -75,9 +68,8 @@ fn perspective_and_parallel_see_as_much_at_the_target() {
         "{parallel:?}"
     );
     bench.click_on("Perspective");
-    let (Opening::FovY(back), Opening::FovY(given)) =
-        (scene(&bench).camera.opening(), before.opening())
-    else {
+    let after = scene(&bench).camera.opening();
+    let (Opening::FovY(back), Opening::FovY(given)) = (after, before) else {
         panic!("in perspective");
     };
     assert!((back - given).abs() < 1e-9, "{back}");
@@ -119,18 +111,11 @@ fn a_scene_is_taken_along_to_the_other_lab_in_space() {
     let mut bench = bench();
     let before = scene(&bench).clone();
     bench.open_menus(&["Scene", "Open this scene in: Surfaces"]);
-    let after = scene(&bench);
-    assert_eq!(bench.app.scene().document().lab().id(), "surfaces");
-    assert_eq!(
-        (after.objects(), after.camera),
-        (before.objects(), before.camera)
-    );
+    let shown = |scene: &space::Scene| (scene.objects().to_vec(), scene.camera);
+    assert_eq!(bench.document().lab().id, "surfaces");
+    assert_eq!(shown(scene(&bench)), shown(&before));
     bench.command(Command::Undo);
-    assert_eq!(
-        bench.app.scene().document().lab().id(),
-        "surfaces",
-        "its own scene there"
-    );
-    bench.command(Command::Lab(LAB.id()));
+    assert_eq!(bench.document().lab().id, "surfaces", "its own scene there");
+    bench.command(Command::Lab("frustum"));
     assert_eq!(scene(&bench), &before);
 }

@@ -1,28 +1,22 @@
 //! Stepping and playing by keyboard.
 
-use egui::{Key, Modifiers};
-
-use super::{Bench, SIZE, ctrl};
+use super::*;
 
 #[test]
 fn the_keys_step() {
     let mut bench = Bench::new(SIZE);
-    let n_steps = bench.app.playback.transport().n_steps();
     for (key, modifiers, expected) in [
         (Key::ArrowRight, Modifiers::NONE, 1),
         (Key::ArrowRight, Modifiers::NONE, 2),
         (Key::ArrowLeft, Modifiers::NONE, 1),
         (Key::ArrowRight, Modifiers::SHIFT, 11),
         (Key::ArrowLeft, Modifiers::SHIFT, 1),
-        (Key::End, Modifiers::NONE, n_steps),
+        (Key::End, Modifiers::NONE, bench.n_steps()),
         (Key::Home, Modifiers::NONE, 0),
     ] {
         bench.press(key, modifiers);
-        assert_eq!(
-            bench.app.position(),
-            expected,
-            "after {key:?} with {modifiers:?}"
-        );
+        let position = bench.app.position();
+        assert_eq!(position, expected, "after {key:?} with {modifiers:?}");
     }
 }
 
@@ -40,17 +34,14 @@ fn ctrl_and_arrows_jump_to_the_next_phase() {
 fn playing_takes_its_time_and_stops_at_the_end() {
     let mut bench = Bench::new(SIZE);
     bench.key(Key::Space);
-    assert!(bench.app.playback.transport().is_playing());
+    assert!(bench.app.playback.transport.is_playing());
     bench.settle();
-    assert!(
-        bench.wait_secs > 0.0 && bench.wait_secs <= 1.0,
-        "waits {} s",
-        bench.wait_secs
-    );
-    let n_steps = bench.app.playback.transport().n_steps();
+    let wait_secs = bench.wait_secs;
+    assert!(wait_secs > 0.0 && wait_secs <= 1.0, "waits {wait_secs} s");
+    let n_steps = bench.n_steps();
     for _ in 0..3 * n_steps {
         bench.frame(0.5, Vec::new());
     }
     assert_eq!(bench.app.position(), n_steps);
-    assert!(!bench.app.playback.transport().is_playing());
+    assert!(!bench.app.playback.transport.is_playing());
 }

@@ -1,13 +1,6 @@
 //! Menus: what is clicked in them.
 
-use egui::{Event, Pos2, Rect, vec2};
-
-use super::{Bench, SIZE};
-use crate::{
-    app::{App, Command, Settings},
-    labs::lines,
-    lesson::Course,
-};
+use super::*;
 
 impl Bench {
     /// Everything with a name in the last frames: what a screen reader would hear, and where it lies.
@@ -17,41 +10,37 @@ impl Bench {
         self.names.clone()
     }
 
-    pub(super) fn where_is(&mut self, name: &str) -> Option<Rect> {
+    fn where_is(&mut self, name: &str) -> Option<Rect> {
         let mut named = self.named().into_iter();
         named.find(|(known, _)| known == name).map(|(_, rect)| rect)
     }
 
-    pub(super) fn press_at(&mut self, at: Pos2) {
-        self.frame(0.1, vec![Event::PointerMoved(at)]);
-        self.button(at, true);
-        self.button(at, false);
-        self.settle();
+    pub(super) fn found(&mut self, name: &str) -> Rect {
+        let rect = self.where_is(name);
+        rect.unwrap_or_else(|| panic!("no {name} in {:?}", self.names))
     }
 
     pub(super) fn click_on(&mut self, name: &str) {
-        let rect = self.where_is(name);
-        let rect = rect.unwrap_or_else(|| panic!("no {name} in {:?}", self.names));
-        self.press_at(rect.center());
+        let at = self.found(name).center();
+        self.press_at(at);
     }
 }
 
-fn seeds(bench: &Bench) -> usize {
-    let scene = bench.app.scene().get::<lines::Scene>();
-    scene.expect("the first lab").segments().len()
+fn n_segments(bench: &Bench) -> usize {
+    bench.scene::<lines::Scene>().segments().len()
 }
 
 #[test]
 fn random_numbers_are_typed_and_another_set_follows() {
-    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    let mut bench = Bench::new(SIZE);
     bench.click_on("Scene");
     bench.click_on("Random segments");
-    let field = bench.where_is("How many").expect("a field");
+    let field = bench.found("How many");
     bench.press_at(field.right_center() + vec2(24.0, 0.0));
     assert!(bench.where_is("How many").is_some(), "the menu stays open");
-    bench.frame(0.1, vec![Event::Text("30".to_owned())]);
+    bench.write("30");
     bench.click_on("Replace all segments");
-    assert_eq!(seeds(&bench), 30);
+    assert_eq!(n_segments(&bench), 30);
     assert!(bench.where_is("How many").is_none());
     bench.click_on("Scene");
     bench.click_on("Random segments");
@@ -65,11 +54,11 @@ fn random_numbers_are_typed_and_another_set_follows() {
 
 #[test]
 fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
-    let mut bench = Bench::with(App::new(Course::default(), Settings::default()), SIZE);
+    let mut bench = Bench::new(SIZE);
     bench.click_on("Scene");
     let [undo, redo] = ["Undo", "Redo"].map(|name| {
-        let named = bench.named();
-        let found = named.iter().find(|(known, _)| known.starts_with(name));
+        let mut named = bench.named().into_iter();
+        let found = named.find(|(known, _)| known.starts_with(name));
         found.expect("a row").1
     });
     assert_eq!(undo.bottom(), redo.top());
@@ -79,7 +68,7 @@ fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
 #[test]
 fn what_has_no_room_in_the_bar_is_in_a_menu() {
     for (size, menu) in [(vec2(360.0, 640.0), "More"), (SIZE, "Scene")] {
-        let mut bench = Bench::with(App::new(Course::default(), Settings::default()), size);
+        let mut bench = Bench::new(size);
         let in_the_bar = bench.where_is("Compare with…").is_some();
         bench.click_on(menu);
         if menu == "More" {
@@ -101,7 +90,7 @@ fn the_number_of_the_step_is_there_however_narrow_the_window() {
                 bench.command(Command::Present);
             }
             bench.command(Command::Seek(2));
-            let n_steps = bench.app.playback.transport().n_steps();
+            let n_steps = bench.n_steps();
             let said = [format!("step 2 of {n_steps}"), format!("2 / {n_steps}")];
             let texts = bench.texts();
             let is_said = texts.iter().any(|(text, _)| said.contains(text));

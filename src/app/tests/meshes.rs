@@ -1,35 +1,11 @@
 //! Meshes that are dropped on the window, or opened in it.
 
-use std::{path::PathBuf, sync::Arc, thread, time::Duration};
+use std::{fs, thread, time::Duration};
 
-use super::{Bench, SIZE};
-use crate::{
-    app::{App, Command, Dialog, Settings, Target},
-    labs::{Scene, frustum, space},
-    lesson::Course,
-};
+use super::*;
+use crate::labs::frustum;
 
-#[derive(Debug)]
-struct Dropped(PathBuf);
-
-impl egui::DroppedFile for Dropped {
-    fn path(&self) -> &std::path::Path {
-        &self.0
-    }
-    fn bytes(&self) -> Result<Vec<u8>, String> {
-        Err("it is read in a thread".to_owned())
-    }
-}
-
-/// Drops a file of this name, and waits until it has been read.
-fn dropped(bench: &mut Bench, name: &str, text: &str) {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join(name);
-    std::fs::write(&path, text).expect("writable");
-    bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
-    wait(bench);
-}
-
+/// Waits until all that was dropped has been read.
 fn wait(bench: &mut Bench) {
     for _ in 0..2000 {
         if bench.app.loading.is_empty() {
@@ -41,18 +17,29 @@ fn wait(bench: &mut Bench) {
     panic!("it is never read");
 }
 
-fn bench() -> Bench {
-    Bench::with(App::new(Course::default(), Settings::default()), SIZE)
+/// A folder with these files in it.
+fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).expect("writable");
+    }
+    folder
 }
 
-fn said(bench: &Bench) -> Vec<String> {
-    let notices = bench.app.notices.shown().iter();
-    notices.map(|notice| notice.text.clone()).collect()
+/// Drops a file of this name, and waits until it has been read.
+fn dropped(bench: &mut Bench, name: &str, text: &str) {
+    let folder = folder(&[(name, text.as_bytes())]);
+    bench.drop_file(folder.path().join(name), None);
+    wait(bench);
 }
 
-fn objects(scene: &Scene) -> usize {
-    let scene = scene.get::<space::Scene>();
-    scene.map_or(0, |scene| scene.objects().len())
+/// So many more objects than the frustum lab's first scene has.
+fn n_added(bench: &Bench) -> usize {
+    let n_objects = |scene: &Scene| {
+        let scene = scene.get::<space::Scene>();
+        scene.map_or(0, |scene| scene.objects().len())
+    };
+    n_objects(bench.app.scene()) - n_objects(&(frustum::LAB.first_scene)())
 }
 
 const WEDGE: &str = "mtllib wedge.mtl\nusemtl wood\n\
@@ -61,92 +48,75 @@ const WEDGE: &str = "mtllib wedge.mtl\nusemtl wood\n\
 
 #[test]
 fn a_mesh_that_is_dropped_stands_in_the_free_scene_and_can_be_undone() {
-    let mut bench = bench();
+    let mut bench = Bench::new(SIZE);
     let lines = bench.app.scene().clone();
     dropped(&mut bench, "wedge.OBJ", WEDGE);
-    let first = objects(&frustum::LAB.first_scene());
-    assert_eq!(objects(bench.app.scene()), first + 1, "{:?}", said(&bench));
-    let scene = bench.app.scene().get::<space::Scene>();
-    let wedge = scene.expect("of that lab").focused().clone();
+    assert_eq!(n_added(&bench), 1, "{}", bench.said());
+    let wedge = bench.scene::<space::Scene>().focused();
     let space::Model::Mesh(named) = wedge.model() else {
         panic!("a mesh, not {:?}", wedge.model());
     };
-    assert_eq!(
-        (named.name.as_str(), named.mesh.faces().len()),
-        ("wedge", 4)
-    );
+    assert_eq!((&*named.name, named.mesh.faces().len()), ("wedge", 4));
     // Four units long: around the origin, from −1 to 1.
     let bounds = named.mesh.bounds().expect("it has vertices");
-    assert_eq!(
-        (bounds.min(), bounds.max()),
-        ([-1.0, -0.5, -0.25], [1.0, 0.5, 0.25])
-    );
-    assert!(said(&bench)[0].contains("wedge"), "{:?}", said(&bench));
+    let around = ([-1.0, -0.5, -0.25], [1.0, 0.5, 0.25]);
+    assert_eq!((bounds.min(), bounds.max()), around);
+    let said = &bench.app.notices[0].text;
+    assert!(said.contains("wedge"), "{said}");
     bench.command(Command::Undo);
-    assert_eq!(objects(bench.app.scene()), first);
+    assert_eq!(n_added(&bench), 0);
     bench.command(Command::Lab("lines"));
     assert_eq!(*bench.app.scene(), lines, "what was open is as it was");
 }
 
 #[test]
 fn what_is_no_mesh_is_explained_with_its_place_and_changes_nothing() {
-    let mut bench = bench();
+    let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (text, place) in [
-        (format!("{triangle}f 1 2 4\n"), "bad.obj:4:7"),
-        (format!("{triangle}f 1 2 0\r\n"), "bad.obj:4:7"),
-        ("v 0 nan 0\n".to_owned(), "bad.obj:1:5"),
-        (String::new(), "bad.obj:1:1"),
-        ("\u{0}\u{1}".to_owned(), "bad.obj:1:1"),
+        (&*format!("{triangle}f 1 2 4\n"), "bad.obj:4:7"),
+        (&*format!("{triangle}f 1 2 0\r\n"), "bad.obj:4:7"),
+        ("v 0 nan 0\n", "bad.obj:1:5"),
+        ("", "bad.obj:1:1"),
+        ("\u{0}\u{1}", "bad.obj:1:1"),
     ] {
-        dropped(&mut bench, "bad.obj", &text);
-        let said = said(&bench).join("\n");
+        dropped(&mut bench, "bad.obj", text);
+        let said = bench.said();
         assert!(said.contains(place) && said.contains("as it was"), "{said}");
         assert_eq!(*bench.app.scene(), before);
     }
-    let missing = Dropped(PathBuf::from("/nowhere/there-is-none.obj"));
-    bench.frame_with(0.1, Vec::new(), vec![Arc::new(missing)]);
+    bench.drop_file("/nowhere/there-is-none.obj", None);
     wait(&mut bench);
-    let said = said(&bench).join("\n");
-    assert!(
-        said.contains("there-is-none.obj") && !said.contains("os error"),
-        "{said}"
-    );
+    let said = bench.said();
+    assert!(said.contains("there-is-none.obj"), "{said}");
+    assert!(!said.contains("os error"), "{said}");
     assert_eq!(*bench.app.scene(), before);
 }
 
 #[test]
 fn what_is_left_out_of_a_mesh_is_said() {
-    let mut bench = bench();
+    let mut bench = Bench::new(SIZE);
     dropped(&mut bench, "odd.obj", &format!("{WEDGE}f 1 2\n"));
-    let said = said(&bench).join("\n");
-    assert!(
-        said.contains("odd.obj:11:1") && said.contains("left out"),
-        "{said}"
-    );
-    assert_eq!(
-        objects(bench.app.scene()),
-        objects(&frustum::LAB.first_scene()) + 1
-    );
+    let said = bench.said();
+    assert!(said.contains("odd.obj:11:1"), "{said}");
+    assert!(said.contains("left out"), "{said}");
+    assert_eq!(n_added(&bench), 1);
 }
 
 #[test]
 fn escape_gives_a_mesh_up() {
-    let mut bench = bench();
+    let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("large.obj");
-    std::fs::write(&path, WEDGE.repeat(10_000)).expect("writable");
+    let folder = folder(&[("large.obj", WEDGE.repeat(10_000).as_bytes())]);
+    let path = folder.path().join("large.obj").display().to_string();
     let ctx = bench.ctx.clone();
-    bench.app.load_mesh(&path.display().to_string(), &ctx);
-    assert!(
-        said(&bench)[0].contains("large.obj"),
-        "it says what it does"
-    );
-    bench.app.apply(&ctx, Command::Cancel);
+    bench.app.load_mesh(&path, &ctx);
+    let said = |bench: &Bench| bench.app.notices[0].text.clone();
+    assert!(said(&bench).contains("large.obj"), "it says what it does");
+    bench.apply(Command::Cancel);
     assert!(bench.app.loading.is_empty());
-    assert!(said(&bench)[0].contains("given up"), "{:?}", said(&bench));
+    assert!(said(&bench).contains("given up"), "{}", said(&bench));
     thread::sleep(Duration::from_millis(50));
     bench.settle();
     assert_eq!(*bench.app.scene(), before);
@@ -154,19 +124,17 @@ fn escape_gives_a_mesh_up() {
 
 #[test]
 fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
-    let mut bench = bench();
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let files = ["one.obj", "wedge.mtl", "wood.png", "two.obj"].map(|name| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, WEDGE).expect("writable");
-        let file: egui::DroppedFileHandle = Arc::new(Dropped(path));
-        file
+    let mut bench = Bench::new(SIZE);
+    let names = ["one.obj", "wedge.mtl", "wood.png", "two.obj"];
+    let folder = folder(&names.map(|name| (name, WEDGE.as_bytes())));
+    let files = names.map(|name| {
+        let file = Arc::new(Dropped(folder.path().join(name), None));
+        file as egui::DroppedFileHandle
     });
     bench.frame_with(0.1, Vec::new(), files.into());
     wait(&mut bench);
-    let first = objects(&frustum::LAB.first_scene());
-    assert_eq!(objects(bench.app.scene()), first + 2, "{:?}", said(&bench));
-    let said = said(&bench).join("\n");
+    let said = bench.said();
+    assert_eq!(n_added(&bench), 2, "{said}");
     // What stands in wedge.mtl is no material.
     assert!(said.contains("wedge.mtl"), "{said}");
 }
@@ -175,63 +143,47 @@ fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
 fn a_mesh_is_painted_with_the_picture_beside_it() {
     const PAINTED: &str = "mtllib wedge.mtl\nusemtl wood\n\
         v 0 0 0\nv 4 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-    let mut bench = bench();
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let write = |name: &str, bytes: &[u8]| {
-        std::fs::write(folder.path().join(name), bytes).expect("writable");
-    };
-    let material = "newmtl stone\nmap_Kd ../elsewhere.png\nnewmtl wood\nmap_Kd my wood.jpg\n";
-    write("wedge.mtl", material.as_bytes());
-    write(
-        "my wood.jpg",
-        include_bytes!("../../lesson/mesh_file/grey.jpg"),
-    );
-    write("wedge.obj", PAINTED.as_bytes());
-    let path = folder.path().join("wedge.obj");
-    bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
+    let mut bench = Bench::new(SIZE);
+    let material = b"newmtl stone\nmap_Kd ../elsewhere.png\nnewmtl wood\nmap_Kd my wood.jpg\n";
+    let picture = include_bytes!("../../lesson/mesh_file/grey.jpg");
+    let folder = folder(&[
+        ("wedge.mtl", material),
+        ("my wood.jpg", picture),
+        ("wedge.obj", PAINTED.as_bytes()),
+    ]);
+    bench.drop_file(folder.path().join("wedge.obj"), None);
     wait(&mut bench);
-    let scene = bench.app.scene().get::<space::Scene>();
-    let wedge = scene.expect("of that lab").focused();
+    let wedge = bench.scene::<space::Scene>().focused();
     let skin = wedge.model().skin([0, 1, 2]).expect("it is painted");
     assert_eq!(skin.texture.size(), [16, 8]);
     assert_eq!(skin.uvs, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
-    let said = said(&bench).join("\n");
+    let said = bench.said();
     assert!(!said.contains("wedge.mtl"), "{said}");
 }
 
 #[test]
 fn two_gigabytes_are_refused_unread() {
-    let mut bench = bench();
+    let mut bench = Bench::new(SIZE);
     let before = bench.app.scene().clone();
-    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder(&[]);
     let path = folder.path().join("large.obj");
-    let file = std::fs::File::create(&path).expect("writable");
+    let file = fs::File::create(&path).expect("writable");
     file.set_len(2 << 30).expect("a hole takes no room");
-    bench.frame_with(0.1, Vec::new(), vec![Arc::new(Dropped(path))]);
+    bench.drop_file(path, None);
     wait(&mut bench);
-    let said = said(&bench).join("\n");
-    assert!(
-        said.contains("large.obj") && said.contains("128 MiB"),
-        "{said}"
-    );
+    let said = bench.said();
+    assert!(said.contains("large.obj"), "{said}");
+    assert!(said.contains("128 MiB"), "{said}");
     assert_eq!(*bench.app.scene(), before);
 }
 
 #[test]
 fn a_mesh_is_opened_by_its_path_too() {
-    let mut bench = bench();
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("wedge.obj");
-    std::fs::write(&path, WEDGE).expect("writable");
-    let target = Target::new(path.display().to_string());
-    let ctx = bench.ctx.clone();
-    bench
-        .app
-        .apply(&ctx, Command::Show(Some(Dialog::Open(target))));
-    bench.app.apply(&ctx, Command::Confirm);
+    let mut bench = Bench::new(SIZE);
+    let folder = folder(&[("wedge.obj", WEDGE.as_bytes())]);
+    let path = folder.path().join("wedge.obj").display().to_string();
+    bench.apply(Command::Show(Some(Dialog::Open(Target::new(path)))));
+    bench.apply(Command::Confirm);
     wait(&mut bench);
-    assert_eq!(
-        objects(bench.app.scene()),
-        objects(&frustum::LAB.first_scene()) + 1
-    );
+    assert_eq!(n_added(&bench), 1);
 }

@@ -19,14 +19,24 @@ mod presentation;
 mod third_lab;
 mod verdicts;
 
-use egui::{
-    Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Vec2, ViewportId, pos2,
-    vec2,
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
 };
 
-use crate::{lesson::Course, paint::fonts};
+use egui::{
+    Context, CursorIcon, Event, Id, Key, Modifiers, PointerButton, RawInput, Rect, ViewportCommand,
+    ViewportId, pos2, vec2,
+};
 
-use super::{App, Settings};
+use super::*;
+use crate::{
+    figure::{Frame, Link, Moment},
+    labs::{Document, Edit, Handle, lines, space},
+    paint::fonts,
+    text::{Catalog, Lang},
+    widgets::rect_of,
+};
 
 const SIZE: Vec2 = vec2(1280.0, 720.0);
 /// The drawing has room for a grid of halves, beside what the algorithm holds.
@@ -40,16 +50,20 @@ struct Bench {
     time: f64,
     /// Seconds until the app wants to be drawn again, after the last frame.
     wait_secs: f64,
-    /// What the last frame wanted of the pointer and of the window.
-    cursor: egui::CursorIcon,
-    asked_of_window: Vec<egui::ViewportCommand>,
+    cursor: CursorIcon,
+    asked_of_window: Vec<ViewportCommand>,
     /// What a screen reader would hear of it, and where that lies.
     names: Vec<(String, Rect)>,
 }
 
 impl Bench {
+    /// Without a course.
     fn new(size: Vec2) -> Self {
         Self::with(App::new(Course::default(), Settings::default()), size)
+    }
+
+    fn course(size: Vec2) -> Self {
+        Self::with(App::new(Course::embedded(), Settings::default()), size)
     }
 
     fn with(app: App, size: Vec2) -> Self {
@@ -61,7 +75,7 @@ impl Bench {
             size,
             time: 0.0,
             wait_secs: 0.0,
-            cursor: egui::CursorIcon::Default,
+            cursor: CursorIcon::Default,
             asked_of_window: Vec::new(),
             names: Vec::new(),
         };
@@ -81,6 +95,22 @@ impl Bench {
         dropped_files: Vec<egui::DroppedFileHandle>,
     ) -> usize {
         self.time += secs;
+        let output = self.run(events, dropped_files);
+        let viewport = &output.viewport_output[&ViewportId::ROOT];
+        self.wait_secs = viewport.repaint_delay.as_secs_f64();
+        if let Some(update) = &output.platform_output.accesskit_update {
+            self.names = update.nodes.iter().filter_map(named).collect();
+        }
+        self.cursor = output.platform_output.cursor_icon;
+        self.asked_of_window.clone_from(&viewport.commands);
+        self.ctx.tessellate(output.shapes, 1.0).len()
+    }
+
+    fn run(
+        &mut self,
+        events: Vec<Event>,
+        dropped_files: Vec<egui::DroppedFileHandle>,
+    ) -> egui::FullOutput {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
             time: Some(self.time),
@@ -90,14 +120,7 @@ impl Bench {
         };
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
         output.textures_delta.clear();
-        let viewport = &output.viewport_output[&ViewportId::ROOT];
-        self.wait_secs = viewport.repaint_delay.as_secs_f64();
-        if let Some(update) = &output.platform_output.accesskit_update {
-            self.names = update.nodes.iter().filter_map(named).collect();
-        }
-        self.cursor = output.platform_output.cursor_icon;
-        self.asked_of_window.clone_from(&viewport.commands);
-        self.ctx.tessellate(output.shapes, 1.0).len()
+        output
     }
 
     /// All that is written in the window and is not cut, and where.
@@ -109,24 +132,10 @@ impl Bench {
             .collect()
     }
 
-    /// Where a text stands, and what of the window it may be seen in.
-    fn clipped(&mut self, text: &str) -> (Rect, Rect) {
-        let found = self.written().into_iter().find(|(known, ..)| known == text);
-        let (_, rect, clip) = found.unwrap_or_else(|| panic!("{text} is not written"));
-        (rect, clip)
-    }
-
     /// All that is written: each text, where, and within what it is cut.
     fn written(&mut self) -> Vec<(String, Rect, Rect)> {
-        let input = RawInput {
-            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
-            time: Some(self.time),
-            ..RawInput::default()
-        };
-        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
-        output.textures_delta.clear();
         let mut all = Vec::new();
-        for clipped in &output.shapes {
+        for clipped in &self.run(Vec::new(), Vec::new()).shapes {
             let mut texts = Vec::new();
             written(&clipped.shape, &mut texts);
             let clip = clipped.clip_rect;
@@ -145,20 +154,58 @@ impl Bench {
         }
     }
 
-    fn press(&mut self, key: Key, modifiers: Modifiers) {
-        let event = |pressed| Event::Key {
-            key,
-            physical_key: None,
-            pressed,
-            repeat: false,
-            modifiers,
-        };
-        self.frame(0.05, vec![event(true)]);
-        self.frame(0.05, vec![event(false)]);
+    fn apply(&mut self, command: Command) {
+        self.app.apply(&self.ctx.clone(), command);
     }
 
-    fn key(&mut self, key: Key) {
-        self.press(key, Modifiers::NONE);
+    fn command(&mut self, command: Command) {
+        self.apply(command);
+        self.settle();
+    }
+
+    fn edit(&mut self, edit: Edit) {
+        self.command(Command::Edit(edit, None));
+    }
+
+    /// Presses a key and lets it go; what its press asked of the window.
+    fn press(&mut self, key: Key, modifiers: Modifiers) -> Vec<ViewportCommand> {
+        self.frame(0.05, vec![key_event(key, true, modifiers)]);
+        let asked = self.asked_of_window.clone();
+        self.frame(0.05, vec![key_event(key, false, modifiers)]);
+        asked
+    }
+
+    fn key(&mut self, key: Key) -> Vec<ViewportCommand> {
+        self.press(key, Modifiers::NONE)
+    }
+
+    fn undo(&mut self) {
+        self.press(Key::Z, ctrl());
+    }
+
+    fn document(&self) -> &dyn Document {
+        self.app.scene().document()
+    }
+
+    /// The scene of the lab that is open.
+    fn scene<D: Document>(&self) -> &D {
+        self.app.scene().get().expect("of the open lab")
+    }
+
+    fn n_steps(&self) -> usize {
+        self.app.playback.transport.n_steps()
+    }
+
+    /// The event of the step that is shown.
+    fn event(&self) -> serde_json::Value {
+        let run = self.app.playback.main();
+        run.event_json(self.app.position())["event"].clone()
+    }
+
+    fn said(&self) -> String {
+        let notices = self.app.notices.iter();
+        let texts: Vec<&str> = notices.map(|notice| &*notice.text).collect();
+        texts.join("\n")
     }
 
     /// Where a world point lies on the (first) stage.
@@ -166,29 +213,89 @@ impl Bench {
         self.app.on_screen(world).expect("a frame has been drawn")
     }
 
+    fn focus(&mut self, id: Id) {
+        self.ctx.memory_mut(|memory| memory.request_focus(id));
+    }
+
+    fn point(&mut self, at: Pos2) {
+        self.frame(0.02, vec![Event::PointerMoved(at)]);
+    }
+
     fn button(&mut self, at: Pos2, pressed: bool) {
-        let button = Event::PointerButton {
-            pos: at,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
+        let button = button_event(at, pressed, Modifiers::NONE);
         self.frame(0.02, vec![Event::PointerMoved(at), button]);
     }
 
+    fn tap(&mut self, at: Pos2) {
+        self.button(at, true);
+        self.button(at, false);
+    }
+
+    fn press_at(&mut self, at: Pos2) {
+        self.frame(0.1, vec![Event::PointerMoved(at)]);
+        self.tap(at);
+        self.settle();
+    }
+
     fn drag(&mut self, from: Pos2, to: Pos2) {
-        self.frame(0.02, vec![Event::PointerMoved(from)]);
+        self.point(from);
         self.button(from, true);
         for i in 1..=8 {
-            let at = from + (to - from) * (i as f32 / 8.0);
-            self.frame(0.02, vec![Event::PointerMoved(at)]);
+            self.point(from + (to - from) * (i as f32 / 8.0));
         }
         self.button(to, false);
-        self.frame(0.02, vec![Event::PointerMoved(pos2(5.0, 5.0))]);
+        self.point(pos2(5.0, 5.0));
+    }
+
+    fn write(&mut self, text: &str) {
+        self.frame(0.1, vec![Event::Text(text.to_owned())]);
+    }
+
+    fn drop_file(&mut self, path: impl Into<PathBuf>, bytes: Option<&[u8]>) {
+        let file = Dropped(path.into(), bytes.map(<[u8]>::to_vec));
+        self.frame_with(0.1, Vec::new(), vec![Arc::new(file)]);
     }
 }
 
-/// The texts of a shape, each as it is read.
+/// A file that is dropped, and what it holds where that has been read already.
+#[derive(Debug)]
+struct Dropped(PathBuf, Option<Vec<u8>>);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        self.1.clone().ok_or_else(|| "os error 21".to_owned())
+    }
+}
+
+/// The same app after a restart.
+fn restarted(app: &App) -> App {
+    let stored = serde_json::to_string(&app.settings()).expect("plain data");
+    let settings = serde_json::from_str(&stored).expect("as it was written");
+    App::new(Course::embedded(), settings)
+}
+
+fn key_event(key: Key, pressed: bool, modifiers: Modifiers) -> Event {
+    Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers,
+    }
+}
+
+fn button_event(pos: Pos2, pressed: bool, modifiers: Modifiers) -> Event {
+    Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers,
+    }
+}
+
 fn written(shape: &egui::Shape, texts: &mut Vec<(String, Rect)>) {
     match shape {
         egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| written(shape, texts)),
@@ -203,8 +310,7 @@ fn written(shape: &egui::Shape, texts: &mut Vec<(String, Rect)>) {
 fn named((_, node): &(egui::accesskit::NodeId, egui::accesskit::Node)) -> Option<(String, Rect)> {
     let name = node.label().or(node.value())?.to_owned();
     let bounds = node.bounds()?;
-    let rect = [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|side| side as f32);
-    let [x0, y0, x1, y1] = rect;
+    let [x0, y0, x1, y1] = [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|side| side as f32);
     Some((name, Rect::from_min_max(pos2(x0, y0), pos2(x1, y1))))
 }
 

@@ -2,44 +2,42 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use egui::{Event, Rect, Ui, UiBuilder, Vec2, vec2};
+use egui::UiBuilder;
 
-use super::{Bench, SIZE};
+use super::*;
 use crate::{
-    app::{App, Command, Settings, inspector},
-    figure::{Body, CodeLinks, Link, Need, View},
-    labs::Edit,
-    lesson::{CodeView, Course},
-    paint::ThemeKind,
-    text::{Catalog, Lang},
-    widgets::{caption_text, rect_of},
+    figure::{Body, CodeLinks, Need, View},
+    widgets::caption_text,
 };
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
 const INSPECTOR: Vec2 = vec2(264.0, 600.0);
 
-fn bench(lang: Lang, theme: ThemeKind) -> Bench {
+/// Opens each step of the course in turn.
+fn each_step(lang: Lang, theme: ThemeKind, mut what: impl FnMut(&mut Bench, &str)) {
     let settings = Settings {
         lang,
         theme,
         ..Settings::default()
     };
-    Bench::with(App::new(Course::embedded(), settings), SIZE)
-}
-
-/// Opens each step of the course in turn.
-fn for_each_step(bench: &mut Bench, mut what: impl FnMut(&mut Bench, &str)) {
-    let ctx = bench.ctx.clone();
-    let lessons = bench.app.bookmark.lessons().iter();
+    let mut bench = Bench::with(App::new(Course::embedded(), settings), SIZE);
+    let lessons = bench.app.bookmark.course.lessons.iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {
         for step in 0..n_steps {
-            bench.app.apply(&ctx, Command::Open([lesson, step]));
-            bench.settle();
+            bench.command(Command::Open([lesson, step]));
             let page = bench.app.bookmark.page().expect("a step is open");
-            what(bench, &format!("{page:?}"));
+            what(&mut bench, &format!("{page:?}"));
         }
     }
+}
+
+fn each_step_in_english(what: impl FnMut(&mut Bench, &str)) {
+    each_step(Lang::En, ThemeKind::Light, what);
+}
+
+fn said_in_english(key: &str) -> String {
+    Catalog::of(Lang::En).term(key)
 }
 
 /// The height of what the inspector holds, in a panel as wide as it stands.
@@ -50,7 +48,7 @@ fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
     bench.app.shown.measures = bench.app.measures();
     let inner = UiBuilder::new().max_rect(room);
     let shown = ui.scope_builder(inner, |ui| {
-        inspector::content(&bench.app, ui, &mut stage, INSPECTOR.y, &mut Vec::new());
+        inspector::content(&bench.app, ui, &mut stage, INSPECTOR.y);
     });
     bench.app.stage = stage;
     shown.response.rect.height()
@@ -60,15 +58,14 @@ fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
 fn the_inspector_needs_no_scrolling_at_any_step_of_the_course() {
     let mut too_high = Vec::new();
     for lang in [Lang::En, Lang::Es] {
-        let mut bench = bench(lang, ThemeKind::Light);
-        for_each_step(&mut bench, |bench, place| {
+        each_step(lang, ThemeKind::Light, |bench, place| {
             let ctx = bench.ctx.clone();
             for code in [CodeView::Full, CodeView::Words] {
                 bench.app.shown.code = code;
                 let mut height = 0.0;
                 // What stands below the rows is measured first.
                 for _ in 0..2 {
-                    let mut output = ctx.run_ui(egui::RawInput::default(), |ui| {
+                    let mut output = ctx.run_ui(RawInput::default(), |ui| {
                         height = height_of_inspector(bench, ui);
                     });
                     drop(output.textures_delta.set.drain());
@@ -92,28 +89,30 @@ fn written_in_inspector(bench: &mut Bench) -> Vec<(String, Rect)> {
     texts
 }
 
+fn place_of(written: &[(String, Rect)], text: &str) -> Option<Rect> {
+    let found = written.iter().find(|(known, _)| known == text);
+    found.map(|&(_, rect)| rect)
+}
+
 #[test]
 fn nothing_in_the_inspector_moves_from_one_step_of_a_run_to_the_next() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
-    for_each_step(&mut bench, |bench, place| {
-        let catalog = Catalog::of(Lang::En);
+    each_step_in_english(|bench, place| {
         let headings = ["panel-watch", "cost-title", "cost-divisions", "cost-sums"];
-        let headings = headings.map(|key| catalog.term(key));
-        let mut known: BTreeMap<String, Rect> = BTreeMap::new();
-        for step in 0..=bench.app.playback.transport().n_steps().min(24) {
+        let mut known: BTreeMap<&str, Rect> = BTreeMap::new();
+        for step in 0..=bench.n_steps().min(24) {
             bench.app.seek(step);
             // What stands below the rows is measured first.
             bench.frame(0.1, Vec::new());
             let written = written_in_inspector(bench);
-            for heading in &headings {
-                let here = written.iter().find(|(text, _)| text == heading);
-                let Some(&(_, rect)) = here else { continue };
-                let first = *known.entry(heading.clone()).or_insert(rect);
-                assert_eq!(rect, first, "{place}, step {step}: {heading}");
+            for heading in headings {
+                if let Some(rect) = place_of(&written, &said_in_english(heading)) {
+                    let first = *known.entry(heading).or_insert(rect);
+                    assert_eq!(rect, first, "{place}, step {step}: {heading}");
+                }
             }
         }
         assert!(
-            known.contains_key(&headings[1]),
+            known.contains_key("cost-title"),
             "{place}: the cost is there"
         );
     });
@@ -121,27 +120,19 @@ fn nothing_in_the_inspector_moves_from_one_step_of_a_run_to_the_next() {
 
 #[test]
 fn of_two_methods_the_one_that_is_clicked_is_inspected() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
-    let ctx = bench.ctx.clone();
-    bench.app.apply(
-        &ctx,
-        Command::Edit(Edit::Compare(Some("liang-barsky")), None),
-    );
+    let mut bench = Bench::course(SIZE);
+    bench.apply(Command::Edit(Edit::Compare(Some("liang-barsky")), None));
     bench.app.shown.code = CodeView::Full;
     bench.settle();
-    let catalog = Catalog::of(Lang::En);
-    let methods = bench.app.scene().document().methods();
-    let first_line = |i: usize| catalog.term(methods[i].code[0].code);
+    let methods = bench.document().methods();
+    let first_line = |i: usize| said_in_english(methods[i].code[0].code);
     let is_written = |bench: &mut Bench, text: &str| {
         let written = written_in_inspector(bench);
-        written.iter().any(|(known, _)| known == text)
+        assert!(!written.is_empty());
+        place_of(&written, text).is_some()
     };
-    assert!(
-        is_written(&mut bench, &first_line(0)),
-        "{:?}",
-        written_in_inspector(&mut bench)
-    );
-    bench.key(egui::Key::End);
+    assert!(is_written(&mut bench, &first_line(0)));
+    bench.key(Key::End);
     bench.settle();
     for [step, n_steps] in bench.app.playback.steps() {
         assert_eq!(step, n_steps, "both are at their ends");
@@ -149,10 +140,8 @@ fn of_two_methods_the_one_that_is_clicked_is_inspected() {
         assert!(is_written(&mut bench, &step), "{step}");
     }
     // Empty ground of the second drawing.
-    let (_, slot) = bench.app.stage.places[bench.app.playback.frames()[0].views.len()];
-    let at = rect_of(slot).min + vec2(8.0, 8.0);
-    bench.button(at, true);
-    bench.button(at, false);
+    let (_, slot) = bench.app.stage.places[bench.app.playback.frames[0].views.len()];
+    bench.tap(rect_of(slot).min + vec2(8.0, 8.0));
     bench.settle();
     assert!(is_written(&mut bench, &first_line(1)));
     assert!(!is_written(&mut bench, &first_line(0)));
@@ -160,25 +149,21 @@ fn of_two_methods_the_one_that_is_clicked_is_inspected() {
 
 #[test]
 fn a_mark_and_the_line_of_its_step_light_up_together() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
     let mut n_lit = 0;
-    for_each_step(&mut bench, |bench, place| {
-        let frame = &bench.app.playback.frames()[0];
-        let methods = bench.app.scene().document().methods();
-        let Some(line) = frame.code_line.map(|i| methods[0].code[i].code) else {
-            return;
-        };
-        let Some(link) = frame.focus().next() else {
+    each_step_in_english(|bench, place| {
+        let frame = &bench.app.playback.frames[0];
+        let methods = bench.document().methods();
+        let line = frame.code_line.map(|i| methods[0].code[i].code);
+        let (Some(line), Some(link)) = (line, frame.focus().next()) else {
             return;
         };
         bench.app.shown.code = CodeView::Full;
         bench.settle();
-        let line = Catalog::of(Lang::En).term(line);
+        let line = said_in_english(line);
         let written = written_in_inspector(bench);
-        let Some((_, rect)) = written.iter().find(|(text, _)| *text == line) else {
-            panic!("{place}: {line} is not in sight in {written:?}");
-        };
-        bench.frame(0.02, vec![Event::PointerMoved(rect.center())]);
+        let rect = place_of(&written, &line)
+            .unwrap_or_else(|| panic!("{place}: {line} is not in sight in {written:?}"));
+        bench.point(rect.center());
         assert_eq!(bench.app.stage.lit, Some(link), "{place}: {line} at {rect}");
         n_lit += 1;
     });
@@ -187,31 +172,24 @@ fn a_mark_and_the_line_of_its_step_light_up_together() {
 
 #[test]
 fn every_line_of_the_pseudocode_lights_what_it_is_about_and_is_lit_by_it() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
     let mut n_others = 0;
-    for_each_step(&mut bench, |bench, place| {
-        let run = bench.app.playback.main();
-        let links = CodeLinks::of(run);
-        let (now, current) = (
-            bench.app.position(),
-            bench.app.playback.frames()[0].code_line,
-        );
-        let code = bench.app.scene().document().methods()[0].code;
+    each_step_in_english(|bench, place| {
+        let links = CodeLinks::of(bench.app.playback.main());
+        let now = bench.app.position();
+        let current = bench.app.playback.frames[0].code_line;
+        let code = bench.document().methods()[0].code;
         bench.app.shown.code = CodeView::Full;
         bench.settle();
         let written = written_in_inspector(bench);
         for (i, line) in code.iter().enumerate().filter(|(i, _)| Some(*i) != current) {
-            let Some(link) = links.of_line(i, now) else {
-                continue;
-            };
-            let text = Catalog::of(Lang::En).term(line.code);
-            let Some((_, rect)) = written.iter().find(|(known, _)| *known == text) else {
-                continue;
-            };
-            bench.frame(0.02, vec![Event::PointerMoved(rect.center())]);
-            assert_eq!(bench.app.stage.lit, Some(link), "{place}: {text}");
-            assert!(links.lines(link).contains(&i), "{place}: and back");
-            n_others += 1;
+            let text = said_in_english(line.code);
+            let there = (links.of_line(i, now), place_of(&written, &text));
+            if let (Some(link), Some(rect)) = there {
+                bench.point(rect.center());
+                assert_eq!(bench.app.stage.lit, Some(link), "{place}: {text}");
+                assert!(links.lines(link).contains(&i), "{place}: and back");
+                n_others += 1;
+            }
         }
     });
     assert!(n_others > 60, "only {n_others}");
@@ -221,24 +199,20 @@ fn every_line_of_the_pseudocode_lights_what_it_is_about_and_is_lit_by_it() {
 /// want another room than any before, or say a longer sentence.
 #[test]
 fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
-    for_each_step(&mut bench, |bench, place| {
+    each_step_in_english(|bench, place| {
         let first = bench.app.stage.places.clone();
-        let n_steps = bench.app.playback.transport().n_steps();
+        let n_steps = bench.n_steps();
         let (mut drawn, mut longest) = (Vec::new(), 0);
         for step in 0..=n_steps {
             bench.app.seek(step);
             bench.app.playback.prepare();
-            let frames = bench.app.playback.frames();
-            let said = frames
-                .iter()
-                .map(|frame| caption_text(Catalog::of(Lang::En), &frame.caption).len());
-            let length = said.max().unwrap_or(0);
-            let wanted: Vec<Vec<Need>> = frames
-                .iter()
-                .map(|frame| frame.views.iter().map(View::need).collect())
-                .collect();
-            for (wanted, needs) in wanted.iter().zip(bench.app.playback.needs()) {
+            let frames = bench.app.playback.frames.iter();
+            let said = |frame: &Frame| caption_text(Catalog::of(Lang::En), &frame.caption);
+            let length = frames.clone().map(|frame| said(frame).len()).max();
+            let length = length.unwrap_or(0);
+            let wanted = frames.map(|frame| frame.views.iter().map(View::need).collect());
+            let wanted: Vec<Vec<Need>> = wanted.collect();
+            for (wanted, needs) in wanted.iter().zip(&bench.app.playback.needs) {
                 for need in wanted {
                     let room = needs.iter().find(|room| room.id == need.id);
                     let room = room.unwrap_or_else(|| panic!("{place}, step {step}: {need:?}"));
@@ -264,9 +238,8 @@ fn no_step_of_the_course_loses_a_view_in_the_window() {
     let mut lost = Vec::new();
     for theme in [ThemeKind::Light, ThemeKind::Projector] {
         for lang in Lang::ALL {
-            let mut bench = bench(lang, theme);
-            for_each_step(&mut bench, |bench, place| {
-                let wanted = bench.app.playback.needs().iter().flatten();
+            each_step(lang, theme, |bench, place| {
+                let wanted = bench.app.playback.needs.iter().flatten();
                 let places = &bench.app.stage.places;
                 if places.len() < wanted.clone().count() {
                     let wanted: Vec<_> = wanted.map(|need| need.id).collect();
@@ -280,27 +253,26 @@ fn no_step_of_the_course_loses_a_view_in_the_window() {
 
 #[test]
 fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
-    let mut bench = bench(Lang::En, ThemeKind::Light);
     let mut lit = BTreeSet::new();
-    for_each_step(&mut bench, |bench, place| {
-        let [_, step] = bench.app.bookmark.indices();
-        if step != 2 || bench.app.playback.frames().len() > 1 {
+    each_step_in_english(|bench, place| {
+        let [_, step] = bench.app.bookmark.at;
+        if step != 2 || bench.app.playback.frames.len() > 1 {
             return;
         }
         for (id, slot) in bench.app.stage.places.clone().into_iter().skip(1) {
             let rect = rect_of(slot);
             for nth in 0..80 {
                 let part = vec2((nth % 4) as f32 / 4.0 + 0.1, (nth / 4) as f32 / 20.0);
-                let at = rect.min + part * rect.size();
-                bench.frame(0.02, vec![Event::PointerMoved(at)]);
+                bench.point(rect.min + part * rect.size());
                 let Some(link) = bench.app.stage.lit else {
                     continue;
                 };
                 lit.insert(id.0);
-                let mut marks = bench.app.scene().document().backdrop(0, false);
-                marks.extend(bench.app.playback.frames()[0].marks().iter().cloned());
+                let frame = &bench.app.playback.frames[0];
+                let mut marks = bench.document().backdrop(0, false);
+                marks.extend(frame.marks().iter().cloned());
                 let mut links: Vec<Option<Link>> = marks.iter().map(|mark| mark.link).collect();
-                if let Body::Space(space) = &bench.app.playback.frames()[0].views[0].body {
+                if let Body::Space(space) = &frame.views[0].body {
                     links.extend(space.marks.iter().map(|mark| mark.link));
                     links.extend(space.facets.iter().map(|facet| facet.link));
                 }

@@ -1,56 +1,43 @@
 //! The polygons lab: outlines drawn by clicking, vertices put in and taken out, presets, mistakes.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2};
-
-use super::{Bench, ROOMY, SIZE, ctrl};
+use super::*;
 use crate::{
-    app::{App, Command, Settings},
+    geom::Polygon,
     labs::{
-        Edit, lines,
-        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, SceneVertex},
+        MethodCard,
+        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, SceneVertex},
     },
-    lesson::Course,
-    text::Lang,
 };
 
 impl Bench {
     /// The polygons lab on its first scene.
     pub(super) fn polygons() -> Self {
         let mut bench = Self::new(ROOMY);
-        bench.command(Command::Lab(LAB.id()));
+        bench.command(Command::Lab(LAB.id));
         bench
     }
 
-    pub(super) fn command(&mut self, command: Command) {
-        let ctx = self.ctx.clone();
-        self.app.apply(&ctx, command);
-        self.settle();
+    pub(super) fn change(&mut self, change: PolygonsChange) {
+        self.edit(Edit::own(change));
     }
 
-    pub(super) fn edit(&mut self, edit: PolygonsChange) {
-        self.command(Command::Edit(Edit::own(edit), None));
-    }
-
-    fn polygon(&self) -> &Scene {
-        self.app.scene().get().expect("the polygons lab")
+    fn polygon(&self) -> &crate::labs::polygons::Scene {
+        self.scene()
     }
 
     pub(super) fn subject(&self) -> Vec<[f64; 2]> {
-        let vertices = self.polygon().subject.vertices().iter();
-        vertices.map(|p| p.to_array()).collect()
+        places(&self.polygon().subject)
+    }
+
+    fn selects(&self, vertex: usize) -> bool {
+        self.app.stage.selected == Some(SceneVertex::Subject(vertex).handle())
     }
 
     fn click(&mut self, at: Pos2, modifiers: Modifiers) {
         let moved = Event::PointerMoved(at);
         self.frame(0.5, vec![moved, Event::ModifiersChanged(modifiers)]);
         for pressed in [true, false] {
-            let button = Event::PointerButton {
-                pos: at,
-                button: PointerButton::Primary,
-                pressed,
-                modifiers,
-            };
-            self.frame(0.02, vec![button]);
+            self.frame(0.02, vec![button_event(at, pressed, modifiers)]);
         }
         let none = Event::ModifiersChanged(Modifiers::NONE);
         self.frame(0.02, vec![none]);
@@ -64,24 +51,19 @@ impl Bench {
         let at = self.on_screen(world);
         self.frame(0.5, vec![Event::PointerMoved(at)]);
         for pressed in [true, false, true, false] {
-            let button = Event::PointerButton {
-                pos: at,
-                button: PointerButton::Primary,
-                pressed,
-                modifiers: Modifiers::NONE,
-            };
-            self.frame(0.02, vec![button]);
+            self.frame(0.02, vec![button_event(at, pressed, Modifiers::NONE)]);
         }
         self.frame(0.02, Vec::new());
     }
 
     fn hint(&self) -> Option<&'static str> {
-        self.app
-            .stage
-            .sketch
-            .as_ref()
-            .map(|sketch| sketch.hint().key)
+        let sketch = self.app.stage.sketch.as_ref();
+        sketch.map(|sketch| sketch.hint().key)
     }
+}
+
+fn places(polygon: &Polygon) -> Vec<[f64; 2]> {
+    polygon.vertices().iter().map(|p| p.to_array()).collect()
 }
 
 const TRIANGLE: [[f64; 2]; 3] = [[-1.5, -1.0], [1.0, -1.0], [0.0, 1.5]];
@@ -95,16 +77,12 @@ fn a_polygon_is_drawn_by_clicking_and_enter_closes_it() {
     for at in TRIANGLE {
         bench.click_at([at[0] + 0.03, at[1] - 0.04]);
     }
-    assert_eq!(
-        bench.app.scene(),
-        &before,
-        "nothing changes until it is closed"
-    );
+    assert_eq!(bench.app.scene(), &before, "until it is closed");
     assert_eq!(bench.hint(), Some("draw-close"));
     bench.key(Key::Enter);
     assert_eq!(bench.subject(), TRIANGLE, "on the grid, as handles are");
     assert_eq!(bench.hint(), None);
-    bench.press(Key::Z, ctrl());
+    bench.undo();
     assert_eq!(bench.app.scene(), &before, "one undo takes it back");
 }
 
@@ -133,7 +111,7 @@ fn backspace_takes_a_point_back_and_escape_leaves_everything_as_it_was() {
     bench.click_at(TRIANGLE[0]);
     bench.click_at([2.0, 0.0]);
     bench.key(Key::Backspace);
-    bench.press(Key::Z, ctrl());
+    bench.undo();
     let sketch = bench.app.stage.sketch.as_ref().expect("still drawing");
     assert_eq!(sketch.points(), [[0.0; 2]; 0]);
     bench.key(Key::Enter);
@@ -154,7 +132,7 @@ fn a_clip_polygon_and_a_hole_are_drawn_the_same_way() {
     bench.key(Key::H);
     assert_eq!(bench.hint(), None, "Sutherland–Hodgman knows no holes");
     assert!(!bench.app.notices.is_empty(), "and that is said");
-    bench.command(Command::Edit(Edit::Method("weiler-atherton"), None));
+    bench.edit(Edit::Method("weiler-atherton"));
     for (key, outline) in [(Key::C, &OUTLINES[1]), (Key::H, &OUTLINES[2])] {
         bench.key(key);
         assert!(bench.hint().is_some(), "{outline:?}");
@@ -163,15 +141,8 @@ fn a_clip_polygon_and_a_hole_are_drawn_the_same_way() {
         }
         bench.key(Key::Enter);
     }
-    let drawn = |polygon: &crate::geom::Polygon| {
-        polygon
-            .vertices()
-            .iter()
-            .map(|p| p.to_array())
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(drawn(bench.polygon().clip.as_ref().unwrap()), TRIANGLE);
-    assert_eq!(drawn(&bench.polygon().holes[0]), TRIANGLE);
+    assert_eq!(places(bench.polygon().clip.as_ref().unwrap()), TRIANGLE);
+    assert_eq!(places(&bench.polygon().holes[0]), TRIANGLE);
 }
 
 #[test]
@@ -188,27 +159,16 @@ fn the_lines_lab_draws_no_polygon() {
 fn two_clicks_or_ctrl_and_one_put_a_vertex_on_an_edge() {
     let mut bench = Bench::polygons();
     let square = [[-1.5, -1.5], [1.5, -1.5], [1.5, 1.5], [-1.5, 1.5]];
-    let polygon = crate::geom::Polygon::new(&square).unwrap();
-    bench.edit(PolygonsChange::Subject(polygon));
+    bench.change(PolygonsChange::Subject(Polygon::new(&square).unwrap()));
     bench.double_click_at([0.5, -1.5]);
     assert_eq!(bench.subject().len(), 5);
     assert_eq!(bench.subject()[1], [0.5, -1.5]);
-    assert_eq!(
-        bench.app.stage.selected,
-        Some(SceneVertex::Subject(1).handle())
-    );
+    assert!(bench.selects(1));
     bench.click(bench.on_screen([-1.5, 0.5]), ctrl());
-    assert_eq!(
-        bench.subject()[5],
-        [-1.5, 0.5],
-        "the last edge closes the ring"
-    );
+    let last = bench.subject()[5];
+    assert_eq!(last, [-1.5, 0.5], "the last edge closes the ring");
     bench.key(Key::Delete);
-    assert_eq!(
-        bench.subject().len(),
-        5,
-        "the new vertex was the selected one"
-    );
+    assert_eq!(bench.subject().len(), 5, "the new vertex was selected");
     bench.double_click_at([0.5, 0.5]);
     bench.click_at([0.0, -1.5]);
     assert_eq!(bench.subject().len(), 5, "not on an edge, or not twice");
@@ -219,23 +179,14 @@ fn insert_and_delete_are_about_the_vertex_that_was_taken_hold_of() {
     let mut bench = Bench::polygons();
     let before = bench.subject();
     bench.click_at(before[1]);
-    assert_eq!(
-        bench.app.stage.selected,
-        Some(SceneVertex::Subject(1).handle())
-    );
+    assert!(bench.selects(1));
     bench.key(Key::Insert);
     assert_eq!(bench.subject().len(), before.len() + 1);
-    assert_eq!(
-        bench.app.stage.selected,
-        Some(SceneVertex::Subject(2).handle())
-    );
+    assert!(bench.selects(2));
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), before);
     bench.drag(bench.on_screen(before[2]), bench.on_screen([1.0, 1.0]));
-    assert_eq!(
-        bench.app.stage.selected,
-        Some(SceneVertex::Subject(2).handle())
-    );
+    assert!(bench.selects(2));
     bench.key(Key::Delete);
     assert_eq!(bench.subject(), [before[0], before[1], before[3]]);
 }
@@ -250,8 +201,8 @@ fn the_last_three_vertices_stay_and_it_is_said_in_every_language() {
             bench.key(Key::Delete);
         }
         assert_eq!(bench.subject().len(), 3);
-        let said = crate::text::Catalog::of(lang).term("error-last-three");
-        let notices = bench.app.notices.shown();
+        let said = Catalog::of(lang).term("error-last-three");
+        let notices = bench.app.notices;
         assert!(notices.iter().any(|notice| notice.text == said), "{lang}");
     }
 }
@@ -259,26 +210,22 @@ fn the_last_three_vertices_stay_and_it_is_said_in_every_language() {
 #[test]
 fn every_preset_and_region_is_clipped_by_every_method() {
     let mut bench = Bench::polygons();
-    let methods = LAB.methods();
+    let methods = (LAB.methods)();
     for (i, preset) in PRESETS.iter().enumerate() {
-        bench.edit(PolygonsChange::Preset(i));
+        bench.change(PolygonsChange::Preset(i));
         for method in &methods {
-            bench.command(Command::Edit(Edit::Method(method.id), None));
+            bench.edit(Edit::Method(method.id));
             bench.key(Key::End);
-            assert!(
-                bench.frame(0.1, Vec::new()) > 0,
-                "{} {}",
-                preset.name_key,
-                method.id
-            );
+            let n_shapes = bench.frame(0.1, Vec::new());
+            assert!(n_shapes > 0, "{} {}", preset.name_key, method.id);
         }
     }
     for (i, region) in REGIONS.iter().enumerate() {
-        bench.edit(PolygonsChange::Region(i));
+        bench.change(PolygonsChange::Region(i));
         assert!(bench.polygon().clip.is_some(), "{}", region.name_key);
         bench.key(Key::End);
     }
-    bench.edit(PolygonsChange::Clip(None));
+    bench.change(PolygonsChange::Clip(None));
     assert!(bench.polygon().clip.is_none());
 }
 
@@ -286,6 +233,7 @@ fn every_preset_and_region_is_clipped_by_every_method() {
 fn indices_that_are_none_change_nothing() {
     let mut bench = Bench::polygons();
     let before = bench.app.scene().clone();
+    let random = |count| PolygonsChange::Random { count, seed: 0 };
     for edit in [
         PolygonsChange::Preset(usize::MAX),
         PolygonsChange::Region(usize::MAX),
@@ -293,13 +241,10 @@ fn indices_that_are_none_change_nothing() {
         PolygonsChange::Insert(SceneVertex::Subject(0), Some([f64::NAN, 0.0])),
         PolygonsChange::Insert(SceneVertex::Hole(7, 0), None),
         PolygonsChange::Delete(SceneVertex::Clip(3)),
-        PolygonsChange::Random { count: 0, seed: 0 },
-        PolygonsChange::Random {
-            count: 1_000_000,
-            seed: 0,
-        },
+        random(0),
+        random(1_000_000),
     ] {
-        bench.edit(edit);
+        bench.change(edit);
         assert_eq!(bench.app.scene(), &before);
     }
     for place in [[f64::NAN; 2], [f64::INFINITY, 0.0], [1e300, -1e300]] {
@@ -316,30 +261,23 @@ fn indices_that_are_none_change_nothing() {
 
 #[test]
 fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
-    let methods = LAB.methods();
-    let faulty = methods
-        .iter()
-        .find(|card| card.is_faulty)
-        .expect("mistakes");
-    let right = methods
-        .iter()
-        .find(|card| !card.is_faulty)
-        .expect("a method");
+    let methods = (LAB.methods)();
+    let first = |is_so: fn(&MethodCard) -> bool| methods.iter().find(|card| is_so(card)).unwrap();
+    let (faulty, right) = (first(|card| card.is_faulty), first(|card| !card.is_faulty));
     let mut bench = Bench::polygons();
-    bench.command(Command::Edit(Edit::Method(right.id), None));
-    assert_eq!(bench.app.playback.difference(), None);
-    bench.command(Command::Edit(Edit::Compare(Some(faulty.id)), None));
-    let difference = bench.app.playback.difference().expect("one is wrong");
+    bench.edit(Edit::Method(right.id));
+    assert_eq!(bench.app.playback.difference, None);
+    bench.edit(Edit::Compare(Some(faulty.id)));
+    let difference = bench.app.playback.difference.expect("one is wrong");
     assert_eq!(difference.column, 1);
-    let i = PRESETS
-        .iter()
-        .position(|preset| preset.name_key == "preset-along");
-    bench.edit(PolygonsChange::Preset(i.expect("a preset")));
-    let difference = bench.app.playback.difference().expect("one is wrong");
+    let mut presets = PRESETS.iter();
+    let along = presets.position(|preset| preset.name_key == "preset-along");
+    bench.change(PolygonsChange::Preset(along.expect("a preset")));
+    let difference = bench.app.playback.difference.expect("one is wrong");
     let step = difference
         .step
-        .expect("vertices on the border are its mistake");
-    let runs = bench.app.scene().document().record();
+        .expect("its mistake are vertices on the border");
+    let runs = bench.document().record();
     for same in 1..step {
         assert_eq!(runs[0].event_json(same), runs[1].event_json(same));
     }
@@ -350,29 +288,22 @@ fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
 fn an_idle_polygons_lab_asks_for_no_repaint() {
     let mut bench = Bench::polygons();
     bench.frame(10.0, Vec::new());
-    assert!(
-        bench.wait_secs > 1e6,
-        "asks for a repaint in {} s",
-        bench.wait_secs
-    );
+    let wait_secs = bench.wait_secs;
+    assert!(wait_secs > 1e6, "asks for a repaint in {wait_secs} s");
     bench.key(Key::D);
     bench.click_at([0.5, 0.5]);
     bench.frame(10.0, Vec::new());
     bench.frame(10.0, Vec::new());
-    assert!(
-        bench.wait_secs > 1e6,
-        "while drawing: in {} s",
-        bench.wait_secs
-    );
+    let wait_secs = bench.wait_secs;
+    assert!(wait_secs > 1e6, "while drawing: in {wait_secs} s");
 }
 
 #[test]
 fn the_lab_opens_from_its_tab_and_goes_back() {
-    let app = App::new(Course::embedded(), Settings::default());
-    let mut bench = Bench::with(app, SIZE);
+    let mut bench = Bench::course(SIZE);
     for lab in [LAB, lines::LAB, LAB] {
-        bench.command(Command::Lab(lab.id()));
-        assert_eq!(bench.app.scene().document().lab(), lab);
+        bench.command(Command::Lab(lab.id));
+        assert_eq!(bench.document().lab(), lab);
         assert!(bench.frame(0.1, Vec::new()) > 0);
     }
 }

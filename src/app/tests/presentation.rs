@@ -1,13 +1,6 @@
 //! The presentation: what it shows, and that all is as before when it is over.
 
-use egui::{CursorIcon, Event, Key, Modifiers, ViewportCommand, pos2};
-
-use super::{Bench, SIZE, ctrl};
-use crate::{
-    app::{App, Command, Settings},
-    lesson::Course,
-    paint::ThemeKind,
-};
+use super::*;
 
 fn dark() -> Bench {
     let settings = Settings {
@@ -17,42 +10,29 @@ fn dark() -> Bench {
     Bench::with(App::new(Course::embedded(), settings), SIZE)
 }
 
-/// Presses a key; what was asked of the window.
-fn asked(bench: &mut Bench, key: Key) -> Vec<ViewportCommand> {
-    let event = |pressed| Event::Key {
-        key,
-        physical_key: None,
-        pressed,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    };
-    bench.frame(0.05, vec![event(true)]);
-    let asked = bench.asked_of_window.clone();
-    bench.frame(0.05, vec![event(false)]);
-    asked
-}
-
 #[test]
 fn it_fills_the_screen_and_leaves_it_as_it_was() {
     let mut bench = dark();
     let before = bench.app.settings();
-    assert!(asked(&mut bench, Key::F5).contains(&ViewportCommand::Fullscreen(true)));
-    let ctx = bench.ctx.clone();
-    bench.app.apply(&ctx, Command::Projector);
-    assert_eq!(bench.app.look().theme.kind, ThemeKind::Projector);
+    let theme = |bench: &Bench| bench.app.look().theme.kind;
+    let asked = bench.key(Key::F5);
+    assert!(asked.contains(&ViewportCommand::Fullscreen(true)));
+    bench.apply(Command::Projector);
+    assert_eq!(theme(&bench), ThemeKind::Projector);
     // What is remembered does not know of the lecture hall, should the window be closed in it.
     assert_eq!(bench.app.settings(), before);
-    bench.app.apply(&ctx, Command::Projector);
-    assert_eq!(bench.app.look().theme.kind, ThemeKind::Dark);
-    bench.app.apply(&ctx, Command::Projector);
-    assert!(asked(&mut bench, Key::F5).contains(&ViewportCommand::Fullscreen(false)));
-    assert_eq!(bench.app.look().theme.kind, ThemeKind::Dark);
+    bench.apply(Command::Projector);
+    assert_eq!(theme(&bench), ThemeKind::Dark);
+    bench.apply(Command::Projector);
+    let asked = bench.key(Key::F5);
+    assert!(asked.contains(&ViewportCommand::Fullscreen(false)));
+    assert_eq!(theme(&bench), ThemeKind::Dark);
     assert_eq!(bench.app.settings(), before);
 }
 
 #[test]
 fn escape_leaves_it_whatever_else_is_on_screen() {
-    for open in [
+    for (key, modifiers) in [
         (Key::Questionmark, Modifiers::NONE),
         (Key::S, ctrl()),
         (Key::M, ctrl()),
@@ -60,10 +40,11 @@ fn escape_leaves_it_whatever_else_is_on_screen() {
     ] {
         let mut bench = dark();
         bench.key(Key::F5);
-        bench.press(open.0, open.1);
+        bench.press(key, modifiers);
         bench.settle();
-        assert!(asked(&mut bench, Key::Escape).contains(&ViewportCommand::Fullscreen(false)));
-        assert!(bench.app.shown.presenting.is_none(), "{open:?}");
+        let asked = bench.key(Key::Escape);
+        assert!(asked.contains(&ViewportCommand::Fullscreen(false)));
+        assert!(bench.app.shown.presenting.is_none(), "{key:?}");
         assert_eq!(bench.app.shown.dialog, None);
     }
 }

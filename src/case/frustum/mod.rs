@@ -1,35 +1,38 @@
 //! The frustum lab's cases: a point, a sphere or a box against planes, a triangle against whoever looks at it, a segment
 //! in a box, against planes or in clip space, a triangle cut by planes, and the way to the screen.
 
-mod line;
 mod parts;
-mod triangle;
 
 use crate::{
     algo::{
         cull::{
-            BackFace, BackFaceInput, BackFaceOutput, BoxCull, BoxCullInput, BoxCullOutput,
-            Containment, PointPlanes, PointPlanesInput, PointPlanesOutput, SphereCull,
-            SphereCullInput, SphereCullOutput,
+            BackFace, BackFaceInput, BoxCull, BoxCullInput, Containment, PointPlanes,
+            PointPlanesInput, SphereCull, SphereCullInput,
         },
         pipeline::{
             BresenhamInput, LineToPixels, LineToPixelsInput, ViewingPipeline, ViewingPipelineInput,
-            ViewingPipelineOutput,
         },
         volume::{
-            CohenSutherland3d, HomogeneousLine, HomogeneousTriangle, IntersectionPolygon,
-            LiangBarsky3d, PlaneAtATime, PlaneLine,
+            ClipSpace, ClipVertex, CohenSutherland3d, CohenSutherland3dInput, HomogeneousLine,
+            HomogeneousTriangle, IntersectionPolygon, LiangBarsky3d, LineInput, PlaneAtATime,
+            PlaneLine, SpaceVertex, TrianglePlanes, VisibleLine,
         },
     },
     geom::{Matrix, Plane},
     input::{CAMERA, Dim, FRUSTUM, Fault, Field, SIZE, Shape},
     labs::plane_symbol,
-    text::Message,
+    text::{Formula, Message, Value},
 };
 
-use super::{Code, Fields, Refusal, Solve, Solver};
+use super::{
+    Code, Fields, Refusal, Solve, Solver,
+    solver::{Reading, Verdict},
+};
 
-use parts::{BOX, EYE, FROM, MODEL, PLANES, POINT, SPHERE, TO, TRIANGLE, VIEW_DIR};
+use parts::{
+    BOX, CLIP_SEGMENT, CLIP_TRIANGLE, EYE, FROM, MODEL, PLANES, POINT, SEGMENT, SOLID_BOX, SPHERE,
+    TO, TRIANGLE, UV, VIEW_DIR,
+};
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 13] = [
@@ -62,58 +65,50 @@ fn planes(fields: &Fields<'_>) -> Result<Vec<Plane>, Refusal> {
 impl Solve for PointPlanes {
     const FIELDS: &'static [Field] = &[PLANES.choice(), FRUSTUM.choice(), POINT.required()];
     const OUTPUT: &'static [Field] = &[Field::required("inside", &Shape::Bool), DISTANCES];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (planes, point) = (planes(fields)?, fields.need(&POINT)?);
         Ok(PointPlanesInput { planes, point })
-    }
-
-    fn verdict(output: &PointPlanesOutput) -> Message {
+    };
+    const VERDICT: Verdict<Self> = |output| {
         Message::new(if output.inside {
             "case-point-inside"
         } else {
             "case-point-outside"
         })
-    }
+    };
 }
 
 impl Solve for SphereCull {
     const FIELDS: &'static [Field] = &[PLANES.choice(), FRUSTUM.choice(), SPHERE.required()];
     const OUTPUT: &'static [Field] = &[CLASS, DISTANCES];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (planes, sphere) = (planes(fields)?, fields.need(&SPHERE)?);
         Ok(SphereCullInput { planes, sphere })
-    }
-
-    fn verdict(output: &SphereCullOutput) -> Message {
-        match (output.class, output.distances.last()) {
-            (Containment::Outside, Some(&distance)) => Message::new("case-cull-outside")
-                .with("plane", plane_symbol(output.distances.len() - 1))
-                .with("distance", distance),
-            (Containment::Inside | Containment::Outside, _) => Message::new("case-cull-inside"),
-            (Containment::Straddles, _) => Message::new("case-cull-straddles"),
-        }
-    }
+    };
+    const VERDICT: Verdict<Self> = |output| match (output.class, output.distances.last()) {
+        (Containment::Outside, Some(&distance)) => Message::new("case-cull-outside")
+            .with("plane", plane_symbol(output.distances.len() - 1))
+            .with("distance", distance),
+        (Containment::Inside | Containment::Outside, _) => Message::new("case-cull-inside"),
+        (Containment::Straddles, _) => Message::new("case-cull-straddles"),
+    };
 }
 
 impl Solve for BoxCull {
     const FIELDS: &'static [Field] = &[PLANES.choice(), FRUSTUM.choice(), BOX.required()];
     const OUTPUT: &'static [Field] = &[CLASS, Field::required("false_positive", &Shape::Bool)];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (planes, bounds) = (planes(fields)?, fields.need(&BOX)?);
         Ok(BoxCullInput { planes, bounds })
-    }
-
-    fn verdict(output: &BoxCullOutput) -> Message {
+    };
+    const VERDICT: Verdict<Self> = |output| {
         Message::new(match output.class {
             Containment::Inside => "case-cull-inside",
             Containment::Outside => "case-box-outside",
             Containment::Straddles if output.false_positive => "case-cull-in-vain",
             Containment::Straddles => "case-cull-straddles",
         })
-    }
+    };
 }
 
 impl Solve for BackFace {
@@ -123,24 +118,150 @@ impl Solve for BackFace {
         Field::required("dot", &Shape::Number),
         Field::required("det", &Shape::Number),
     ];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let triangle = fields.need(&TRIANGLE)?;
         let viewer = match fields.get(&EYE)? {
             Some(eye) => eye,
             None => fields.need(&VIEW_DIR)?,
         };
         Ok(BackFaceInput { triangle, viewer })
-    }
-
-    fn verdict(output: &BackFaceOutput) -> Message {
+    };
+    const VERDICT: Verdict<Self> = |output| {
         let key = if output.front {
             "case-front"
         } else {
             "case-back"
         };
         Message::new(key).with("dot", output.dot)
+    };
+}
+
+const IN_BOX: [Field; 2] = [SOLID_BOX.required(), SEGMENT.required()];
+
+const IS_VISIBLE: Field = Field::required("visible", &Shape::Bool);
+const VISIBLE: [Field; 2] = [
+    IS_VISIBLE,
+    Field::required("segment", &Shape::OrNull(SEGMENT.optional.shape)),
+];
+
+fn visible<const N: usize>(output: &VisibleLine<N>) -> Message {
+    let place = |at: &[f64; N]| {
+        let formula = Formula::default().sym("(").list(at).sym(")");
+        Value::Formula(formula)
+    };
+    match output {
+        None => Message::new("case-invisible"),
+        Some([p1, p2]) if p1 == p2 => Message::new("case-touch").with("at", place(p1)),
+        Some([p1, p2]) => Message::new("case-visible")
+            .with("p1", place(p1))
+            .with("p2", place(p2)),
     }
+}
+
+impl Solve for CohenSutherland3d {
+    const FIELDS: &'static [Field] = &IN_BOX;
+    const OUTPUT: &'static [Field] = &VISIBLE;
+    const READ: Reading<Self> = |fields| {
+        let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
+        Ok(CohenSutherland3dInput { bounds, ends })
+    };
+    const VERDICT: Verdict<Self> = visible;
+}
+
+impl Solve for LiangBarsky3d {
+    const FIELDS: &'static [Field] = &IN_BOX;
+    const OUTPUT: &'static [Field] = &VISIBLE;
+    const READ: Reading<Self> = |fields| {
+        let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
+        Ok(LineInput { bounds, ends })
+    };
+    const VERDICT: Verdict<Self> = visible;
+}
+
+impl Solve for PlaneLine {
+    const FIELDS: &'static [Field] = &[PLANES.required(), SEGMENT.required()];
+    const OUTPUT: &'static [Field] = &VISIBLE;
+    const READ: Reading<Self> = |fields| {
+        let (bounds, ends) = (fields.need(&PLANES)?, fields.need(&SEGMENT)?);
+        Ok(LineInput { bounds, ends })
+    };
+    const VERDICT: Verdict<Self> = visible;
+}
+
+impl Solve for HomogeneousLine {
+    const FIELDS: &'static [Field] = &[CLIP_SEGMENT.required()];
+    const OUTPUT: &'static [Field] = &[
+        IS_VISIBLE,
+        Field::required("segment", &Shape::OrNull(CLIP_SEGMENT.optional.shape)),
+    ];
+    const READ: Reading<Self> = |fields| {
+        let (bounds, ends) = (ClipSpace, fields.need(&CLIP_SEGMENT)?);
+        Ok(LineInput { bounds, ends })
+    };
+    const VERDICT: Verdict<Self> = visible;
+}
+
+const CUT: [Field; 4] = [
+    PLANES.choice(),
+    FRUSTUM.choice(),
+    TRIANGLE.required(),
+    UV.optional,
+];
+
+const LEFT: [Field; 2] = [
+    Field::required("triangles", &Shape::List(TRIANGLE.optional.shape)),
+    UVS,
+];
+const UVS: Field = Field::optional("uv", &Shape::List(UV.optional.shape));
+
+fn read_planes(fields: &Fields<'_>) -> Result<TrianglePlanes, Refusal> {
+    let (planes, corners) = (planes(fields)?, fields.need(&TRIANGLE)?);
+    let uv = fields.get(&UV)?;
+    let triangle = std::array::from_fn(|i| SpaceVertex {
+        at: corners[i],
+        uv: uv.map(|uv| uv[i]),
+    });
+    Ok(TrianglePlanes { planes, triangle })
+}
+
+fn left(n_triangles: usize) -> Message {
+    let key = if n_triangles == 0 {
+        "case-triangles-none"
+    } else {
+        "case-triangles-left"
+    };
+    Message::new(key).with("triangles", n_triangles)
+}
+
+impl Solve for PlaneAtATime {
+    const FIELDS: &'static [Field] = &CUT;
+    const OUTPUT: &'static [Field] = &LEFT;
+    const READ: Reading<Self> = read_planes;
+    const VERDICT: Verdict<Self> = |output| left(output.triangles.len());
+}
+
+impl Solve for IntersectionPolygon {
+    const FIELDS: &'static [Field] = &CUT;
+    const OUTPUT: &'static [Field] = &LEFT;
+    const READ: Reading<Self> = read_planes;
+    const VERDICT: Verdict<Self> = |output| left(output.triangles.len());
+}
+
+impl Solve for HomogeneousTriangle<Option<[f64; 2]>> {
+    const FIELDS: &'static [Field] = &[CLIP_TRIANGLE.required(), UV.optional];
+    const OUTPUT: &'static [Field] = &[
+        Field::required("triangles", &Shape::List(CLIP_TRIANGLE.optional.shape)),
+        UVS,
+    ];
+    const READ: Reading<Self> = |fields| {
+        let (corners, uv) = (fields.need(&CLIP_TRIANGLE)?, fields.get(&UV)?);
+        let own: [_; 3] = std::array::from_fn(|i| ClipVertex {
+            at: corners[i],
+            attributes: uv.map(|uv| uv[i]),
+        });
+        Ok(own)
+    };
+    const VERDICT: Verdict<Self> = |output| left(output.triangles().count());
 }
 
 impl Solve for ViewingPipeline {
@@ -158,8 +279,7 @@ impl Solve for ViewingPipeline {
         Field::optional("ndc", &Shape::PLACE),
         Field::optional("screen", &Shape::POINT),
     ];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let input = ViewingPipelineInput {
             point: fields.need(&POINT)?,
             world_from_model: fields.get(&MODEL)?.unwrap_or(Matrix::IDENTITY),
@@ -167,16 +287,15 @@ impl Solve for ViewingPipeline {
             viewport: fields.need(&SIZE)?,
         };
         Ok(input)
-    }
-
-    fn verdict(output: &ViewingPipelineOutput) -> Message {
+    };
+    const VERDICT: Verdict<Self> = |output| {
         let key = match (output.inside, output.screen) {
             (_, None) => "case-pipeline-behind",
             (true, Some(_)) => "case-pipeline-inside",
             (false, Some(_)) => "case-pipeline-outside",
         };
         Message::new(key).with("screen", output.screen.unwrap_or_default())
-    }
+    };
 }
 
 impl Solve for LineToPixels {
@@ -185,8 +304,7 @@ impl Solve for LineToPixels {
         "pixels",
         &Shape::Wholes(&[Dim::ANY, Dim::Exactly(2)], i64::MIN, i64::MAX),
     )];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (from, to) = (fields.need(&FROM)?, fields.need(&TO)?);
         let ends = BresenhamInput::new(from, to).map_err(|error| {
             let problem = Message::new("case-too-many-pixels")
@@ -195,9 +313,6 @@ impl Solve for LineToPixels {
             fields.refuse(&TO, Fault::new(Code::TooLarge.id(), problem))
         })?;
         Ok(LineToPixelsInput::Pixels(ends))
-    }
-
-    fn verdict(output: &Vec<[i64; 2]>) -> Message {
-        Message::new("case-pixels").with("count", output.len())
-    }
+    };
+    const VERDICT: Verdict<Self> = |output| Message::new("case-pixels").with("count", output.len());
 }

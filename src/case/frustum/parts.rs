@@ -42,7 +42,6 @@ pub const POINT: Part<[f64; 3]> =
 pub const EYE: Part<Viewer> = Part::new("eye", &Shape::PLACE, |got| Ok(Viewer::Eye(got.array())))
     .told(|got| place("object-eye", got));
 
-/// The way the viewer looks.
 pub const VIEW_DIR: Part<Viewer> = Part::new("view_dir", &Shape::PLACE, |got| {
     let direction: [f64; 3] = got.array();
     if direction == [0.0; 3] {
@@ -125,7 +124,6 @@ pub const TRIANGLE: Part<[[f64; 3]; 3]> = Part::new(
 )
 .told(triangle_told::<3>);
 
-/// The same in clip space.
 pub const CLIP_TRIANGLE: Part<[[f64; 4]; 3]> = Part::new(
     "triangle",
     &Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(4)]),
@@ -138,7 +136,6 @@ fn triangle_told<const N: usize>(got: &Got) -> Vec<Given> {
     named("object-triangle", names, got.matrix::<3, N>())
 }
 
-/// A place in the texture for each corner of the triangle.
 pub const UV: Part<[[f64; 2]; 3]> = Part::new(
     "uv",
     &Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(2)]),

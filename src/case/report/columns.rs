@@ -2,13 +2,11 @@
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-/// Space between two columns.
 const GAP: usize = 2;
 
 /// A cell: paragraphs that begin on a line of their own.
 pub(super) type Cell = Vec<String>;
 
-/// Is a column of numbers?
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Align {
     Left,
@@ -98,7 +96,6 @@ fn push(lines: &mut [String], text: &str) {
     }
 }
 
-/// What is not broken, and whether a space stands before it.
 struct Unbroken {
     text: String,
     space: bool,

@@ -2,101 +2,57 @@
 
 use std::fmt::Write;
 
-use crate::{
-    case::{Case, Detail, Refused},
-    input::Given,
-    text::Catalog,
-};
+use super::{Report, STEP_HEAD, Solved, columns::Cell};
 
-use super::{StepRow, case_name, cost_rows, given_row, step_rows};
+impl Report<'_> {
+    /// Before the first one stands the title of the whole.
+    pub fn markdown(&self) -> String {
+        let mut page = String::new();
+        if self.number == 1 {
+            let title = self.catalog.term("report-title");
+            paragraph(&mut page, &format!("# {title}"));
+        }
+        let name = escaped(&self.name);
+        match &self.solved {
+            Ok(solved) => {
+                paragraph(&mut page, &format!("## {name} · {}", solved.algorithm));
+                self.solved_markdown(solved, &mut page);
+            }
+            Err(said) => {
+                paragraph(&mut page, &format!("## {name}"));
+                let label = self.catalog.term("report-refused");
+                paragraph(&mut page, &format!("> **{label}** {}", escaped(said)));
+            }
+        }
+        page
+    }
 
-/// One case; before the first one the title of the whole.
-pub fn markdown(
-    number: usize,
-    case: &Result<Case, Refused>,
-    told: &[Given],
-    detail: Detail,
-    catalog: &Catalog,
-) -> String {
-    let mut page = String::new();
-    if number == 1 {
-        paragraph(&mut page, &format!("# {}", catalog.term("report-title")));
-    }
-    match case {
-        Ok(case) => {
-            let name = escaped(&case_name(number, &case.id, catalog));
-            solved(&mut page, &name, case, told, detail, catalog);
+    fn solved_markdown(&self, solved: &Solved, page: &mut String) {
+        let term = |key| self.catalog.term(key);
+        let source = [term("report-source"), solved.source.to_owned()];
+        let list: Vec<String> = solved
+            .given
+            .iter()
+            .chain([&source])
+            .map(|[name, values]| format!("- **{}** · {}", capitalised(name), escaped(values)))
+            .collect();
+        paragraph(page, &list.join("\n"));
+        if let Some(steps) = &solved.steps {
+            let head = STEP_HEAD.map(|key| capitalised(&term(key)));
+            let rows = steps.iter().map(|row| row.each_ref().map(lines));
+            table(page, &head, ["---:", "---", "---", "---"], rows);
         }
-        Err(refused) => {
-            let name = escaped(&case_name(number, &refused.id, catalog));
-            paragraph(&mut page, &format!("## {name}"));
-            let said = escaped(&refused.refusal.sentence(catalog));
-            let label = catalog.term("report-refused");
-            paragraph(&mut page, &format!("> **{label}** {said}"));
-        }
+        let verdict = escaped(&solved.verdict);
+        paragraph(page, &format!("**{}** {verdict}", term("report-answer")));
+        let head = [capitalised(&term("panel-cost")), String::new()];
+        let cost = solved.cost.iter().cloned();
+        table(page, &head, ["---", "---:"], cost);
     }
-    page
 }
 
-fn solved(
-    page: &mut String,
-    name: &str,
-    case: &Case,
-    told: &[Given],
-    detail: Detail,
-    catalog: &Catalog,
-) {
-    let algorithm = catalog.term(case.solver.name_key());
-    paragraph(page, &format!("## {name} · {algorithm}"));
-    let rows = told.iter().map(|given| given_row(given, catalog));
-    let mut rows: Vec<[String; 2]> = rows.collect();
-    rows.push([
-        catalog.term("report-source"),
-        case.solver.source().to_owned(),
-    ]);
-    let list: Vec<String> = rows
-        .iter()
-        .map(|[name, values]| format!("- **{}** · {}", capitalised(name), escaped(values)))
-        .collect();
-    paragraph(page, &list.join("\n"));
-    if detail == Detail::Steps {
-        let run = case.problem.run();
-        let head = [
-            "report-step",
-            "report-what",
-            "report-formula",
-            "report-changed",
-        ]
-        .map(|key| capitalised(&catalog.term(key)));
-        let rows = step_rows(run.as_ref(), catalog).into_iter().map(step_cells);
-        table(page, &head, ["---:", "---", "---", "---"], rows);
-    }
-    let verdict = escaped(&catalog.message(&case.problem.verdict()));
-    paragraph(
-        page,
-        &format!("**{}** {verdict}", catalog.term("report-answer")),
-    );
-    let (_, counts) = case.problem.cost();
-    let head = [capitalised(&catalog.term("panel-cost")), String::new()];
-    table(
-        page,
-        &head,
-        ["---", "---:"],
-        cost_rows(counts, catalog).into_iter(),
-    );
-}
-
-fn step_cells(row: StepRow) -> [String; 4] {
-    let lines = |lines: Vec<String>| {
-        let lines: Vec<String> = lines.iter().map(|line| escaped(line)).collect();
-        lines.join("<br>")
-    };
-    [
-        row.step.to_string(),
-        escaped(&row.decision),
-        lines(row.formulas),
-        lines(row.changed),
-    ]
+fn lines(cell: &Cell) -> String {
+    let lines: Vec<String> = cell.iter().map(|line| escaped(line)).collect();
+    lines.join("<br>")
 }
 
 fn table<const N: usize>(

@@ -3,7 +3,6 @@
 
 mod columns;
 mod markdown;
-mod refusing;
 mod text;
 
 use std::ops::ControlFlow;
@@ -15,22 +14,109 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Id, refusal::short};
+use super::{Case, Detail, Id, Refused, refusal::short};
 
-pub(super) use markdown::markdown;
-pub use refusing::Refusing;
-pub(super) use text::text;
+use columns::Cell;
 
-/// One step, in words and numbers.
-struct StepRow {
-    step: usize,
-    decision: String,
-    formulas: Vec<String>,
-    changed: Vec<String>,
+/// What is told of one case, whatever it is written as.
+pub(super) struct Report<'c> {
+    catalog: &'c Catalog,
+    /// How many cases came before it, and one.
+    number: usize,
+    name: String,
+    /// Or why it is refused.
+    solved: Result<Solved, String>,
 }
 
-/// Every step of a run, the problem's statement at step 0 first.
-fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<StepRow> {
+struct Solved {
+    algorithm: String,
+    source: &'static str,
+    /// Name and values of what is given.
+    given: Vec<[String; 2]>,
+    /// Number, decision, formulas and changes of each.
+    steps: Option<Vec<[Cell; 4]>>,
+    verdict: String,
+    /// Name and number of each kind of operation, and of all together.
+    cost: [[String; 2]; 5],
+}
+
+/// Over the columns of [`Solved::steps`].
+const STEP_HEAD: [&str; 4] = [
+    "report-step",
+    "report-what",
+    "report-formula",
+    "report-changed",
+];
+
+impl<'c> Report<'c> {
+    pub(super) fn new(
+        number: usize,
+        case: &Result<Case, Refused>,
+        told: &[Given],
+        detail: Detail,
+        catalog: &'c Catalog,
+    ) -> Self {
+        let (id, solved) = match case {
+            Ok(case) => (&case.id, Ok(Solved::new(case, told, detail, catalog))),
+            Err(refused) => (&refused.id, Err(refused.refusal.sentence(catalog))),
+        };
+        Self {
+            catalog,
+            number,
+            name: case_name(number, id, catalog),
+            solved,
+        }
+    }
+}
+
+impl Solved {
+    fn new(case: &Case, told: &[Given], detail: Detail, catalog: &Catalog) -> Self {
+        let has_steps = detail == Detail::Steps;
+        let (_, Counts { add, mul, div, cmp }) = case.problem.cost();
+        let cost = [
+            ("cost-additions", add),
+            ("cost-multiplications", mul),
+            ("cost-divisions", div),
+            ("cost-comparisons", cmp),
+            ("cost-total", add + mul + div + cmp),
+        ];
+        Self {
+            algorithm: catalog.term(case.solver.card.name_key),
+            source: case.solver.card.source,
+            given: told.iter().map(|given| given_row(given, catalog)).collect(),
+            steps: has_steps.then(|| step_rows(&*case.problem.run(), catalog)),
+            verdict: catalog.message(&case.problem.verdict()),
+            cost: cost.map(|(key, n)| [catalog.term(key), n.to_string()]),
+        }
+    }
+}
+
+/// A case that was refused, for those who keep count.
+#[derive(Clone, Copy, Debug)]
+pub struct Refusing<'a> {
+    /// The line that it stands in, from 1; empty lines count.
+    pub line: usize,
+    /// How many cases came before it, and one.
+    pub number: usize,
+    /// Which, and why.
+    pub refused: &'a Refused,
+}
+
+impl Refusing<'_> {
+    /// Where it stands, which it is, and why it is refused, for people.
+    #[must_use]
+    pub fn sentence(&self, catalog: &Catalog) -> String {
+        let case = case_name(self.number, &self.refused.id, catalog);
+        let message = Message::new("trace-refused-at")
+            .with("line", self.line)
+            .with("case", case.to_lowercase())
+            .with("problem", self.refused.refusal.sentence(catalog));
+        catalog.message(&message)
+    }
+}
+
+/// The problem's statement at step 0 first.
+fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<[Cell; 4]> {
     let (mut rows, mut before) = (Vec::new(), None);
     run.visit([0, run.n_steps()], &mut |step, shown| {
         let (caption, mut watch) = (shown.caption(), shown.watch());
@@ -42,12 +128,12 @@ fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<StepRow> {
             rows.map(|row| changed_row(section, row, catalog))
         });
         let arithmetic = caption.arithmetic.iter();
-        rows.push(StepRow {
-            step,
-            decision: catalog.message(&caption.decision),
-            formulas: arithmetic.map(|f| catalog.formula(f)).collect(),
-            changed: changed.collect(),
-        });
+        rows.push([
+            vec![step.to_string()],
+            vec![catalog.message(&caption.decision)],
+            arithmetic.map(|f| catalog.formula(f)).collect(),
+            changed.collect(),
+        ]);
         before = Some(watch);
         ControlFlow::Continue(())
     });
@@ -98,7 +184,6 @@ fn case_name(number: usize, id: &Id, catalog: &Catalog) -> String {
     catalog.message(&message.with("number", number))
 }
 
-/// Name and values of what is given.
 fn given_row(given: &Given, catalog: &Catalog) -> [String; 2] {
     let shown = given.values.iter();
     let mut values: Vec<String> = shown.map(|value| catalog.value(value)).collect();
@@ -109,17 +194,4 @@ fn given_row(given: &Given, catalog: &Catalog) -> [String; 2] {
         catalog.term(given.name_key),
         values.join(catalog.lang().list_separator()),
     ]
-}
-
-/// Name and number of each kind of operation, and of all together.
-fn cost_rows(counts: Counts, catalog: &Catalog) -> [[String; 2]; 5] {
-    let Counts { add, mul, div, cmp } = counts;
-    [
-        ("cost-additions", add),
-        ("cost-multiplications", mul),
-        ("cost-divisions", div),
-        ("cost-comparisons", cmp),
-        ("cost-total", add + mul + div + cmp),
-    ]
-    .map(|(key, n)| [catalog.term(key), n.to_string()])
 }

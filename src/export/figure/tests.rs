@@ -15,12 +15,14 @@ fn lost(
 ) -> Vec<ViewId> {
     let picture = Picture {
         title: job.title(lang),
-        scene: job.scene(),
+        scene: job.source.scene(),
         step: job.position,
-        lang,
-        theme,
-        size_px,
-        among: Steps::Figures,
+        options: Options {
+            size_px,
+            theme,
+            lang,
+            steps: Steps::Figures,
+        },
     };
     studio.drawn(&picture).1
 }

@@ -9,33 +9,23 @@
 //!   column   0   1      2     3   4
 //! ```
 //!
-//! Every node has a column of its own, between all that is below it to its left and all that is below it to its right. What has no
-//! room is folded: a whole subtree to one spot that counts it, and so all that is not below the first one shown.
+//! Every node has a column of its own. What has no room is folded: a whole subtree, or all above, to one spot that counts it.
 
-/// What stands in a place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stands {
-    /// This node.
     Node(usize),
-    /// So many, folded.
     Folded(usize),
 }
 
-/// A place of a tree, and what stands there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Spot {
-    /// What.
     pub stands: Stands,
-    /// From the left.
     pub column: usize,
-    /// From the top.
     pub layer: usize,
-    /// The spot above, among all.
     pub above: Option<usize>,
 }
 
-/// The spots of a tree from node 0, no more than there are columns and layers for; about `focus`, which is always shown. `below` has
-/// what is below each node to its left and to its right.
+/// The spots of a tree from node 0 about `focus`; `below` has what is below each node, left and right.
 pub fn layers(
     below: &[[Option<usize>; 2]],
     focus: Option<usize>,
@@ -56,7 +46,6 @@ pub fn layers(
 struct Tree<'a> {
     below: &'a [[Option<usize>; 2]],
     above: Vec<Option<usize>>,
-    /// How many there are in the subtree of each, with itself.
     sizes: Vec<usize>,
 }
 
@@ -85,7 +74,6 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// From the root to a node.
     fn path(&self, node: usize) -> Vec<usize> {
         let up = std::iter::successors(Some(node), |&node| self.above[node]);
         let mut path: Vec<usize> = up.collect();
@@ -97,13 +85,11 @@ impl<'a> Tree<'a> {
         self.below[node].iter().flatten().count()
     }
 
-    /// Columns that these nodes take, each below another of them but the first: their own, and those of what is folded below them.
     fn columns_of(&self, nodes: &[usize]) -> usize {
         let all: usize = nodes.iter().map(|&node| 1 + self.n_below(node)).sum();
         all - (nodes.len() - 1)
     }
 
-    /// The end of a path that there is room for: with a layer for what is folded above it, and one for what is below it.
     fn seen_of<'p>(&self, path: &'p [usize], [columns, rows]: [usize; 2]) -> &'p [usize] {
         let has_room = |seen: &[usize]| {
             let above = usize::from(seen.len() < path.len());
@@ -115,7 +101,6 @@ impl<'a> Tree<'a> {
         found.unwrap_or(&path[path.len() - 1..])
     }
 
-    /// The path, and of all below its first node layer after layer what there is room for.
     fn shown(&self, path: &[usize], columns: usize, rows: usize) -> Vec<bool> {
         let mut shown = vec![false; self.below.len()];
         for &node in path {
@@ -194,26 +179,19 @@ impl<'a> Tree<'a> {
 mod tests {
     use super::*;
 
-    /// A tree as a list: each node below the one before, to one side or the other.
     fn chain(n: usize) -> Vec<[Option<usize>; 2]> {
         let next = |i: usize| (i + 1 < n).then_some(i + 1);
-        (0..n)
-            .map(|i| {
-                if i % 3 == 0 {
-                    [None, next(i)]
-                } else {
-                    [next(i), None]
-                }
-            })
-            .collect()
+        let below = |i: usize| match i % 3 {
+            0 => [None, next(i)],
+            _ => [next(i), None],
+        };
+        (0..n).map(below).collect()
     }
 
-    /// Every layer full.
     fn full(n: usize) -> Vec<[Option<usize>; 2]> {
         let child = |i: usize| (i < n).then_some(i);
-        (0..n)
-            .map(|i| [child(2 * i + 1), child(2 * i + 2)])
-            .collect()
+        let below = |i| [child(2 * i + 1), child(2 * i + 2)];
+        (0..n).map(below).collect()
     }
 
     fn count(spots: &[Spot]) -> usize {
@@ -231,11 +209,8 @@ mod tests {
             let spot = spots.iter().find(|spot| spot.stands == Stands::Node(node));
             spot.map(|spot| [spot.column, spot.layer])
         };
-        assert_eq!(at(0), Some([3, 0]));
-        assert_eq!(at(1), Some([1, 1]));
-        assert_eq!(at(2), Some([4, 1]));
-        assert_eq!(at(3), Some([0, 2]));
-        assert_eq!(at(4), Some([2, 2]));
+        let places = [[3, 0], [1, 1], [4, 1], [0, 2], [2, 2]];
+        assert_eq!([0, 1, 2, 3, 4].map(at), places.map(Some));
     }
 
     #[test]
@@ -248,11 +223,11 @@ mod tests {
                     assert_eq!(count(&spots), tree.len(), "{what}");
                     let is_focus = |spot: &Spot| spot.stands == Stands::Node(focus);
                     assert!(spots.iter().any(is_focus), "{what}");
-                    assert!(spots.iter().all(|spot| spot.layer < room[1]), "{what}");
-                    assert!(spots.iter().all(|spot| spot.column < room[0]), "{what}");
-                    let is_above =
-                        |spot: &Spot| spot.above.is_none_or(|i| spots[i].layer < spot.layer);
-                    assert!(spots.iter().all(is_above), "{what}");
+                    for spot in &spots {
+                        assert!(spot.column < room[0] && spot.layer < room[1], "{what}");
+                        let above = spot.above.map(|i| spots[i].layer);
+                        assert!(above.is_none_or(|above| above < spot.layer), "{what}");
+                    }
                 }
             }
         }

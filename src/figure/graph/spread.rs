@@ -1,32 +1,20 @@
-//! Places of a picture, moved apart so that what stands there can be read.
-//!
-//! 1. The box around all places is stretched to the room.
-//! 2. Two that are too close push each other apart along the line between them; of one place, in directions that their
-//!    numbers give. Nothing leaves the room.
-//! 3. Until nothing moves any more, or often enough.
+//! Places of a picture, moved apart so that what stands there can be read: stretched to the room, then each two that are too
+//! close pushed apart along the line between them (of one place, in directions that their numbers give).
 
-/// So often at most.
 const ROUNDS: usize = 200;
 /// Angle between the directions of two that follow each other, in radians: no two of few are alike.
 const TURN: f64 = 2.4;
 
-/// The places in a room of this width and height, `apart` from each other as far as there is room for that. The same for the same
-/// places.
+/// The places in a room of this width and height, `apart` from each other where there is room for that.
 pub fn spread(places: &[[f64; 2]], room: [f64; 2], apart: f64) -> Vec<[f64; 2]> {
     let mut spread: Vec<[f64; 2]> = places.to_vec();
     for (i, side) in room.into_iter().enumerate() {
-        let low = places.iter().map(|at| at[i]).fold(f64::INFINITY, f64::min);
-        let high = places
-            .iter()
-            .map(|at| at[i])
-            .fold(f64::NEG_INFINITY, f64::max);
+        let all = places.iter().map(|at| at[i]);
+        let low = all.clone().fold(f64::INFINITY, f64::min);
+        let high = all.fold(f64::NEG_INFINITY, f64::max);
         for at in &mut spread {
-            let part = if high > low {
-                (at[i] - low) / (high - low)
-            } else {
-                0.5
-            };
-            at[i] = part * side;
+            let part = (at[i] - low) / (high - low);
+            at[i] = if high > low { part } else { 0.5 } * side;
         }
     }
     for _ in 0..ROUNDS {

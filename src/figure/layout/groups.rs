@@ -2,50 +2,36 @@
 
 use super::super::extent::{Need, Stand};
 
-/// What one column has to show.
 pub struct Groups<'a> {
-    /// The drawing, or the inset that is there without one.
     pub drawing: &'a Need,
-    /// On the drawing.
     pub insets: Vec<&'a Need>,
-    /// Over all the rest.
     pub over: Vec<&'a Need>,
-    /// Under all the rest.
     pub across: Vec<&'a Need>,
-    /// Under the drawing.
     pub under: Vec<&'a Need>,
-    /// Beside it.
     pub beside: Vec<&'a Need>,
 }
 
 impl<'a> Groups<'a> {
-    /// In their order; none where nothing is drawn.
     pub fn of(needs: &'a [Need], way: Way) -> Option<Self> {
         let stands = |stand| needs.iter().position(|need| need.stand == stand);
         let first = stands(Stand::Drawing).or(stands(Stand::Inset))?;
+        let others = needs[..first].iter().chain(&needs[first + 1..]);
+        let standing = |stands: &[Stand]| {
+            let standing = others.clone().filter(|need| stands.contains(&need.stand));
+            standing.collect()
+        };
         let mut groups = Self {
             drawing: &needs[first],
-            insets: Vec::new(),
-            over: Vec::new(),
-            across: Vec::new(),
-            under: Vec::new(),
-            beside: Vec::new(),
+            insets: standing(&[Stand::Inset]),
+            over: standing(&[Stand::Over]),
+            across: standing(&[Stand::Across]),
+            under: standing(&[Stand::Under, Stand::Foot]),
+            beside: standing(&[Stand::Drawing, Stand::Beside]),
         };
-        for need in needs[..first].iter().chain(&needs[first + 1..]) {
-            let group = match need.stand {
-                Stand::Inset => &mut groups.insets,
-                Stand::Over => &mut groups.over,
-                Stand::Across => &mut groups.across,
-                Stand::Under | Stand::Foot => &mut groups.under,
-                Stand::Drawing | Stand::Beside => &mut groups.beside,
-            };
-            group.push(need);
-        }
         groups.go(way);
         Some(groups)
     }
 
-    /// What has no room where it belongs goes elsewhere.
     fn go(&mut self, way: Way) {
         match way {
             Way::Beside => {}
@@ -58,19 +44,15 @@ impl<'a> Groups<'a> {
     }
 }
 
-/// Of what views want at least this part is better than nothing.
 const LOW: f32 = 0.82;
 
 /// Where that stands which belongs beside the drawing.
 #[derive(Clone, Copy)]
 pub enum Way {
-    /// There.
     Beside,
-    /// Under the drawing: the column is narrow.
     Under,
     /// Beside the drawing after all, which is narrow itself: the column is low, too. What measures it is wider.
     Narrow,
-    /// Under it after all, and all of them are low.
     Low,
 }
 
@@ -84,7 +66,6 @@ impl Way {
         }
     }
 
-    /// What views want at least, if they stand so.
     pub fn wanted(self, needs: &[Need]) -> Vec<Need> {
         let part = match self {
             Self::Beside | Self::Under | Self::Narrow => 1.0,

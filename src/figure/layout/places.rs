@@ -5,25 +5,20 @@ use super::ViewId;
 /// A rectangle, in points; y goes down.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Slot {
-    /// Left and top.
     pub min: [f32; 2],
-    /// Right and bottom.
     pub max: [f32; 2],
 }
 
 impl Slot {
-    /// Of this size, from its corner at the left and top.
     pub const fn new(min: [f32; 2], size: [f32; 2]) -> Self {
         let max = [min[0] + size[0], min[1] + size[1]];
         Self { min, max }
     }
 
-    /// Width and height.
     pub const fn size(&self) -> [f32; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]
     }
 
-    /// Cuts a strip of this height off the top.
     pub(super) fn take_top(&mut self, height: f32) -> Self {
         let y = (self.min[1] + height.min(self.size()[1])).round();
         let top = Self {
@@ -34,7 +29,6 @@ impl Slot {
         top
     }
 
-    /// Cuts a strip of this height off the bottom.
     pub(super) fn take_bottom(&mut self, height: f32) -> Self {
         let y = (self.max[1] - height.min(self.size()[1])).round();
         let bottom = Self {
@@ -46,23 +40,17 @@ impl Slot {
     }
 }
 
-/// Where everything of one method stands.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ColumnLayout {
-    /// All of the column.
     pub whole: Slot,
-    /// The method's name.
     pub name: Slot,
-    /// The views there is room for.
     pub views: Vec<(ViewId, Slot)>,
     /// The step's sentence, the hairline being its upper edge.
     pub caption: Slot,
-    /// The cost so far.
     pub cost: Slot,
 }
 
 impl ColumnLayout {
-    /// The places of views that stand on this one.
     pub fn over(&self, id: ViewId) -> impl Iterator<Item = Slot> {
         let under = self.slot(id).unwrap_or_default();
         let others = self.views.iter().filter(move |(of, _)| *of != id);
@@ -72,7 +60,6 @@ impl ColumnLayout {
         })
     }
 
-    /// The place of a view; `None` where there is no room for it.
     pub fn slot(&self, id: ViewId) -> Option<Slot> {
         let found = self.views.iter().find(|(of, _)| *of == id);
         found.map(|&(_, slot)| slot)

@@ -111,11 +111,8 @@ fn an_inset_stands_on_its_drawing_in_its_own_proportions() {
         let layout = sheet(size, 13.0).lay_out(&[needs.clone()]);
         let column = &layout.columns[0];
         let [drawing, inset] = ["plane", "inset"].map(|id| column.slot(ViewId(id)).unwrap());
-        assert_eq!(
-            column.over(ViewId("plane")).collect::<Vec<_>>(),
-            [inset],
-            "{size:?}"
-        );
+        let over: Vec<Slot> = column.over(ViewId("plane")).collect();
+        assert_eq!(over, [inset], "{size:?}");
         for i in 0..2 {
             assert!(drawing.min[i] < inset.min[i] && inset.max[i] < drawing.max[i]);
         }

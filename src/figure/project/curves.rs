@@ -10,18 +10,14 @@ use glam::DVec3;
 
 use super::{Seen, facets::cut_at};
 
-/// Points of a ball's outline.
 const N_OUTLINE: usize = 96;
-/// The least angle between two neighbouring points of an arc.
 const ARC_STEP_RAD: f64 = 0.1;
 /// Radius of an arc, and side of the square of a right angle, where half of the picture's height is 1.
 const ARC: f64 = 0.13;
 const SQUARE: f64 = 0.045;
-/// They take no more than this part of the shorter arm.
 const OF_ARM: f64 = 0.45;
 
 impl Seen {
-    /// The outline of a ball, on the picture; empty from inside it.
     pub(super) fn ball_outline(&self, centre: [f64; 3], radius: f64) -> Vec<[f64; 2]> {
         let centre = self.optics.view_from_world(centre.into());
         let Some(circle) = self.contour(centre, radius) else {
@@ -36,7 +32,6 @@ impl Seen {
         seen.into_iter().map(|at| self.on_picture(at)).collect()
     }
 
-    /// Where sight lines touch a ball, in the eye's axes.
     fn contour(&self, centre: DVec3, radius: f64) -> Option<Vec<DVec3>> {
         let toward = self.optics.toward_eye(centre);
         let axis = toward.try_normalize()?;
@@ -59,7 +54,6 @@ impl Seen {
         Some((0..N_OUTLINE).map(at).collect())
     }
 
-    /// The corner of a right angle's square and its neighbours, on the picture.
     pub(super) fn right_angle_corner(&self, points: [[f64; 3]; 3]) -> Option<[[f64; 2]; 3]> {
         let (apex, [a, b], side) = self.arms(points, SQUARE)?;
         let corners = [a * side, (a + b) * side, b * side].map(|offset| apex + offset);
@@ -67,7 +61,6 @@ impl Seen {
         is_seen.then(|| corners.map(|at| self.on_picture(at)))
     }
 
-    /// An arc on the picture, and its apex.
     pub(super) fn arc(&self, points: [[f64; 3]; 3]) -> Option<(Vec<[f64; 2]>, [f64; 2])> {
         let (apex, [a, b], radius) = self.arms(points, ARC)?;
         let across = (b - a * a.dot(b)).try_normalize()?;
@@ -83,7 +76,6 @@ impl Seen {
         is_seen.then(|| (arc, self.on_picture(apex)))
     }
 
-    /// The apex of an angle, the directions of its arms, and how far from the apex its sign stands.
     fn arms(&self, points: [[f64; 3]; 3], size: f64) -> Option<(DVec3, [DVec3; 2], f64)> {
         let [apex, a, b] = points.map(|at| self.optics.view_from_world(at.into()));
         if apex.z >= -self.optics.near {

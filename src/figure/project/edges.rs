@@ -1,13 +1,12 @@
 //! Edges of solids: outlines, creases, and what is behind.
 
 use super::super::{
-    mark::{Mark, Shape},
+    mark::{Mark, Shape, Weight},
     role::Role,
     space::Edge3,
 };
-use super::{Seen, light};
+use super::{Seen, weight};
 
-/// What an edge is, as it is seen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     /// Behind it there is nothing of its solid.
@@ -20,15 +19,13 @@ enum Kind {
     Behind,
 }
 
-/// Widths in points, and how strong.
-const SILHOUETTE: (f32, f32) = (1.25, 1.0);
-const CREASE: (f32, f32) = (1.0, 1.0);
-const FACET: (f32, f32) = (0.6, 0.33);
-const HIDDEN: (f32, f32) = (0.9, 0.5);
-const CUT: (f32, f32) = (2.0, 1.0);
+const SILHOUETTE: Weight = weight(1.25, 1.0);
+const CREASE: Weight = weight(1.0, 1.0);
+const FACET: Weight = weight(0.6, 0.33);
+const HIDDEN: Weight = weight(0.9, 0.5);
+const CUT: Weight = weight(2.0, 1.0);
 
 impl Seen {
-    /// The visible and the hidden parts of an edge.
     pub(super) fn edge(&mut self, edge: &Edge3) -> Vec<Mark> {
         let kind = self.kind(edge);
         let is_solid = matches!(edge.role, Role::Ink | Role::Soft | Role::Faint);
@@ -44,19 +41,18 @@ impl Seen {
                 continue;
             }
             let role = if is_solid { Role::Soft } else { edge.role };
-            marks.push(light(line(ends, role).dashed(), HIDDEN.0, HIDDEN.1));
+            marks.push(line(ends, role).dashed().weighing(HIDDEN));
         }
         for ends in parted.visible {
-            let (width, strength) = match (kind, edge.role) {
+            let weight = match (kind, edge.role) {
                 (Kind::Facet, _) => FACET,
                 (_, Role::Accent | Role::Signal | Role::Accepted) => CUT,
                 (Kind::Silhouette, _) => SILHOUETTE,
                 (Kind::Crease | Kind::Behind, _) => CREASE,
             };
-            let mark = line(ends, edge.role);
-            let is_dashed = edge.role == Role::Discarded && kind != Kind::Facet;
-            let mark = if is_dashed { mark.dashed() } else { mark };
-            marks.push(light(mark, width, strength));
+            let mut mark = line(ends, edge.role).weighing(weight);
+            mark.is_dashed = edge.role == Role::Discarded && kind != Kind::Facet;
+            marks.push(mark);
         }
         marks
     }

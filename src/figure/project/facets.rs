@@ -12,49 +12,41 @@ use glam::DVec3;
 
 use crate::{algo::volume::clipped, geom::Plane};
 
-use super::super::{lens::Optics, space::Facet};
+use super::super::{
+    lens::Optics,
+    space::{Facet, normal},
+};
 use super::{
-    bounds::Bounds,
-    grid::{Found, Grid},
+    grid::{Bounds, Found, Grid},
     interval::{inside, union},
 };
 
-/// A segment hides behind a facet only from this part of its distance on: edges lie in the planes of facets as exactly
-/// as rounding lets them.
+/// A part of the distance: edges lie in the planes of facets as exactly as rounding lets them.
 const BEHIND: f64 = 1e-7;
 
-/// A facet that may hide something, in the axes of what sees it.
 #[derive(Clone, Debug)]
 struct InView {
-    /// Which of the space's.
     idx: u32,
-    /// Of the part that is not too near.
     corners: Range<usize>,
     /// Away from the solid; not normalised.
     normal: DVec3,
-    /// The depth of its nearest corner.
     nearest: f64,
 }
 
-/// All facets of a space.
 #[derive(Clone, Debug)]
 pub struct FacetsInView {
     optics: Optics,
     is_closed: bool,
-    /// Does it show its outer side? Of every facet of the space.
     faces_eye: Vec<bool>,
     corners: Vec<DVec3>,
-    /// Those that hide something.
     facets: Vec<InView>,
-    /// Of these, on the picture.
     bounds: Vec<Bounds>,
     grid: Grid,
     found: Found,
 }
 
 impl FacetsInView {
-    /// As they are seen through `optics`. Of closed solids those that are turned away hide nothing that the others do not:
-    /// they are told from them, and that is all.
+    /// Of closed solids those that are turned away hide nothing that the others do not: they are left out.
     pub fn new(facets: &[Facet], is_closed: bool, optics: Optics) -> Self {
         let mut seen = Self {
             optics,
@@ -82,10 +74,7 @@ impl FacetsInView {
         let Some(&first) = corners.first() else {
             return self.faces_eye.push(false);
         };
-        let fan = corners.windows(2).skip(1);
-        let normal: DVec3 = fan
-            .map(|pair| (pair[0] - first).cross(pair[1] - first))
-            .sum();
+        let normal = normal(corners);
         let faces_eye = normal.dot(self.optics.toward_eye(first)) > 0.0;
         self.faces_eye.push(faces_eye);
         if self.is_closed && !faces_eye {
@@ -109,13 +98,11 @@ impl FacetsInView {
         });
     }
 
-    /// Does a facet show its outer side?
     pub fn faces_eye(&self, facet: u32) -> Option<bool> {
         self.faces_eye.get(facet as usize).copied()
     }
 
-    /// The hidden parts of a segment between two points in view, none of which is too near, as intervals of its
-    /// parameter in order. It is no edge of the facets `but`.
+    /// Hidden intervals of a segment's parameter, in order. Neither end is too near; it is no edge of the facets `but`.
     pub fn hidden(&mut self, ends: [DVec3; 2], but: [Option<u32>; 2]) -> Vec<[f64; 2]> {
         let places = ends.map(|at| self.optics.picture_from_view(at));
         let bounds = Bounds::around(places);
@@ -138,8 +125,7 @@ impl FacetsInView {
     }
 }
 
-/// Planes whose common inner side is what the facet hides: behind it, and within its edges as they are seen. Each is
-/// a normal that points inwards, and a distance: n·p − d ≥ 0 is inside.
+/// What is hidden lies inside all of these planes: n·p − d ≥ 0. One is behind the facet, the others hold its edges.
 fn shadow<'a>(
     optics: &'a Optics,
     (normal, faces_eye): (DVec3, bool),
@@ -159,7 +145,6 @@ fn shadow<'a>(
     std::iter::once((back, depth)).chain(through_eye)
 }
 
-/// The part of a convex polygon whose z is at most `most`.
 pub fn cut_at(corners: &[DVec3], most: f64) -> Vec<DVec3> {
     let corners: Vec<[f64; 3]> = corners.iter().map(|&at| at.into()).collect();
     let plane = Plane::new([0.0, 0.0, -1.0, most]);

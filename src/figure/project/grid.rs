@@ -2,17 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use super::bounds::Bounds;
-
 /// Of the picture so much on either side of its middle is divided into cells; what lies beyond belongs to the outermost.
 const REACH: f64 = 2.0;
-/// More cells along a side would each hold too few.
 const MOST_CELLS: usize = 64;
 
-/// Facets by the cells of a grid.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    /// Cells along a side.
     n: usize,
     /// Where each cell's facets start; one more at the end.
     starts: Vec<u32>,
@@ -20,11 +15,9 @@ pub struct Grid {
     n_facets: usize,
 }
 
-/// What one search after the other has found, in the same memory.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
     facets: Vec<u32>,
-    /// Of each facet, the last search that found it.
     stamps: Vec<u32>,
     stamp: u32,
 }
@@ -50,7 +43,6 @@ impl Found {
 }
 
 impl Grid {
-    /// Of facets with these boxes around them.
     pub fn new(bounds: &[Bounds]) -> Self {
         let n = (bounds.len() as f64).sqrt() as usize / 2;
         let mut grid = Self {
@@ -74,7 +66,6 @@ impl Grid {
         grid
     }
 
-    /// Facets near to a segment, each once.
     pub fn near<'a>(&self, [a, b]: [[f64; 2]; 2], found: &'a mut Found) -> &'a [u32] {
         found.begin(self.n_facets);
         for row in self.cells(a[1].min(b[1]), a[1].max(b[1])) {
@@ -109,7 +100,6 @@ impl Grid {
         &found.facets
     }
 
-    /// Calls back with each cell, and each facet that reaches into it.
     fn for_each(&self, bounds: &[Bounds], mut put: impl FnMut(usize, u32)) {
         for (facet, bounds) in (0..).zip(bounds) {
             let Some([min, max]) = bounds.corners() else {
@@ -123,7 +113,6 @@ impl Grid {
         }
     }
 
-    /// Along either axis.
     fn cells(&self, low: f64, high: f64) -> RangeInclusive<usize> {
         let cell = |x: f64| {
             let at = (x + REACH) / (2.0 * REACH) * self.n as f64;
@@ -133,9 +122,48 @@ impl Grid {
         cell(low)..=cell(high)
     }
 
-    /// The lower edge of a row.
     fn edge(&self, row: usize) -> f64 {
         row as f64 / self.n as f64 * 2.0 * REACH - REACH
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Bounds {
+    min: [f64; 2],
+    max: [f64; 2],
+}
+
+impl Bounds {
+    pub const NOWHERE: Self = Self {
+        min: [f64::INFINITY; 2],
+        max: [f64::NEG_INFINITY; 2],
+    };
+
+    pub fn around(places: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let grown = |of: Self, [x, y]: [f64; 2]| Self {
+            min: [of.min[0].min(x), of.min[1].min(y)],
+            max: [of.max[0].max(x), of.max[1].max(y)],
+        };
+        places.into_iter().fold(Self::NOWHERE, grown)
+    }
+
+    pub fn corners(&self) -> Option<[[f64; 2]; 2]> {
+        (self.min[0] <= self.max[0]).then_some([self.min, self.max])
+    }
+
+    /// Has it a place in common with the line through these two? Where rounding leaves that open, it has.
+    pub fn meets_line(&self, [a, b]: [[f64; 2]; 2]) -> bool {
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let half = |i: usize| 0.5 * (self.max[i] - self.min[i]);
+        let middle = |i: usize| 0.5 * (self.max[i] + self.min[i]) - a[i];
+        let beside = (along[0] * middle(1) - along[1] * middle(0)).abs();
+        let reach = along[0].abs() * half(1) + along[1].abs() * half(0);
+        let size = along[0].abs() * middle(1).abs() + along[1].abs() * middle(0).abs();
+        beside <= reach + 1e-9 * (reach + size)
+    }
+
+    pub fn meets(&self, other: &Self) -> bool {
+        (0..2).all(|i| self.min[i] <= other.max[i] && other.min[i] <= self.max[i])
     }
 }
 
@@ -174,5 +202,23 @@ mod tests {
             }
         }
         assert!(n_met > 100 && n_near < 200 * 150, "{n_met} {n_near}");
+    }
+
+    #[test]
+    fn a_line_meets_a_box_or_passes_beside_it() {
+        let unit = Bounds::around([[1.0, 1.0], [2.0, 3.0]]);
+        for (line, meets) in [
+            ([[0.0, 0.0], [4.0, 4.0]], true),
+            ([[0.0, 0.0], [4.0, 1.0]], false),
+            // It goes through a corner, or along a side.
+            ([[0.0, 0.0], [4.0, 2.0]], true),
+            ([[2.0, -7.0], [2.0, -5.0]], true),
+            ([[2.5, -7.0], [2.5, -5.0]], false),
+            // A point, of which no line is known.
+            ([[9.0, 9.0], [9.0, 9.0]], true),
+        ] {
+            assert_eq!(unit.meets_line(line), meets, "{line:?}");
+        }
+        assert!(!Bounds::NOWHERE.meets_line([[0.0, 0.0], [1.0, 1.0]]));
     }
 }

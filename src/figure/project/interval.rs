@@ -35,7 +35,6 @@ pub fn inside(
     (to - from > SLIVER).then_some([from, to])
 }
 
-/// Overlapping intervals joined, in order.
 pub fn union(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     intervals.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut joined: Vec<[f64; 2]> = Vec::new();
@@ -48,7 +47,6 @@ pub fn union(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     joined
 }
 
-/// What is left of 0 to 1 between intervals in order.
 pub fn complement(intervals: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let starts = std::iter::once(0.0).chain(intervals.iter().map(|part| part[1]));
     let ends = intervals.iter().map(|part| part[0]).chain([1.0]);

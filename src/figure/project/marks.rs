@@ -1,29 +1,25 @@
 //! Marks of space as marks of a plane.
 
 use super::super::{
-    mark::{Mark, Shape},
+    mark::{Mark, Shape, Weight},
     role::{Label, Role},
     space::{Mark3, Shape3},
 };
-use super::{Seen, facets::cut_at, light};
+use super::{Seen, facets::cut_at, weight};
 
 /// Lines of construction: widths in points, and how strong.
-const FINE: (f32, f32) = (1.2, 1.0);
-const FINE_SIGNAL: (f32, f32) = (1.75, 1.0);
-const FINE_SOFT: (f32, f32) = (1.0, 0.5);
-const FINE_FAINT: (f32, f32) = (1.0, 0.35);
-const FINE_HIDDEN: (f32, f32) = (1.0, 0.5);
-/// What is hidden of a line that is taught.
-const HIDDEN: (f32, f32) = (1.5, 0.7);
-/// An outline that is taught, whole or in parts.
-const OUTLINE: (f32, f32) = (2.25, 1.0);
-/// Radius of a point where a line of construction ends.
-const FINE_DOT: f32 = 2.2;
-/// A ball's outline.
-const BALL: (f32, f32) = (1.75, 1.0);
+const FINE: Weight = weight(1.2, 1.0);
+const FINE_SIGNAL: Weight = weight(1.75, 1.0);
+const FINE_SOFT: Weight = weight(1.0, 0.5);
+const FINE_FAINT: Weight = weight(1.0, 0.35);
+const FINE_HIDDEN: Weight = weight(1.0, 0.5);
+const HIDDEN: Weight = weight(1.5, 0.7);
+const OUTLINE: Weight = weight(2.25, 1.0);
+const FINE_DOT: Weight = weight(2.2, 1.0);
+const ANGLE: Weight = weight(1.25, 1.0);
+const BALL: Weight = weight(1.75, 1.0);
 
 impl Seen {
-    /// The tint that a mark is, if it is one.
     pub(super) fn wash(&self, mark: &Mark3) -> Option<Mark> {
         let Shape3::Wash(corners) = &mark.shape else {
             return None;
@@ -42,10 +38,9 @@ impl Seen {
             Role::Ink | Role::Soft | Role::Faint | Role::Discarded => 0.5,
             Role::Accent | Role::Accepted => 0.3,
         };
-        Some(named(light(tint, 0.0, strength), mark))
+        Some(named(tint.weighing(weight(0.0, strength)), mark))
     }
 
-    /// All that a mark comes to, but a tint.
     pub(super) fn mark(&mut self, mark: &Mark3) -> Vec<Mark> {
         match &mark.shape {
             Shape3::Wash(_) => Vec::new(),
@@ -61,7 +56,7 @@ impl Seen {
             Shape3::Angle(points) => self.angle(mark, *points),
             Shape3::Dot(at) if mark.is_fine => {
                 let drawn = self.point(mark, *at, Shape::Vertex).into_iter();
-                drawn.map(|dot| light(dot, FINE_DOT, 1.0)).collect()
+                drawn.map(|dot| dot.weighing(FINE_DOT)).collect()
             }
             Shape3::Dot(at) => self.point(mark, *at, Shape::Dot),
             Shape3::Ring(at) => self.point(mark, *at, Shape::Ring),
@@ -75,7 +70,6 @@ impl Seen {
         drawn.into_iter().collect()
     }
 
-    /// Segments, their hidden parts dashed.
     fn line(&mut self, mark: &Mark3, edges: &[[[f64; 3]; 2]]) -> Vec<Mark> {
         let (mut hidden, mut visible) = (Vec::new(), Vec::new());
         for &ends in edges {
@@ -84,42 +78,27 @@ impl Seen {
             visible.extend(parted.visible);
         }
         let is_whole = hidden.is_empty() && visible.len() == edges.len();
-        let mut drawn: Vec<Mark> = hidden
-            .into_iter()
-            .map(|ends| {
-                let (points, strength) = if mark.is_fine { FINE_HIDDEN } else { HIDDEN };
-                light(
-                    Mark::new(mark.role, Shape::Path(ends.to_vec())).dashed(),
-                    points,
-                    strength,
-                )
-            })
-            .collect();
+        let behind = hidden.into_iter().map(|ends| {
+            let path = Mark::new(mark.role, Shape::Path(ends.to_vec())).dashed();
+            path.weighing(if mark.is_fine { FINE_HIDDEN } else { HIDDEN })
+        });
+        let mut drawn: Vec<Mark> = behind.collect();
         let is_outline = is_whole && edges.len() > 1;
         if is_outline {
             let corners = visible.iter().map(|ends| ends[0]).collect();
             let outline = quiet(Mark::new(mark.role, Shape::Outline(corners)));
-            drawn.push(weighed(light(outline, OUTLINE.0, OUTLINE.1), mark.is_fine));
+            drawn.push(weighed(outline.weighing(OUTLINE), mark.is_fine));
         } else {
             let is_part = mark.is_edge || edges.len() > 1;
-            let shape = |ends: [[f64; 2]; 2]| {
-                if is_part {
-                    Shape::Path(ends.to_vec())
+            let parts = visible.into_iter().map(|ends| {
+                let part = if is_part {
+                    Mark::new(mark.role, Shape::Path(ends.to_vec())).weighing(OUTLINE)
                 } else {
-                    Shape::Segment(ends)
-                }
-            };
-            let parts = visible
-                .into_iter()
-                .map(|ends| quiet(Mark::new(mark.role, shape(ends))));
-            let parts = parts.map(|part| {
-                if is_part {
-                    light(part, OUTLINE.0, OUTLINE.1)
-                } else {
-                    part
-                }
+                    Mark::new(mark.role, Shape::Segment(ends))
+                };
+                weighed(quiet(part), mark.is_fine)
             });
-            drawn.extend(parts.map(|part| weighed(part, mark.is_fine)));
+            drawn.extend(parts);
         }
         // What bounds a tone does not cross it.
         let crosses = edges.len() == 1 && !mark.is_edge && stands_out(mark.role);
@@ -163,7 +142,7 @@ impl Seen {
         let drawn = if mark.is_fine {
             weighed(drawn, true)
         } else {
-            light(drawn, BALL.0, BALL.1)
+            drawn.weighing(BALL)
         };
         vec![named(drawn, mark)]
     }
@@ -172,7 +151,7 @@ impl Seen {
         let corner = self.right_angle_corner(points);
         let drawn = corner.map(|points| {
             let drawn = Mark::new(mark.role, Shape::Path(points.to_vec()));
-            named(light(drawn, 1.25, 1.0), mark)
+            named(drawn.weighing(ANGLE), mark)
         });
         drawn.into_iter().collect()
     }
@@ -190,7 +169,7 @@ impl Seen {
         });
         let mut said = Mark::new(mark.role, Shape::Label(middle));
         (said.label, said.link) = (label, mark.link);
-        vec![light(drawn, 1.25, 1.0), said]
+        vec![drawn.weighing(ANGLE), said]
     }
 }
 
@@ -199,36 +178,27 @@ fn named(mut drawn: Mark, mark: &Mark3) -> Mark {
     drawn
 }
 
-/// What is discarded is dashed.
-fn quiet(drawn: Mark) -> Mark {
-    match drawn.role {
-        Role::Discarded => drawn.dashed(),
-        Role::Ink | Role::Accent | Role::Accepted | Role::Signal | Role::Soft | Role::Faint => {
-            drawn
-        }
-    }
+fn quiet(mut drawn: Mark) -> Mark {
+    drawn.is_dashed |= drawn.role == Role::Discarded;
+    drawn
 }
 
-/// What is fine is thin, and the quieter the less it matters.
 fn weighed(drawn: Mark, is_fine: bool) -> Mark {
     if !is_fine {
         return drawn;
     }
-    let (points, strength) = match drawn.role {
+    let weight = match drawn.role {
         Role::Ink | Role::Accent | Role::Accepted | Role::Discarded => FINE,
         Role::Signal => FINE_SIGNAL,
         Role::Soft => FINE_SOFT,
         Role::Faint => FINE_FAINT,
     };
-    light(drawn, points, strength)
+    drawn.weighing(weight)
 }
 
 /// Is a line of this role what a picture is about? Then no tone may swallow it.
 const fn stands_out(role: Role) -> bool {
-    match role {
-        Role::Accent | Role::Signal | Role::Accepted => true,
-        Role::Ink | Role::Soft | Role::Faint | Role::Discarded => false,
-    }
+    matches!(role, Role::Accent | Role::Signal | Role::Accepted)
 }
 
 fn length(shape: &Shape) -> f64 {

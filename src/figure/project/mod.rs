@@ -2,7 +2,6 @@
 //!
 //! Lines are cut at the plane in front of the eye first; nothing behind it is ever divided by its depth.
 
-mod bounds;
 mod curves;
 mod edges;
 mod facets;
@@ -27,20 +26,18 @@ use facets::FacetsInView;
 pub(crate) use interval::{between, complement, inside};
 pub use projected::Projected;
 
-/// What is seen of a space: tints, then the solids with their edges, then the marks, each in parts where a solid hides
-/// some of it.
+/// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
 pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
     Projected::new(space, lens).marks().to_vec()
 }
 
-/// What is seen.
 #[derive(Clone, Debug)]
 struct Seen {
     optics: Optics,
     facets: FacetsInView,
 }
 
-/// A line's parts on the picture.
+#[derive(Default)]
 struct Parted {
     visible: Vec<[[f64; 2]; 2]>,
     hidden: Vec<[[f64; 2]; 2]>,
@@ -63,14 +60,12 @@ impl Seen {
         self.optics.picture_from_view(at)
     }
 
-    /// A world point in the eye's axes, if it is seen.
     fn in_view(&self, at: [f64; 3]) -> Option<DVec3> {
         let view = self.optics.view_from_world(at.into());
         let is_seen = view.z < -self.optics.near && view.z >= -self.optics.far;
         is_seen.then_some(view)
     }
 
-    /// The part of a segment that is neither too near nor too far.
     fn cut(&self, ends: [[f64; 3]; 2]) -> Option<[DVec3; 2]> {
         let ends = ends.map(|at| self.optics.view_from_world(at.into()));
         let is_endless = self.optics.far.is_infinite();
@@ -80,13 +75,9 @@ impl Seen {
         Some(part.map(|t| between(ends[0], ends[1], t)))
     }
 
-    /// A segment that is no edge of the facets `but`.
     fn parted(&mut self, ends: [[f64; 3]; 2], but: [Option<u32>; 2]) -> Parted {
         let Some(ends) = self.cut(ends) else {
-            return Parted {
-                visible: Vec::new(),
-                hidden: Vec::new(),
-            };
+            return Parted::default();
         };
         let hidden = self.facets.hidden(ends, but);
         let part = |&[from, to]: &[f64; 2]| {
@@ -99,7 +90,6 @@ impl Seen {
     }
 }
 
-/// A line that is not to be seen as much as others.
-fn light(mark: Mark, points: f32, strength: f32) -> Mark {
-    mark.weighing(Weight { points, strength })
+const fn weight(points: f32, strength: f32) -> Weight {
+    Weight { points, strength }
 }

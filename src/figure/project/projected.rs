@@ -11,24 +11,18 @@ use super::super::{
 };
 use super::Seen;
 
-/// More edges than these are not drawn one by one.
 const MOST_EDGES: usize = 3_000;
 
-/// What is seen of a space through a lens.
 #[derive(Clone, Debug)]
 pub struct Projected {
     space: Space,
     lens: Lens,
-    /// None where the lens shows nothing.
     seen: Option<Seen>,
-    /// Faces and edges.
     solids: Vec<Mark>,
-    /// Of each of the space's own marks.
     parts: Vec<Parts>,
     marks: Arc<[Mark]>,
 }
 
-/// What a mark comes to.
 #[derive(Clone, Debug, Default)]
 struct Parts {
     tint: Option<Mark>,
@@ -36,7 +30,6 @@ struct Parts {
 }
 
 impl Projected {
-    /// Of a space that nothing is known of yet.
     pub fn new(space: &Space, lens: &Lens) -> Self {
         let mut seen = Seen::of(space, lens, hides(space));
         let solids = seen.as_mut().map(|seen| seen.solids(space, lens));
@@ -54,7 +47,6 @@ impl Projected {
         projected.with_marks(space)
     }
 
-    /// Of a space that may be the same in part.
     pub fn again(self, space: &Space, lens: &Lens) -> Self {
         if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
             Self::new(space, lens)
@@ -65,12 +57,10 @@ impl Projected {
         }
     }
 
-    /// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
     pub const fn marks(&self) -> &Arc<[Mark]> {
         &self.marks
     }
 
-    /// The same solids, or others that are alike.
     fn has_solids_of(&self, space: &Space) -> bool {
         fn are_alike<T: PartialEq>(a: &Arc<[T]>, b: &Arc<[T]>) -> bool {
             Arc::ptr_eq(a, b) || a == b
@@ -79,7 +69,6 @@ impl Projected {
             && are_alike::<Edge3>(&self.space.edges, &space.edges)
     }
 
-    /// The same solids with the marks of this space.
     fn with_marks(mut self, space: &Space) -> Self {
         let Some(seen) = &mut self.seen else {
             return self;
@@ -106,19 +95,16 @@ impl Projected {
     }
 }
 
-/// Are there too many edges to draw them one by one?
 fn is_outlined(space: &Space) -> bool {
     space.edges.len() > MOST_EDGES
 }
 
-/// Where no line is drawn, none is hidden.
 fn hides(space: &Space) -> bool {
     let is_line = |mark: &Mark3| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_));
     !is_outlined(space) || space.marks.iter().any(is_line)
 }
 
 impl Seen {
-    /// The faces of a space, and its edges.
     fn solids(&mut self, space: &Space, lens: &Lens) -> Vec<Mark> {
         let mut marks = Vec::new();
         let is_outlined = is_outlined(space);

@@ -6,7 +6,6 @@ use crate::{
     geom::Orbit,
 };
 
-/// A cube from −1 to 1.
 fn cube() -> Vec<Facet> {
     let face = |axis: usize, side: f64| {
         let corner = |[u, v]: [f64; 2]| {
@@ -60,23 +59,18 @@ fn of_a_cube_nine_edges_are_seen_and_three_hidden() {
 #[test]
 fn a_segment_through_the_cube_is_dashed_inside_and_behind_it() {
     let eye = Orbit::new([0.0; 3], [0.0, 0.0], 10.0, 30.0);
-    let line = Mark3::new(
-        Role::Signal,
-        Shape3::Segment([[-3.0, 0.0, 2.0], [3.0, 0.0, -2.0]]),
-    );
-    let marks = seen(vec![line], &eye);
-    let drawn: Vec<(bool, [[f64; 2]; 2])> = marks
-        .iter()
-        .filter_map(|mark| {
-            let ends = match &mark.shape {
-                Shape::Segment(ends) => *ends,
-                Shape::Path(points) => [points[0], points[1]],
-                _ => return None,
-            };
-            let is_level = ends[0][1] == 0.0 && ends[1][1] == 0.0;
-            is_level.then_some((mark.is_dashed, ends))
-        })
-        .collect();
+    let ends = [[-3.0, 0.0, 2.0], [3.0, 0.0, -2.0]];
+    let marks = seen(vec![Mark3::new(Role::Signal, Shape3::Segment(ends))], &eye);
+    let drawn = marks.iter().filter_map(|mark| {
+        let ends = match &mark.shape {
+            Shape::Segment(ends) => *ends,
+            Shape::Path(points) => [points[0], points[1]],
+            _ => return None,
+        };
+        let is_level = ends[0][1] == 0.0 && ends[1][1] == 0.0;
+        is_level.then_some((mark.is_dashed, ends))
+    });
+    let drawn: Vec<(bool, [[f64; 2]; 2])> = drawn.collect();
     // From the left edge of the front, behind which it goes in and comes out, to the right one.
     let [(true, hidden), (false, before), (false, after)] = drawn[..] else {
         panic!("one hidden part between two visible ones, not {drawn:?}");
@@ -84,11 +78,8 @@ fn a_segment_through_the_cube_is_dashed_inside_and_behind_it() {
     assert_eq!([hidden[0], hidden[1]], [before[1], after[0]]);
     for (end, side) in [-1.0, 1.0].into_iter().enumerate() {
         let edge = Lens::Eye(eye).drawing_from_world([side, 0.0, 1.0]);
-        let edge = edge.expect("before the eye");
-        assert!(
-            (hidden[end][0] - edge[0]).abs() < 1e-9,
-            "{hidden:?}, not {edge:?}"
-        );
+        let off = hidden[end][0] - edge.expect("before the eye")[0];
+        assert!(off.abs() < 1e-9, "{hidden:?}: {off} off {edge:?}");
     }
 }
 
@@ -108,10 +99,8 @@ fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
     };
     let [near, far] = [20.0, 30.0].map(|to| signal(seen(vec![line(0.0, to)], &eye)));
     let end = |i: usize| (near[0][1][i] - far[0][1][i]).abs() / near[0][1][i].abs();
-    assert!(
-        end(0) < 1e-9 && end(1) < 1e-9,
-        "both end before the eye: {near:?} {far:?}"
-    );
+    let end_alike = end(0) < 1e-9 && end(1) < 1e-9;
+    assert!(end_alike, "both end before the eye: {near:?} {far:?}");
     assert!(near[0][1][0] > near[0][0][0], "{near:?}: not mirrored");
     assert!(signal(seen(vec![line(12.0, 30.0)], &eye)).is_empty());
 }
@@ -120,19 +109,15 @@ fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
 fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
     let eye = |yaw: f64| Orbit::new([0.0; 3], [yaw, 20.0], 8.0, 30.0);
     let line = |role, x: f64| Mark3::new(role, Shape3::Segment([[x, 0.0, -4.0], [x, 0.5, 4.0]]));
-    let wash = Mark3::new(
-        Role::Accent,
-        Shape3::Wash(vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]]),
-    );
+    let corners = vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]];
+    let wash = Mark3::new(Role::Accent, Shape3::Wash(corners));
     let mut lit = cube();
     lit[2].role = Role::Signal;
     let some = vec![line(Role::Ink, 0.2), wash.clone(), line(Role::Signal, 2.0)];
     let changed = vec![line(Role::Ink, 0.2), line(Role::Signal, 0.5)];
     let longer = [changed.clone(), some.clone()].concat();
-    let mut known = Projected::new(
-        &space_of(cube(), some.clone(), &eye(30.0)),
-        &Lens::Eye(eye(30.0)),
-    );
+    let first = space_of(cube(), some.clone(), &eye(30.0));
+    let mut known = Projected::new(&first, &Lens::Eye(eye(30.0)));
     for (facets, marks, yaw) in [
         (cube(), some.clone(), 30.0),
         (cube(), changed.clone(), 30.0),
@@ -151,10 +136,8 @@ fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
         assert_eq!(known.marks()[..], project(&space, &lens)[..]);
         let now = known.marks().iter().find_map(faces);
         if let (Some(kept), Some(now)) = (kept.filter(|_| is_alike && yaw == 30.0), now) {
-            assert!(
-                Arc::ptr_eq(&kept, &now.facets),
-                "what is alike is drawn once"
-            );
+            let is_kept = Arc::ptr_eq(&kept, &now.facets);
+            assert!(is_kept, "what is alike is drawn once");
         }
     }
 }

@@ -15,25 +15,19 @@ use crate::{
 
 use crate::labs::space::{Object, Scene};
 
-/// Columns and rows of the picture that is drawn.
 const SIZE: [u32; 2] = [320, 200];
 
-/// How objects are asked before they are drawn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Culling {
-    /// Not at all.
     Nothing,
-    /// Each by its bounding sphere.
     Rough,
     /// Each by all of its triangles, until one is found that has a part inside.
     Exact,
 }
 
 impl Culling {
-    /// From none to all.
     pub const ALL: [Self; 3] = [Self::Nothing, Self::Rough, Self::Exact];
 
-    /// Catalogue key of its name.
     pub const fn name_key(self) -> &'static str {
         match self {
             Self::Nothing => "culling-nothing",
@@ -43,7 +37,6 @@ impl Culling {
     }
 }
 
-/// A scene made ready to be culled and drawn.
 pub struct CullingTask {
     planes: [Plane; 6],
     clip_from_world: Matrix,
@@ -56,7 +49,6 @@ pub struct CullingTask {
     ids: Vec<u32>,
 }
 
-/// An object's mesh in the world.
 struct PlacedMesh {
     positions: Vec<[f32; 3]>,
     faces: Vec<[u32; 3]>,
@@ -64,8 +56,6 @@ struct PlacedMesh {
 }
 
 impl CullingTask {
-    /// Of a scene.
-    ///
     /// # Panics
     /// Never: the picture has a valid size.
     pub fn new(scene: &Scene) -> Self {
@@ -144,7 +134,6 @@ impl CullingTask {
         n_triangles
     }
 
-    /// Which triangle is seen at each pixel of the last picture.
     pub fn ids(&self) -> &[u32] {
         &self.ids
     }
@@ -159,7 +148,6 @@ impl PlacedMesh {
         }
     }
 
-    /// Has any of its triangles a part inside of the volume?
     fn shows(&self, clip_from_world: &Matrix) -> bool {
         let corner = |i: u32| {
             let [x, y, z] = self.positions[i as usize].map(f64::from);

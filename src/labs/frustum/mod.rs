@@ -3,10 +3,11 @@
 mod culling;
 mod methods;
 mod part;
+mod prelude;
 mod registry;
 mod verdict;
 
 pub use culling::{Culling, CullingTask};
 pub use registry::{FRUSTUM, LAB, METHODS, first_scene};
 
-use super::space::{Object, Scene, Subject, screen, stage};
+use super::space::{Object, screen, stage};

@@ -5,34 +5,22 @@ use crate::{
         parameter::End,
         volume::{PartTurn, part_move_in, part_move_out},
     },
-    figure::{Link, Run},
     geom::{Plane, VolumeSide},
-    labs::{
-        Verdict,
-        words::{end_link, end_name},
-    },
-    text::{Message, Value},
+    labs::frustum::prelude::*,
 };
 
-use super::{Scene, Subject, stage::side_name};
-
-/// What becomes of a part.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Outcome {
-    /// All of it is left.
     Kept,
     /// Some of it is left; this plane is the first that cuts it.
     Cut(usize),
-    /// Nothing of it is left, by this plane.
     Lost(usize),
 }
 
 /// The step that decided a part's fate, from 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fate {
-    /// Where in the run.
     pub step: usize,
-    /// What was decided.
     pub outcome: Outcome,
 }
 
@@ -44,48 +32,70 @@ pub fn region(scene: &Scene, subject: Subject) -> [Plane; 6] {
             plane[side.axis()] = if side.is_high() { -1.0 } else { 1.0 };
             Plane::new(plane).expect("a normal of length 1")
         }),
-        Subject::Object
-        | Subject::Face
-        | Subject::Vertex
-        | Subject::Point
-        | Subject::Segment
-        | Subject::Triangle
-        | Subject::Surfaces => scene.culler().planes_in_world(),
+        _ => scene.culler().planes_in_world(),
     }
 }
 
-fn plane_name(plane_idx: usize) -> Value {
-    side_name(VolumeSide::ALL[plane_idx])
-}
-
-/// What is told of a part between these corners. Of a run that is wrong on purpose no change is named.
-pub fn part_verdict(
-    part: Value,
-    corners: &[[f64; 3]],
-    fate: Fate,
-    planes: &[Plane; 6],
-    (run, is_faulty): (&dyn Run, bool),
+/// What is told at a step, and the change that would turn it: of a run that is wrong on purpose no change is named.
+pub fn told_at(
+    step: usize,
+    (scene, run): (&Scene, &dyn Run),
+    told: Option<Message>,
+    turn: Option<Message>,
 ) -> Verdict {
-    let told = match fate.outcome {
-        Outcome::Kept => Message::new("verdict-part-kept"),
-        Outcome::Cut(plane) => Message::new("verdict-part-cut").with("plane", plane_name(plane)),
-        Outcome::Lost(plane) => Message::new("verdict-part-lost").with("plane", plane_name(plane)),
-    };
-    let turn = match fate.outcome {
-        Outcome::Lost(plane_idx) => Some(move_in(planes, corners, plane_idx)),
-        Outcome::Kept | Outcome::Cut(_) => part_move_out(planes, corners).map(move_out),
-    };
+    let turn = turn.filter(|_| !scene.method.card().is_faulty);
     Verdict {
-        why: run.caption(fate.step),
-        notes: [told.with("part", part)]
-            .into_iter()
-            .chain(turn.filter(|_| !is_faulty))
-            .collect(),
-        step: Some(fate.step),
+        why: run.caption(step),
+        notes: told.into_iter().chain(turn).collect(),
+        step: Some(step),
     }
 }
 
-/// What is told of the scene's segment or one of its ends, by what became of it.
+/// A message about a plane, after how far something has to be moved.
+fn moved(key: &'static str, by: Option<f64>, plane_idx: usize) -> Message {
+    let message = Message::new(key);
+    let message = match by {
+        Some(by) => message.with("move", by),
+        None => message,
+    };
+    message.with("plane", side_name(VolumeSide::ALL[plane_idx]))
+}
+
+/// What is told of a part between these corners.
+pub fn part_verdict(
+    (part, corners): (Value, &[[f64; 3]]),
+    Fate { step, outcome }: Fate,
+    subject: Subject,
+    (scene, run): (&Scene, &dyn Run),
+) -> Verdict {
+    let planes = region(scene, subject);
+    let told = match outcome {
+        Outcome::Kept => Message::new("verdict-part-kept"),
+        Outcome::Cut(plane_idx) => moved("verdict-part-cut", None, plane_idx),
+        Outcome::Lost(plane_idx) => moved("verdict-part-lost", None, plane_idx),
+    };
+    let turn = if let Outcome::Lost(plane_idx) = outcome {
+        let by = part_move_in(&planes, corners, plane_idx);
+        let key = match by {
+            Some(by) if by >= 0.0 => "verdict-part-in",
+            Some(_) => "verdict-part-back",
+            None => "verdict-part-never",
+        };
+        Some(moved(key, Some(by.unwrap_or_default().abs()), plane_idx))
+    } else {
+        part_move_out(&planes, corners).map(|PartTurn { plane_idx, by }| {
+            let is_out = by < 0.0;
+            let key = if is_out {
+                "verdict-part-out"
+            } else {
+                "verdict-part-touch"
+            };
+            moved(key, Some(by.abs()), plane_idx)
+        })
+    };
+    told_at(step, (scene, run), Some(told.with("part", part)), turn)
+}
+
 pub fn segment_verdict(
     scene: &Scene,
     (subject, about): (Subject, Link),
@@ -97,39 +107,11 @@ pub fn segment_verdict(
         return None;
     }
     let segment = scene.places.segment();
-    let (part, corners) = match end {
+    let part = match end {
         Some(end) => (end_name(end), &segment[end.idx()..=end.idx()]),
         None => (Value::Term("part-segment"), &segment[..]),
     };
-    let told = (run, scene.method.card().is_faulty);
-    Some(part_verdict(
-        part,
-        corners,
-        fate(end)?,
-        &region(scene, subject),
-        told,
-    ))
-}
-
-fn move_in(planes: &[Plane; 6], corners: &[[f64; 3]], plane_idx: usize) -> Message {
-    let by = part_move_in(planes, corners, plane_idx);
-    let message = Message::new(match by {
-        Some(by) if by >= 0.0 => "verdict-part-in",
-        Some(_) => "verdict-part-back",
-        None => "verdict-part-never",
-    });
-    let message = message.with("move", by.unwrap_or_default().abs());
-    message.with("plane", plane_name(plane_idx))
-}
-
-fn move_out(PartTurn { plane_idx, by }: PartTurn) -> Message {
-    let key = if by < 0.0 {
-        "verdict-part-out"
-    } else {
-        "verdict-part-touch"
-    };
-    let message = Message::new(key).with("move", by.abs());
-    message.with("plane", plane_name(plane_idx))
+    Some(part_verdict(part, fate(end)?, subject, (scene, run)))
 }
 
 /// What is told of a crossing: its edge's ends lie on different sides of a plane, until that is moved.
@@ -137,7 +119,7 @@ pub fn crossing_verdict(
     step: usize,
     plane_idx: usize,
     distances: [f64; 2],
-    (run, is_faulty): (&dyn Run, bool),
+    run: (&Scene, &dyn Run),
 ) -> Verdict {
     let [inner, outer] = [f64::max, f64::min].map(|pick| pick(distances[0], distances[1]));
     let (key, by) = if -outer <= inner {
@@ -145,16 +127,9 @@ pub fn crossing_verdict(
     } else {
         ("verdict-crossing-in", inner)
     };
-    let turn = Message::new(key)
-        .with("plane", plane_name(plane_idx))
-        .with("inner", inner)
-        .with("outer", outer)
-        .with("move", by);
-    Verdict {
-        why: run.caption(step),
-        notes: (!is_faulty).then_some(turn).into_iter().collect(),
-        step: Some(step),
-    }
+    let turn = moved(key, None, plane_idx).with("inner", inner);
+    let turn = turn.with("outer", outer).with("move", by);
+    told_at(step, run, None, Some(turn))
 }
 
 #[cfg(test)]
@@ -165,7 +140,6 @@ mod tests {
         labs::{Answers, Document, space::Scene},
     };
 
-    /// Moves its segment and triangle aside, so that other planes decide.
     fn scenes(id: &'static str) -> impl Iterator<Item = Scene> {
         (-4..=4).map(move |i| {
             let mut scene = first_scene();

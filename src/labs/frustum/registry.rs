@@ -21,7 +21,8 @@ use crate::{
     labs::{
         Lab, MethodEntry,
         space::{
-            MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling, TaughtCamera, demo,
+            Method, MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling,
+            TaughtCamera, demo,
         },
     },
 };
@@ -31,20 +32,23 @@ use super::{
     verdict::verdict,
 };
 
-/// Objects in front of a camera, and around it.
-pub static FRUSTUM: SpaceLab<Scene> = SpaceLab {
-    id: "frustum",
-    name_key: "lab-frustum",
-    about_key: "lab-frustum-about",
-    lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
+pub static FRUSTUM: SpaceLab = SpaceLab {
+    lab: Lab {
+        id: "frustum",
+        name_key: "lab-frustum",
+        about_key: "lab-frustum-about",
+        methods: || FRUSTUM.all().map(Method::card).collect(),
+        first_scene: || first_scene().into(),
+        lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
+        adopt: |scene| FRUSTUM.adopted(scene),
+        outlines: &[],
+    },
     most_beside: 1,
     methods: || &METHODS,
-    first_scene,
     verdict,
 };
 
-/// The same, for whoever knows no lab by name.
-pub static LAB: &dyn Lab = &FRUSTUM;
+pub static LAB: &Lab = &FRUSTUM.lab;
 
 const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M>(&FRUSTUM)
@@ -82,8 +86,6 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>(),
 ];
 
-/// What the lab opens on where there is no lesson.
-///
 /// # Panics
 /// Never: its numbers are valid.
 pub fn first_scene() -> Scene {

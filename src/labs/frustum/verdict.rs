@@ -9,18 +9,13 @@ use crate::{
         ring::Right,
         volume::SideCode,
     },
-    figure::{Caption, Link, Run},
+    figure::Caption,
     geom::VolumeSide,
-    labs::{Verdict, space::pixel_verdict},
-    text::{Message, Value},
+    labs::{frustum::prelude::*, space::pixel_verdict},
 };
 
-use super::{
-    Scene,
-    stage::{face_link, object_link, side_name},
-};
+use super::part::told_at;
 
-/// The verdict on the object that is asked about, or on the face of the object in focus.
 pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
     if let Some(pixel) = pixel_verdict(scene, about) {
         return Some(pixel);
@@ -43,29 +38,19 @@ fn face_verdict(scene: &Scene, face_idx: usize, run: &dyn Run) -> Option<Verdict
     } else {
         facing_turn(scene, face_idx)
     };
-    Some(Verdict {
-        why: run.caption(step),
-        notes: turn
-            .into_iter()
-            .filter(|_| !scene.method.card().is_faulty)
-            .collect(),
-        step: Some(step),
-    })
+    Some(told_at(step, (scene, run), None, turn))
 }
 
 /// How far a face has to be moved until its corners do not all lie beyond one plane; where they do not, the clipper decided.
 fn corners_turn(scene: &Scene, face_idx: usize) -> Option<Message> {
-    let (planes, corners) = (
-        scene.culler().planes_in_world(),
-        scene.focused().face(face_idx)?,
-    );
+    let corners = scene.focused().face(face_idx)?;
     let clip_from_world = scene.culler().clip_from_world();
     let code = |[x, y, z]: [f64; 3]| SideCode::of(clip_from_world.times([x, y, z, 1.0]));
     let [a, b, c] = corners.map(code);
     let Some(side) = a.and(b).and(c).lowest() else {
         return Some(Message::new("verdict-face-cut"));
     };
-    let by = triangle_move(&planes, &corners, side as usize);
+    let by = triangle_move(&scene.culler().planes_in_world(), &corners, side as usize);
     let message = Message::new(match by {
         Some(_) => "verdict-face-in",
         None => "verdict-face-never",
@@ -91,7 +76,6 @@ fn facing_turn(scene: &Scene, face_idx: usize) -> Option<Message> {
     Some(Message::new(key).with("angle", degrees.abs()))
 }
 
-/// By its bounding sphere; and the step of the funnel that says so.
 fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
     let mut objects = scene.objects().iter().enumerate();
     let (object_idx, object) = objects.find(|(i, _)| about == object_link(*i))?;
@@ -108,12 +92,9 @@ fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> 
     let message = Message::new(key)
         .with("object", object_idx + 1)
         .with("plane", side_name(side))
-        .with("distance", Value::Number(verdict.distance))
-        .with("radius", Value::Number(sphere.radius()))
-        .with(
-            "move",
-            Value::Number(verdict.turn.unwrap_or_default().abs()),
-        );
+        .with("distance", verdict.distance)
+        .with("radius", sphere.radius())
+        .with("move", verdict.turn.unwrap_or_default().abs());
     Some(Verdict {
         why: Caption::new(message),
         notes: Vec::new(),
@@ -142,7 +123,6 @@ mod tests {
         assert!(tests.len() >= 2, "spheres decide, and faces");
     }
 
-    /// Holds what is told of the object in focus and of its faces to the run; which kinds of tests decided.
     fn told_of_faces(scene: &Scene) -> Vec<String> {
         let runs = scene.record();
         let event = |about| {

@@ -6,13 +6,8 @@ use crate::{
         CyrusBeck, CyrusBeckInput,
         batch::{ClippedSegments, Segments, clip_all},
     },
-    figure::{Mark, Role, Shape},
     geom::{Segment, extent},
-    labs::{
-        Backdrop,
-        words::{name, subscript},
-    },
-    trace::silent,
+    labs::{Backdrop, prelude::*},
 };
 
 use super::Scene;
@@ -29,7 +24,6 @@ impl Backdrop for Scene {
         marks
     }
 
-    /// The world rectangle that holds the clip region and the segments that matter: what a view shows at first.
     fn bounds(&self) -> [[f64; 2]; 2] {
         let focused = [self.focused()];
         let segments = match self.segments() {
@@ -45,10 +39,8 @@ impl Backdrop for Scene {
 /// Up to this many segments are looked at one by one: a view shows all of them at first. Of more, the one in focus.
 pub const MAX_FITTED: usize = 20;
 
-/// Of segments out of focus.
 const LETTERS: [&str; 3] = ["Q", "R", "S"];
 
-/// Every segment of the scene but the focused one: as given, and `clipped`, the visible parts over them.
 fn crowd(scene: &Scene, clipped: bool) -> Vec<Mark> {
     let (before, rest) = scene.segments().split_at(scene.focus());
     let given: Vec<Segment> = before.iter().chain(&rest[1..]).copied().collect();
@@ -85,7 +77,6 @@ fn names(given: &[Segment]) -> Vec<Mark> {
     given.iter().zip(LETTERS).flat_map(ends).collect()
 }
 
-/// By the batch clipper against a window, by Cyrus–Beck against a polygon.
 fn clip(scene: &Scene, given: &[Segment]) -> Vec<Segment> {
     match scene.polygon_in_use() {
         Some(clip) => {

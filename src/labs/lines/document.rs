@@ -3,20 +3,18 @@
 use std::sync::Arc;
 
 use crate::{
+    algo::line::BitOrder,
     figure::{Run, Shape},
-    labs::{Click, Document, Handle, Lab, MethodCard, Own},
+    geom::Segment,
+    labs::{ChangeOf, Click, Document, Handle, Lab, MethodCard, Own},
     text::{Diagnostic, Message},
     trace::Counts,
 };
 
-use super::{
-    LAB, Method, Scene,
-    backdrop::MAX_FITTED,
-    change::{beside, clicked, other_under},
-};
+use super::{LAB, Method, Scene, backdrop::MAX_FITTED, random_segments, verdict::under};
 
 impl Document for Scene {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
@@ -84,4 +82,45 @@ impl Document for Scene {
     fn size(&self) -> usize {
         self.segments().len()
     }
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub enum LinesChange {
+    BitOrder(BitOrder),
+    Focus(usize),
+    Random { count: usize, seed: u64 },
+}
+
+impl ChangeOf for LinesChange {
+    type Of = Scene;
+
+    fn make(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
+        match *self {
+            Self::BitOrder(order) => scene.bit_order = order,
+            Self::Focus(segment_idx) => scene.set_focus(segment_idx),
+            Self::Random { count, seed } => {
+                scene.set_segments(random_segments(&scene.window, count, seed))?;
+            }
+        }
+        Ok(None)
+    }
+
+    fn is_another(&self) -> bool {
+        matches!(self, Self::Random { .. })
+    }
+}
+
+pub fn beside(scene: &Scene) -> Result<Segment, Diagnostic> {
+    let [_, ymin, _, ymax] = scene.window.to_array();
+    let by = 0.25 * (ymax - ymin);
+    let [x1, y1, x2, y2] = scene.focused().to_array();
+    Ok(Segment::new(x1, y1 + by, x2, y2 + by)?)
+}
+
+pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<LinesChange> {
+    other_under(scene, click).map(LinesChange::Focus)
+}
+
+pub fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
+    under(scene, click).filter(|&segment_idx| segment_idx != scene.focus())
 }

@@ -34,7 +34,6 @@ fn end_name(symbol: &str) -> Message {
     Message::new("handle-end").with("end", symbol.to_owned())
 }
 
-/// The handle of an end of the focused segment.
 pub fn end(end: End) -> Handle {
     END[end.idx()].at([0, 0])
 }

@@ -1,8 +1,6 @@
 //! The lines lab: segments against a window, five methods.
 
 mod backdrop;
-mod change;
-mod demo;
 mod document;
 mod handles;
 mod methods;
@@ -11,9 +9,9 @@ mod registry;
 mod scene;
 mod verdict;
 
-pub use change::LinesChange;
-pub use demo::LineTelling;
+pub use document::LinesChange;
 pub use handles::end as end_handle;
 pub use random::random_segments;
 pub use registry::{LAB, METHODS};
+pub use scene::LineTelling;
 pub use scene::{MAX_SEGMENTS, Method, MethodInfo, Pass, Scene, SceneError};

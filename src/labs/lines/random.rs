@@ -23,7 +23,6 @@ pub fn random_segments(window: &Window, count: usize, seed: u64) -> Vec<Segment>
         .collect()
 }
 
-/// An interval of twice the window's extent, and the grid on it.
 struct Span {
     min: f64,
     max: f64,

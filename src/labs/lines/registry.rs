@@ -4,42 +4,22 @@
 use crate::{
     algo::line,
     geom::Segment,
-    labs::{self, Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
+    labs::{Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
     trace::{Counted, Counts, held_after, silent},
 };
 
 use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
 
-/// Segments against a window.
-pub static LAB: &dyn Lab = &Lines;
-
-struct Lines;
-
-impl Lab for Lines {
-    fn id(&self) -> &'static str {
-        "lines"
-    }
-
-    fn name_key(&self) -> &'static str {
-        "lab-lines"
-    }
-
-    fn about_key(&self) -> &'static str {
-        "lab-lines-about"
-    }
-
-    fn methods(&self) -> Vec<&'static MethodCard> {
-        Method::all().map(Method::card).collect()
-    }
-
-    fn first_scene(&self) -> labs::Scene {
-        Scene::first().into()
-    }
-
-    fn lock_groups(&self) -> &'static [&'static str] {
-        &["p1", "p2", "segment", window_handles::GROUP, "clip"]
-    }
-}
+pub static LAB: &Lab = &Lab {
+    id: "lines",
+    name_key: "lab-lines",
+    about_key: "lab-lines-about",
+    methods: || Method::all().map(Method::card).collect(),
+    first_scene: || Scene::first().into(),
+    lock_groups: &["p1", "p2", "segment", window_handles::GROUP, "clip"],
+    adopt: |_| None,
+    outlines: &[],
+};
 
 const fn info<M: LineTelling>() -> MethodEntry<MethodInfo> {
     MethodEntry {

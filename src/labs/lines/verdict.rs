@@ -4,25 +4,21 @@ use std::ops::ControlFlow;
 
 use crate::{
     algo::line::{least_move_in, least_move_out},
-    figure::{Decides, Link, Run},
-    geom::{Edge, HalfPlane, Segment},
+    figure::Decides,
+    geom::{Edge, HalfPlane, Segment, distance_to_segment},
     labs::{
-        Answers, Click, Verdict,
-        telling::{At, Named},
+        Answers, Click,
+        prelude::*,
         words::{edge_link, edge_name},
     },
-    text::{Message, Value},
-    trace::Recording,
 };
 
 use super::{
     LineTelling, Scene,
-    change::under,
     methods::{polygon_edge_link, polygon_edge_name},
     scene::Decided,
 };
 
-/// Runs a method on a segment, and sees which test decides: the last one.
 pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
     let recording = Recording::<M>::new(M::input(scene, segment));
     let borders = borders::<M>(scene);
@@ -48,10 +44,7 @@ pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
         step,
         rejected_by,
         between: rejected_by.and(between).map(Into::into),
-        borders: borders
-            .into_iter()
-            .map(|(plane, name, _)| (plane, name))
-            .collect(),
+        borders: borders.into_iter().map(|it| (it.0, it.1)).collect(),
     }
 }
 
@@ -64,13 +57,8 @@ fn borders<M: LineTelling>(scene: &Scene) -> Vec<(HalfPlane, Value, Link)> {
             .map(|(i, plane)| (plane, polygon_edge_name(i), polygon_edge_link(i)))
             .collect()
     } else {
-        let side = |edge| {
-            (
-                scene.window.half_plane(edge),
-                edge_name(edge),
-                edge_link(edge),
-            )
-        };
+        let plane = |edge| scene.window.half_plane(edge);
+        let side = |edge| (plane(edge), edge_name(edge), edge_link(edge));
         Edge::ALL.map(side).to_vec()
     }
 }
@@ -80,7 +68,6 @@ impl Answers for Scene {
         under(self, click).map(segment_link)
     }
 
-    /// The verdict on the segment in focus, by the method that is stepped.
     fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
         let segment = self.focused();
         if about != segment_link(self.focus()) {
@@ -107,11 +94,8 @@ impl Answers for Scene {
             }
             None => {
                 let turn = least_move_out(&planes, corners, &segment)?;
-                let key = if turn.by < 0.0 {
-                    "verdict-line-out"
-                } else {
-                    "verdict-line-touch"
-                };
+                let keys = ["verdict-line-touch", "verdict-line-out"];
+                let key = keys[usize::from(turn.by < 0.0)];
                 let message = Message::new(key).with("move", turn.by.abs());
                 message.with("edge", names.get(turn.border_idx)?.clone())
             }
@@ -124,7 +108,19 @@ impl Answers for Scene {
     }
 }
 
-/// What is asked about where a segment is clicked.
 pub const fn segment_link(segment_idx: usize) -> Link {
     Link::nth("segment", segment_idx)
+}
+
+/// The nearest segment within reach of a click.
+pub fn under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
+    let [x, y, _] = click.at;
+    let segments = scene.segments().iter().enumerate();
+    let near = segments.filter_map(|(i, segment)| {
+        let ends = [segment.p1.to_array(), segment.p2.to_array()];
+        let distance = distance_to_segment([x, y], ends);
+        (distance <= click.reach).then_some((distance, i))
+    });
+    let (_, nearest) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(nearest)
 }

@@ -9,7 +9,6 @@ use crate::{
 use super::{GivenSubject, Method, Scene};
 
 impl Backdrop for Scene {
-    /// The clip region of `method`, if it has one, and the subject's outlines as they were given.
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark> {
         let method = self.on_stage().nth(column).unwrap_or(self.method);
         let clip = region(self, method).map(|clip| vec![outline(&clip)]);
@@ -19,7 +18,6 @@ impl Backdrop for Scene {
             .collect()
     }
 
-    /// The world rectangle that holds everything.
     fn bounds(&self) -> [[f64; 2]; 2] {
         let clip = region(self, self.method);
         let rings = self.rings().chain(&clip);
@@ -48,7 +46,6 @@ fn subject(scene: &Scene, method: Method, at_end: bool) -> Vec<Mark> {
         .collect()
 }
 
-/// What `method` clips against, if it clips.
 fn region(scene: &Scene, method: Method) -> Option<Polygon> {
     method.info().clips.then(|| scene.clip_outline())
 }

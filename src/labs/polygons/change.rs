@@ -3,27 +3,21 @@
 use std::sync::Arc;
 
 use crate::{
-    geom::{Point, Polygon, distance_to_segment},
-    labs::{self, ChangeOf, Click, Handle, Lock, OutlineKind, Own},
+    geom::{GeomError, Point, Polygon, distance_to_segment},
+    labs::{ChangeOf, Click, Handle, Lock, OutlineKind, Own},
     text::Diagnostic,
 };
 
-use super::{PRESETS, Preset, REGIONS, Scene, SceneError, SceneVertex, Texture, random_polygon};
+use super::{PRESETS, REGIONS, Scene, SceneError, SceneVertex, Texture, random_polygon};
 
-/// One change to the scene.
 #[derive(Clone, PartialEq, Debug)]
 pub enum PolygonsChange {
     /// A vertex after this one: at this place, or in the middle of the edge.
     Insert(SceneVertex, Option<[f64; 2]>),
-    /// Without this vertex.
     Delete(SceneVertex),
-    /// Another texture.
     Texture(Texture),
-    /// Another polygon in place of the present one.
     Subject(Polygon),
-    /// One more hole.
     Hole(Polygon),
-    /// No hole any more.
     NoHoles,
     /// Another clip polygon; none for the window.
     Clip(Option<Polygon>),
@@ -31,11 +25,8 @@ pub enum PolygonsChange {
     Preset(usize),
     /// One of [`REGIONS`], as large as what clips now.
     Region(usize),
-    /// A random polygon in place of the present one.
     Random {
-        /// How many vertices.
         count: usize,
-        /// The same seed gives the same polygon.
         seed: u64,
     },
 }
@@ -54,17 +45,16 @@ impl ChangeOf for PolygonsChange {
             Self::Clip(clip) => changed.clip = clip,
             Self::Region(i) => {
                 if let Some(region) = REGIONS.get(i) {
-                    changed.clip = Some(region.outline_about(scene.clip_box())?);
+                    changed.clip = Some(region.about(scene.clip_box())?.0);
                 }
             }
             Self::Preset(i) => {
                 if let Some(preset) = PRESETS.get(i) {
-                    (changed.subject, changed.holes) = placed(preset, scene)?;
+                    (changed.subject, changed.holes) = preset.about(scene.clip_box())?;
                 }
             }
             Self::Random { count, seed } => {
-                let about = scene.clip_window();
-                changed.subject = random_polygon(&about, count, seed)?;
+                changed.subject = random_polygon(&scene.clip_window(), count, seed)?;
                 changed.holes.clear();
             }
             Self::Insert(vertex, at) => {
@@ -88,34 +78,18 @@ impl ChangeOf for PolygonsChange {
     }
 }
 
-/// A preset's outline and holes about what clips in a scene.
-fn placed(preset: &Preset, scene: &Scene) -> Result<(Polygon, Vec<Polygon>), Diagnostic> {
-    let about = scene.clip_box();
-    let subject = preset.outline_about(about)?;
-    let holes = preset.holes_about(about)?;
-    Ok((subject, holes))
-}
-
-fn with_vertex_after(
-    ring: &Polygon,
-    i: usize,
-    at: Option<[f64; 2]>,
-) -> Result<Polygon, Diagnostic> {
-    let edge = ring.edge(i);
-    let middle = [
-        edge.p1.x().midpoint(edge.p2.x()),
-        edge.p1.y().midpoint(edge.p2.y()),
-    ];
-    let [x, y] = at.unwrap_or(middle);
+fn with_vertex_after(ring: &Polygon, i: usize, at: Option<[f64; 2]>) -> Result<Polygon, GeomError> {
+    let [p1, p2] = [ring.edge(i).p1, ring.edge(i).p2].map(Point::to_array);
+    let [x, y] = at.unwrap_or([0, 1].map(|k| p1[k].midpoint(p2[k])));
     let mut vertices = ring.vertices().to_vec();
     vertices.insert(i + 1, Point::new(x, y)?);
-    Ok(Polygon::from_points(vertices)?)
+    Polygon::from_points(vertices)
 }
 
-fn without_vertex(ring: &Polygon, i: usize) -> Result<Polygon, Diagnostic> {
+fn without_vertex(ring: &Polygon, i: usize) -> Result<Polygon, SceneError> {
     let mut vertices = ring.vertices().to_vec();
     vertices.remove(i);
-    Polygon::from_points(vertices).map_err(|_| SceneError::TooFewVertices.into())
+    Polygon::from_points(vertices).map_err(|_| SceneError::TooFewVertices)
 }
 
 /// The vertex that a handle is of, or the subject's last one.
@@ -126,22 +100,18 @@ pub fn vertex_of(scene: &Scene, handle: Option<Handle>) -> SceneVertex {
 
 /// A click that puts something in puts a new vertex on the edge that it is on.
 pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<PolygonsChange> {
-    let [x, y, _] = click.at;
-    let is_locked = |vertex: &SceneVertex| Lock::any_holds(click.locks, vertex.handle());
+    let ([x, y, _], [to_x, to_y, _]) = (click.at, click.place);
     let vertices = scene.subject_vertices().chain(scene.clip_vertices());
     let near = vertices.filter_map(|vertex| {
         let edge = scene.ring_of(vertex)?.edge(vertex.idx());
         let distance = distance_to_segment([x, y], [edge.p1.to_array(), edge.p2.to_array()]);
-        (distance <= click.reach).then_some((distance, vertex))
+        (distance <= click.reach && click.inserts).then_some((distance, vertex))
     });
-    let (_, nearest) = near
-        .filter(|_| click.inserts)
-        .min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let [x, y, _] = click.place;
-    (!is_locked(&nearest)).then_some(PolygonsChange::Insert(nearest, Some([x, y])))
+    let (_, nearest) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let is_locked = Lock::any_holds(click.locks, nearest.handle());
+    (!is_locked).then_some(PolygonsChange::Insert(nearest, Some([to_x, to_y])))
 }
 
-/// What can be drawn.
 pub static OUTLINES: [OutlineKind; 3] = [
     OutlineKind {
         name_key: "action-draw-subject",
@@ -154,25 +124,20 @@ pub static OUTLINES: [OutlineKind; 3] = [
         name_key: "action-draw-clip",
         hint_key: "draw-clip",
         part_key: "part-clip",
-        is_of_use: |scene| asks(scene, Scene::clips),
+        is_of_use: |scene| scene.get().is_some_and(Scene::clips),
         close: |points| closed(points, |clip| PolygonsChange::Clip(Some(clip))),
     },
     OutlineKind {
         name_key: "action-draw-hole",
         hint_key: "draw-hole",
         part_key: "part-hole",
-        is_of_use: |scene| asks(scene, Scene::knows_holes),
+        is_of_use: |scene| scene.get().is_some_and(Scene::knows_holes),
         close: |points| closed(points, PolygonsChange::Hole),
     },
 ];
 
-fn asks(scene: &labs::Scene, is_so: fn(&Scene) -> bool) -> bool {
-    scene.get().is_some_and(is_so)
-}
-
 fn closed(points: &[[f64; 2]], change: fn(Polygon) -> PolygonsChange) -> Option<Own> {
-    let polygon = Polygon::new(points).ok()?;
-    Some(Arc::new(change(polygon)))
+    Some(Arc::new(change(Polygon::new(points).ok()?)))
 }
 
 #[cfg(test)]

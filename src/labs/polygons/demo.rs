@@ -9,15 +9,10 @@ use crate::{
 
 use super::{GivenSubject, Scene, UnfitScene};
 
-/// A polygon clipper that is told by a table.
 pub trait PolygonTelling: Telling<Scenery = ()> {
-    /// Does it clip: against the window, or a clip polygon in its place?
     const CLIPS: bool = true;
-    /// Does it carry texture coordinates along?
     const CARRIES_TEXTURE: bool = false;
-    /// How the subject is seen while it works.
     const GIVEN: GivenSubject = GivenSubject::Whole;
-    /// Does it know holes?
     const KNOWS_HOLES: bool = false;
     /// What its drawing calls the subject's vertices.
     const SUBJECT: char = 'V';
@@ -43,7 +38,6 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
         None
     }
 
-    /// Where an event finds an intersection.
     fn crossing(_: &Self::Event) -> Option<Point> {
         None
     }

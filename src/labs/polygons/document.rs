@@ -20,24 +20,21 @@ impl Scene {
         self.clip.as_ref().filter(|_| self.clips())
     }
 
-    /// Does a method on stage clip, so that there is a window or a clip polygon?
     pub fn clips(&self) -> bool {
         self.on_stage().any(|method| method.info().clips)
     }
 
-    /// Does a method on stage know holes?
     pub fn knows_holes(&self) -> bool {
         self.on_stage().any(|method| method.info().knows_holes)
     }
 
-    /// Does a method on stage carry texture coordinates along?
     pub fn carries_texture(&self) -> bool {
         self.on_stage().any(|method| method.info().carries_texture)
     }
 }
 
 impl Document for Scene {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 

@@ -35,14 +35,11 @@ static SUBJECT: HandleKind = HandleKind {
     ..HandleKind::new("subject", "polygon", |_| Message::new("handle-polygon"))
 };
 
-/// An outline of a scene, and one of its vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SceneVertex {
-    /// Of the subject polygon.
     Subject(usize),
     /// Of one of its holes: which hole, which vertex.
     Hole(usize, usize),
-    /// Of the clip polygon.
     Clip(usize),
 }
 
@@ -52,7 +49,6 @@ pub const fn corner_link(vertex_idx: usize) -> Link {
 }
 
 impl SceneVertex {
-    /// Its handle.
     pub const fn handle(self) -> Handle {
         match self {
             Self::Subject(i) => VERTEX.at([i, 0]),
@@ -61,7 +57,6 @@ impl SceneVertex {
         }
     }
 
-    /// The vertex that a handle is of.
     pub fn of(handle: Handle) -> Option<Self> {
         let [i, j] = handle.idx();
         let all = [Self::Subject(i), Self::Hole(i, j), Self::Clip(i)];
@@ -77,7 +72,6 @@ impl SceneVertex {
         }
     }
 
-    /// Which of its outline's.
     pub const fn idx(self) -> usize {
         match self {
             Self::Subject(i) | Self::Hole(_, i) | Self::Clip(i) => i,
@@ -133,7 +127,6 @@ impl Scene {
         (vertex.idx() < ring.vertices().len()).then_some(ring)
     }
 
-    /// [`Scene::ring_of`], to change it.
     pub fn ring_mut(&mut self, vertex: SceneVertex) -> Option<&mut Polygon> {
         self.ring_of(vertex)?;
         match vertex {
@@ -143,7 +136,6 @@ impl Scene {
         }
     }
 
-    /// Every vertex of the subject, then of its holes.
     pub(super) fn subject_vertices(&self) -> impl Iterator<Item = SceneVertex> {
         let holes = self.holes.iter().enumerate();
         let holes = holes.flat_map(|(hole, ring)| {
@@ -154,7 +146,6 @@ impl Scene {
             .chain(holes)
     }
 
-    /// Every vertex of the clip polygon, where one is in use.
     pub(super) fn clip_vertices(&self) -> impl Iterator<Item = SceneVertex> {
         let n = self.clip_in_use().map_or(0, |clip| clip.vertices().len());
         (0..n).map(SceneVertex::Clip)

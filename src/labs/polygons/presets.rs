@@ -7,21 +7,17 @@ use crate::geom::{GeomError, Polygon, Window, extent};
 
 use super::Scene;
 
-/// The least and the greatest corner of a box.
 type Box2 = [[f64; 2]; 2];
 
-/// A polygon with a name.
 pub struct Preset {
-    /// As menus name it: a catalogue key.
     pub name_key: &'static str,
-    /// Its outline.
-    pub outline: &'static [[f64; 2]],
-    /// Its holes.
-    pub holes: &'static [&'static [[f64; 2]]],
+    /// x and y of one vertex after the other.
+    outline: &'static [f64],
+    holes: &'static [&'static [f64]],
 }
 
 impl Preset {
-    const fn new(name_key: &'static str, outline: &'static [[f64; 2]]) -> Self {
+    const fn new(name_key: &'static str, outline: &'static [f64]) -> Self {
         Self {
             name_key,
             outline,
@@ -29,32 +25,23 @@ impl Preset {
         }
     }
 
-    /// Its outline about a box.
+    /// Its outline and its holes about a box: −1 becomes the box's least coordinate and 1 its greatest, exactly.
     ///
     /// # Errors
-    /// [`GeomError::NotFinite`] where the box is so large that the outline leaves the numbers.
-    pub fn outline_about(&self, about: Box2) -> Result<Polygon, GeomError> {
-        placed(self.outline, about)
+    /// [`GeomError::NotFinite`] where the box is so large that they leave the numbers.
+    pub fn about(&self, [min, max]: Box2) -> Result<(Polygon, Vec<Polygon>), GeomError> {
+        let at = |i: usize, c: f64| min[i] * (0.5 - 0.5 * c) + max[i] * (0.5 + 0.5 * c);
+        let placed = |numbers: &[f64]| {
+            let points = numbers.as_chunks().0.iter();
+            let points: Vec<[f64; 2]> = points.map(|&[x, y]| [at(0, x), at(1, y)]).collect();
+            Polygon::new(&points)
+        };
+        let holes = self.holes.iter().map(|hole| placed(hole));
+        Ok((placed(self.outline)?, holes.collect::<Result<_, _>>()?))
     }
-
-    /// Its holes about a box.
-    ///
-    /// # Errors
-    /// As for [`Preset::outline_about`].
-    pub fn holes_about(&self, about: Box2) -> Result<Vec<Polygon>, GeomError> {
-        self.holes.iter().map(|hole| placed(hole, about)).collect()
-    }
-}
-
-/// −1 becomes the box's least coordinate and 1 its greatest, exactly.
-fn placed(outline: &[[f64; 2]], [min, max]: Box2) -> Result<Polygon, GeomError> {
-    let at = |i: usize, c: f64| min[i] * (0.5 - 0.5 * c) + max[i] * (0.5 + 0.5 * c);
-    let outline: Vec<[f64; 2]> = outline.iter().map(|&[x, y]| [at(0, x), at(1, y)]).collect();
-    Polygon::new(&outline)
 }
 
 impl Scene {
-    /// The box of what clips.
     pub fn clip_box(&self) -> Box2 {
         let window = [self.window.min().to_array(), self.window.max().to_array()];
         self.clip_in_use()
@@ -73,21 +60,13 @@ pub static PRESETS: [Preset; 13] = [
     Preset::new(
         "preset-convex",
         &[
-            [-1.5, -0.5],
-            [-0.25, -1.5],
-            [1.25, -0.75],
-            [1.5, 0.5],
-            [0.25, 1.25],
-            [-1.0, 1.0],
+            -1.5, -0.5, -0.25, -1.5, 1.25, -0.75, 1.5, 0.5, 0.25, 1.25, -1.0, 1.0,
         ],
     ),
-    Preset::new(
-        "preset-triangle",
-        &[[-1.5, -1.25], [1.75, -0.25], [0.0, 1.75]],
-    ),
+    Preset::new("preset-triangle", &[-1.5, -1.25, 1.75, -0.25, 0.0, 1.75]),
     Preset::new(
         "preset-arrow",
-        &[[-1.75, -1.25], [1.5, 0.0], [-1.75, 1.25], [-0.75, 0.0]],
+        &[-1.75, -1.25, 1.5, 0.0, -1.75, 1.25, -0.75, 0.0],
     ),
     Preset::new("preset-comb", &COMB),
     Preset::new("preset-corner", &CORNER),
@@ -96,136 +75,74 @@ pub static PRESETS: [Preset; 13] = [
     Preset {
         name_key: "preset-hole",
         outline: &[
-            [-1.5, -0.75],
-            [0.0, -1.5],
-            [1.75, -0.75],
-            [1.75, 0.75],
-            [0.0, 1.5],
-            [-1.5, 0.75],
+            -1.5, -0.75, 0.0, -1.5, 1.75, -0.75, 1.75, 0.75, 0.0, 1.5, -1.5, 0.75,
         ],
-        holes: &[&[[0.25, -0.5], [0.25, 0.5], [1.25, 0.5], [1.25, -0.5]]],
+        holes: &[&[0.25, -0.5, 0.25, 0.5, 1.25, 0.5, 1.25, -0.5]],
     },
     Preset::new(
         "preset-around",
-        &[[-2.0, -1.75], [2.0, -1.5], [1.75, 1.75], [-1.75, 1.5]],
+        &[-2.0, -1.75, 2.0, -1.5, 1.75, 1.75, -1.75, 1.5],
     ),
     Preset::new(
         "preset-inside",
-        &[[-0.75, -0.25], [0.25, -0.75], [0.75, 0.25], [-0.25, 0.75]],
+        &[-0.75, -0.25, 0.25, -0.75, 0.75, 0.25, -0.25, 0.75],
     ),
-    Preset::new("preset-touch", &[[1.0, 0.0], [2.0, -0.75], [2.0, 0.75]]),
+    Preset::new("preset-touch", &[1.0, 0.0, 2.0, -0.75, 2.0, 0.75]),
     Preset::new(
         "preset-along",
-        &[
-            [-1.0, -0.5],
-            [0.5, -0.75],
-            [1.5, 0.25],
-            [0.0, 0.75],
-            [-1.0, 0.5],
-        ],
+        &[-1.0, -0.5, 0.5, -0.75, 1.5, 0.25, 0.0, 0.75, -1.0, 0.5],
     ),
     Preset::new(
         "preset-bow-tie",
-        &[[-1.5, -0.75], [1.5, 0.75], [1.5, -0.75], [-1.5, 0.75]],
+        &[-1.5, -0.75, 1.5, 0.75, 1.5, -0.75, -1.5, 0.75],
     ),
 ];
 
 /// Three teeth through the top border; the back stays outside.
-const COMB: [[f64; 2]; 12] = [
-    [-0.75, -0.5],
-    [-0.5, -0.5],
-    [-0.5, 1.25],
-    [-0.25, 1.25],
-    [-0.25, -0.75],
-    [0.25, -0.75],
-    [0.25, 1.25],
-    [0.5, 1.25],
-    [0.5, -0.5],
-    [0.75, -0.5],
-    [0.75, 1.75],
-    [-0.75, 1.75],
+const COMB: [f64; 24] = [
+    -0.75, -0.5, -0.5, -0.5, -0.5, 1.25, -0.25, 1.25, -0.25, -0.75, 0.25, -0.75, 0.25, 1.25, 0.5,
+    1.25, 0.5, -0.5, 0.75, -0.5, 0.75, 1.75, -0.75, 1.75,
 ];
 
 /// Reaches round the upper right corner: one arm through the top, one through the right.
-const CORNER: [[f64; 2]; 10] = [
-    [0.25, -0.5],
-    [1.75, -0.5],
-    [1.75, 1.75],
-    [-0.5, 1.75],
-    [-0.5, 0.25],
-    [0.0, 0.25],
-    [0.0, 1.25],
-    [1.25, 1.25],
-    [1.25, 0.0],
-    [0.25, 0.0],
+const CORNER: [f64; 20] = [
+    0.25, -0.5, 1.75, -0.5, 1.75, 1.75, -0.5, 1.75, -0.5, 0.25, 0.0, 0.25, 0.0, 1.25, 1.25, 1.25,
+    1.25, 0.0, 0.25, 0.0,
 ];
 
 /// Its outer turn goes along outside the window and within it.
-const SPIRAL: [[f64; 2]; 16] = [
-    [-1.75, -1.25],
-    [1.25, -1.25],
-    [1.25, 1.25],
-    [-1.25, 1.25],
-    [-1.25, -0.5],
-    [0.5, -0.5],
-    [0.5, 0.5],
-    [-0.5, 0.5],
-    [-0.5, 0.25],
-    [0.25, 0.25],
-    [0.25, -0.25],
-    [-0.75, -0.25],
-    [-0.75, 0.75],
-    [0.75, 0.75],
-    [0.75, -0.75],
-    [-1.75, -0.75],
+const SPIRAL: [f64; 32] = [
+    -1.75, -1.25, 1.25, -1.25, 1.25, 1.25, -1.25, 1.25, -1.25, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5,
+    0.5, -0.5, 0.25, 0.25, 0.25, 0.25, -0.25, -0.75, -0.25, -0.75, 0.75, 0.75, 0.75, 0.75, -0.75,
+    -1.75, -0.75,
 ];
 
-const STAR: [[f64; 2]; 10] = [
-    [0.0, 1.6],
-    [-0.4, 0.5],
-    [-1.6, 0.5],
-    [-0.65, -0.2],
-    [-1.0, -1.35],
-    [0.0, -0.65],
-    [1.0, -1.35],
-    [0.65, -0.2],
-    [1.6, 0.5],
-    [0.4, 0.5],
+const STAR: [f64; 20] = [
+    0.0, 1.6, -0.4, 0.5, -1.6, 0.5, -0.65, -0.2, -1.0, -1.35, 0.0, -0.65, 1.0, -1.35, 0.65, -0.2,
+    1.6, 0.5, 0.4, 0.5,
 ];
 
 /// Regions to clip against, in the order of the menu: each fills the box from (−1, −1) to (1, 1).
 pub static REGIONS: [Preset; 5] = [
     Preset::new(
         "region-corners",
-        &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]],
+        &[-1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0],
     ),
-    Preset::new("region-triangle", &[[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]),
+    Preset::new("region-triangle", &[-1.0, -1.0, 1.0, -1.0, 0.0, 1.0]),
     Preset::new(
         "region-diamond",
-        &[[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]],
+        &[0.0, -1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 0.0],
     ),
     Preset::new(
         "region-octagon",
         &[
-            [-0.5, -1.0],
-            [0.5, -1.0],
-            [1.0, -0.5],
-            [1.0, 0.5],
-            [0.5, 1.0],
-            [-0.5, 1.0],
-            [-1.0, 0.5],
-            [-1.0, -0.5],
+            -0.5, -1.0, 0.5, -1.0, 1.0, -0.5, 1.0, 0.5, 0.5, 1.0, -0.5, 1.0, -1.0, 0.5, -1.0, -0.5,
         ],
     ),
     Preset::new(
         "region-bracket",
         &[
-            [-1.0, -1.0],
-            [1.0, -1.0],
-            [1.0, 0.0],
-            [0.0, 0.0],
-            [0.0, 1.0],
-            [-1.0, 1.0],
+            -1.0, -1.0, 1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -1.0, 1.0,
         ],
     ),
 ];
@@ -233,24 +150,23 @@ pub static REGIONS: [Preset; 5] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{ConvexPolygon, Point};
+    use crate::geom::ConvexPolygon;
 
     fn doubled_area(polygon: &Polygon) -> f64 {
-        polygon
-            .edges()
+        let edges = polygon.edges();
+        edges
             .map(|edge| edge.p1.x() * edge.p2.y() - edge.p2.x() * edge.p1.y())
             .sum()
     }
 
     #[test]
     fn outlines_turn_left_and_holes_right() {
-        let unit = [[-1.0; 2], [1.0; 2]];
         for preset in PRESETS.iter().chain(&REGIONS) {
-            let outline = preset.outline_about(unit).unwrap();
+            let (outline, holes) = preset.about([[-1.0; 2], [1.0; 2]]).unwrap();
             let area = doubled_area(&outline);
             let is_bow_tie = preset.name_key == "preset-bow-tie";
             assert!(area > 0.0 || is_bow_tie, "{}: {area}", preset.name_key);
-            for hole in preset.holes_about(unit).unwrap() {
+            for hole in holes {
                 assert!(doubled_area(&hole) < 0.0, "{}", preset.name_key);
             }
         }
@@ -259,26 +175,20 @@ mod tests {
     #[test]
     fn what_touches_a_border_touches_it_about_any_box() {
         let (min, max) = ([0.1, -0.3], [0.7, 1e9]);
-        let touch = PRESETS
-            .iter()
-            .find(|preset| preset.name_key == "preset-touch")
-            .unwrap();
-        let outline = touch.outline_about([min, max]).unwrap();
+        let mut presets = PRESETS.iter();
+        let touch = presets.find(|preset| preset.name_key == "preset-touch");
+        let (outline, _) = touch.unwrap().about([min, max]).unwrap();
         assert_eq!(outline.vertices()[0].x().to_bits(), max[0].to_bits());
-        let corners = REGIONS[0].outline_about([min, max]).unwrap();
+        let (corners, _) = REGIONS[0].about([min, max]).unwrap();
         let expected = [min, [max[0], min[1]], max, [min[0], max[1]]];
-        let got: Vec<[f64; 2]> = corners
-            .vertices()
-            .iter()
-            .map(|p: &Point| p.to_array())
-            .collect();
+        let got: Vec<[f64; 2]> = corners.vertices().iter().map(|p| p.to_array()).collect();
         assert_eq!(got, expected);
     }
 
     #[test]
     fn all_regions_but_the_last_are_convex() {
         for (i, region) in REGIONS.iter().enumerate() {
-            let is_convex = ConvexPolygon::new(region.outline).is_ok();
+            let is_convex = ConvexPolygon::new(region.outline.as_chunks().0).is_ok();
             assert_eq!(is_convex, i + 1 < REGIONS.len(), "{}", region.name_key);
         }
     }

@@ -46,12 +46,10 @@ pub fn random_polygon(window: &Window, count: usize, seed: u64) -> Result<Polygo
     Polygon::new(&outline)
 }
 
-/// From well inside the window to well beyond it.
 fn radius(unit: f64) -> f64 {
     0.35 + 1.25 * unit
 }
 
-/// The value at a part of the way round a closed row of knots.
 fn between(knots: &[f64; COARSE], part: f64) -> f64 {
     let at = part * COARSE as f64;
     let knot = at as usize;

@@ -3,7 +3,7 @@
 
 use crate::{
     algo::polygon,
-    labs::{self, Lab, Listed, MethodCard, MethodEntry, OutlineKind, window_handles},
+    labs::{Lab, Listed, MethodCard, MethodEntry, window_handles},
 };
 
 use super::{
@@ -13,40 +13,16 @@ use super::{
     verdict::{fate, found},
 };
 
-/// A polygon against a window or another polygon.
-pub static LAB: &dyn Lab = &Polygons;
-
-struct Polygons;
-
-impl Lab for Polygons {
-    fn id(&self) -> &'static str {
-        "polygons"
-    }
-
-    fn name_key(&self) -> &'static str {
-        "lab-polygons"
-    }
-
-    fn about_key(&self) -> &'static str {
-        "lab-polygons-about"
-    }
-
-    fn methods(&self) -> Vec<&'static MethodCard> {
-        Method::all().map(Method::card).collect()
-    }
-
-    fn first_scene(&self) -> labs::Scene {
-        Scene::first().into()
-    }
-
-    fn lock_groups(&self) -> &'static [&'static str] {
-        &["polygon", window_handles::GROUP, "clip"]
-    }
-
-    fn outlines(&self) -> &'static [OutlineKind] {
-        &OUTLINES
-    }
-}
+pub static LAB: &Lab = &Lab {
+    id: "polygons",
+    name_key: "lab-polygons",
+    about_key: "lab-polygons-about",
+    methods: || Method::all().map(Method::card).collect(),
+    first_scene: || Scene::first().into(),
+    lock_groups: &["polygon", window_handles::GROUP, "clip"],
+    adopt: |_| None,
+    outlines: &OUTLINES,
+};
 
 const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
     MethodEntry {

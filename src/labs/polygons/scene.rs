@@ -11,23 +11,18 @@ use crate::{
 /// More vertices than this, holes and clip polygon included, are refused: a frame could not draw them in time.
 pub const MAX_VERTICES: usize = 20_000;
 
-/// What the subject polygon is filled with.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
 pub enum Texture {
-    /// One colour.
     #[default]
     None,
-    /// A texture whose coordinates are interpolated at every crossing, with the crossing's own t.
     Interpolated,
     /// The mistake: a crossing takes over the coordinates of the vertex outside.
     Kept,
 }
 
 impl Texture {
-    /// Every choice.
     pub const ALL: [Self; 3] = [Self::None, Self::Interpolated, Self::Kept];
 
-    /// As lesson and scene files spell it.
     pub const fn id(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -37,65 +32,38 @@ impl Texture {
     }
 }
 
-/// One of the lab's methods.
 pub type Method = crate::labs::Method<MethodInfo>;
 
-/// How the subject is seen under a method's drawing, before its end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum GivenSubject {
-    /// As it is.
     Whole,
     /// As cut off, but for what the drawing outlines: the list that the method works on.
     CutOff,
 }
 
-/// What becomes of a vertex of the subject.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct VertexFate {
-    /// The step that decided it.
     pub step: usize,
-    /// Is it kept?
     pub is_kept: bool,
     /// The clip edge that was asked there, where one is asked at a time.
     pub border: Option<usize>,
 }
 
-/// Something that a run finds on its way, and the step at which it does.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Found {
-    /// An intersection.
-    Crossing {
-        /// At which step.
-        step: usize,
-        /// Where.
-        at: Point,
-    },
-    /// A piece of the answer.
-    Piece {
-        /// At which step.
-        step: usize,
-        /// Around it.
-        outline: Vec<Point>,
-    },
+    Crossing { step: usize, at: Point },
+    Piece { step: usize, outline: Vec<Point> },
 }
 
-/// What the lab knows of a method without running it.
 pub struct MethodInfo {
-    /// Does it clip: against the window, or a clip polygon in its place?
     pub clips: bool,
-    /// Does it carry texture coordinates along?
     pub carries_texture: bool,
-    /// How the subject is seen while it works.
     pub given: GivenSubject,
-    /// Does it know holes?
     pub knows_holes: bool,
     /// Runs it on a scene; where it cannot take it, the run has no steps and says why.
     pub record: fn(&Scene) -> Box<dyn Run>,
-    /// Can it take a scene?
     pub takes: fn(&Scene) -> bool,
-    /// What becomes of a vertex of the subject that lies there.
     pub fate: fn(&Scene, Point) -> Option<VertexFate>,
-    /// The intersections and the pieces that its run finds.
     pub found: fn(&Scene) -> Vec<Found>,
 }
 
@@ -103,28 +71,19 @@ pub struct MethodInfo {
 /// convex clip polygon, it checks itself, and says what is wrong on stage.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
-    /// How the polygon is clipped.
     pub method: Method,
-    /// A second method on the same input, side by side.
     pub compare: Option<Method>,
-    /// The clip window.
     pub window: Window,
     /// A clip polygon that takes the window's place.
     pub clip: Option<Polygon>,
-    /// The polygon that is clipped.
     pub subject: Polygon,
-    /// Holes in it, for methods that know them.
     pub holes: Vec<Polygon>,
-    /// What it is filled with, for methods that carry texture coordinates along.
     pub texture: Texture,
 }
 
-/// Why a scene is refused.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SceneError {
-    /// More than [`MAX_VERTICES`].
     TooManyVertices(usize),
-    /// A polygon keeps three vertices at least.
     TooFewVertices,
 }
 
@@ -147,7 +106,6 @@ impl fmt::Display for SceneError {
 }
 
 impl Scene {
-    /// A polygon against a window.
     pub const fn new(method: Method, window: Window, subject: Polygon) -> Self {
         Self {
             method,
@@ -173,12 +131,10 @@ impl Scene {
         Self::new(method, window, subject)
     }
 
-    /// The methods on stage.
     pub fn on_stage(&self) -> impl Iterator<Item = Method> {
         [Some(self.method), self.compare].into_iter().flatten()
     }
 
-    /// The clip polygon, or the window's outline where there is none.
     pub fn clip_outline(&self) -> Polygon {
         let window = || Polygon::from(self.window);
         self.clip.clone().unwrap_or_else(window)
@@ -200,12 +156,10 @@ impl Scene {
         }
     }
 
-    /// Every outline of the subject: the polygon itself, then its holes.
     pub fn rings(&self) -> impl Iterator<Item = &Polygon> {
         std::iter::once(&self.subject).chain(&self.holes)
     }
 
-    /// All vertices there are.
     pub fn n_vertices(&self) -> usize {
         self.rings()
             .chain(&self.clip)

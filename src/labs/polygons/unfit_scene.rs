@@ -17,30 +17,71 @@ use super::Scene;
 /// Of an outline with more vertices each would have no room for its name.
 const MOST_NAMED: usize = 16;
 
-/// A part of the scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ScenePart {
-    /// The polygon that is clipped.
     Subject,
-    /// A hole in it.
     Hole(usize),
-    /// The clip polygon.
     Clip,
 }
 
 /// Why a method cannot take a scene.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct UnfitScene {
-    /// The part that is at fault.
     pub part: ScenePart,
-    /// What is wrong with it.
     pub error: GeomError,
 }
 
 impl UnfitScene {
-    /// This part, for this reason.
     pub const fn new(part: ScenePart, error: GeomError) -> Self {
         Self { part, error }
+    }
+
+    /// A run without a step that says what is wrong, and shows it over the outline at fault, whose vertices have their names.
+    pub(super) fn run(self, scene: &Scene, subject: char) -> Box<dyn Run> {
+        let outline = self.outline(scene);
+        let vertices: Vec<[f64; 2]> = outline.vertices().iter().map(|p| p.to_array()).collect();
+        let edge = |i: usize| [i, i + 1].map(|k| k % vertices.len());
+        let symbol = |i: usize| self.symbol(scene, subject, i);
+        let mut marks = vec![Mark::new(Role::Discarded, Shape::Outline(vertices.clone()))];
+        if vertices.len() <= MOST_NAMED {
+            let mark =
+                |(i, &at)| Mark::new(Role::Soft, Shape::Vertex(at)).labelled(name(symbol(i)));
+            marks.extend(vertices.iter().enumerate().map(mark));
+        }
+        let at_vertex = |key, i: usize| {
+            let mark = |&at| Mark::new(Role::Signal, Shape::Ring(at)).labelled(name(symbol(i)));
+            let message = Message::new(key).with("vertex", name(symbol(i)));
+            (message, Vec::from_iter(vertices.get(i).map(mark)))
+        };
+        let (message, faults) = match self.error {
+            GeomError::NotConvex { vertex_idx } => at_vertex("refused-not-convex", vertex_idx),
+            GeomError::SelfIntersecting { vertex_idx } => {
+                at_vertex("refused-winds-twice", vertex_idx)
+            }
+            GeomError::EdgesMeet { edges } => {
+                let [first, second] = edges.map(|i| name(edge(i).map(symbol).concat()));
+                let message = Message::new("refused-edges-meet").with("first", first);
+                let line = |i| Shape::Segment(edge(i).map(|k| vertices[k]));
+                let lines = edges.map(|i| Mark::new(Role::Signal, line(i)));
+                (message.with("second", second), lines.to_vec())
+            }
+            GeomError::MisplacedHole { .. } => (Message::new("refused-misplaced-hole"), vec![]),
+            GeomError::NotFinite { .. }
+            | GeomError::EmptyWindow { .. }
+            | GeomError::TooFewVertices
+            | GeomError::Degenerate { .. } => (Message::new("refused-degenerate"), vec![]),
+        };
+        marks.extend(faults);
+        let part = Value::Term(match self.part {
+            ScenePart::Subject => "part-subject",
+            ScenePart::Hole(_) => "part-hole",
+            ScenePart::Clip => "part-clip",
+        });
+        Box::new(UnfitRun {
+            refusal: self,
+            caption: Caption::new(message.with("part", part)),
+            marks,
+        })
     }
 
     fn outline(self, scene: &Scene) -> Polygon {
@@ -53,91 +94,14 @@ impl UnfitScene {
 
     /// What the drawing calls a vertex of the part: `C₄`. Holes go on after the outline.
     fn symbol(self, scene: &Scene, subject: char, idx: usize) -> String {
-        let before = match self.part {
-            ScenePart::Subject | ScenePart::Clip => 0,
-            ScenePart::Hole(i) => {
-                let rings = std::iter::once(&scene.subject).chain(&scene.holes[..i]);
-                rings.map(|ring| ring.vertices().len()).sum()
-            }
+        let (letter, n_rings) = match self.part {
+            ScenePart::Subject => (subject, 0),
+            ScenePart::Hole(i) => (subject, i + 1),
+            ScenePart::Clip => ('C', 0),
         };
-        let letter = match self.part {
-            ScenePart::Subject | ScenePart::Hole(_) => subject,
-            ScenePart::Clip => 'C',
-        };
+        let before = scene.rings().take(n_rings);
+        let before: usize = before.map(|ring| ring.vertices().len()).sum();
         format!("{letter}{}", subscript(before + idx + 1))
-    }
-
-    fn caption(self, scene: &Scene, subject: char) -> Caption {
-        let vertex = |idx| name(self.symbol(scene, subject, idx));
-        let edge = |ends: [usize; 2]| name(ends.map(|i| self.symbol(scene, subject, i)).concat());
-        let part = match self.part {
-            ScenePart::Subject => Value::Term("part-subject"),
-            ScenePart::Hole(_) => Value::Term("part-hole"),
-            ScenePart::Clip => Value::Term("part-clip"),
-        };
-        let message = match self.error {
-            GeomError::NotConvex { vertex_idx } => {
-                Message::new("refused-not-convex").with("vertex", vertex(vertex_idx))
-            }
-            GeomError::SelfIntersecting { vertex_idx } => {
-                Message::new("refused-winds-twice").with("vertex", vertex(vertex_idx))
-            }
-            GeomError::EdgesMeet { edges } => {
-                let n = self.outline(scene).vertices().len();
-                let [first, second] = edges.map(|i| edge([i % n, (i + 1) % n]));
-                Message::new("refused-edges-meet")
-                    .with("first", first)
-                    .with("second", second)
-            }
-            GeomError::MisplacedHole { .. } => Message::new("refused-misplaced-hole"),
-            GeomError::NotFinite { .. }
-            | GeomError::EmptyWindow { .. }
-            | GeomError::TooFewVertices
-            | GeomError::Degenerate { .. } => Message::new("refused-degenerate"),
-        };
-        Caption::new(message.with("part", part))
-    }
-
-    /// The outline at fault with the names of its vertices, and what is wrong with it over them.
-    fn marks(self, scene: &Scene, subject: char) -> Vec<Mark> {
-        let outline = self.outline(scene);
-        let vertices: Vec<[f64; 2]> = outline.vertices().iter().map(|p| p.to_array()).collect();
-        let symbol = |i: usize| name(self.symbol(scene, subject, i));
-        let mut marks = vec![Mark::new(Role::Discarded, Shape::Outline(vertices.clone()))];
-        if vertices.len() <= MOST_NAMED {
-            let named = vertices.iter().enumerate();
-            marks.extend(
-                named.map(|(i, &at)| Mark::new(Role::Soft, Shape::Vertex(at)).labelled(symbol(i))),
-            );
-        }
-        match self.error {
-            GeomError::NotConvex { vertex_idx } | GeomError::SelfIntersecting { vertex_idx } => {
-                let at = vertices.get(vertex_idx).copied();
-                marks.extend(at.map(|at| {
-                    Mark::new(Role::Signal, Shape::Ring(at)).labelled(symbol(vertex_idx))
-                }));
-            }
-            GeomError::EdgesMeet { edges } => {
-                let n = vertices.len();
-                let edges = edges.map(|i| [i % n, (i + 1) % n].map(|i| vertices[i]));
-                marks.extend(edges.map(|ends| Mark::new(Role::Signal, Shape::Segment(ends))));
-            }
-            GeomError::MisplacedHole { .. }
-            | GeomError::NotFinite { .. }
-            | GeomError::EmptyWindow { .. }
-            | GeomError::TooFewVertices
-            | GeomError::Degenerate { .. } => {}
-        }
-        marks
-    }
-
-    /// A run without a step that shows it.
-    pub(super) fn run(self, scene: &Scene, subject: char) -> Box<dyn Run> {
-        Box::new(UnfitRun {
-            refusal: self,
-            caption: self.caption(scene, subject),
-            marks: self.marks(scene, subject),
-        })
     }
 }
 

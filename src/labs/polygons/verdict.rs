@@ -43,7 +43,6 @@ pub fn fate<M: PolygonTelling>(scene: &Scene, at: Point) -> Option<VertexFate> {
     fate
 }
 
-/// The intersections and the pieces that a run finds, in its order.
 pub fn found<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
     let mut found = Vec::new();
     if let Ok(input) = M::input(scene) {
@@ -58,7 +57,6 @@ pub fn found<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
 }
 
 impl Answers for Scene {
-    /// The intersection that a click is on, or the piece that it is in.
     fn asked(&self, click: &Click<'_>) -> Option<Link> {
         let [x, y, _] = click.at;
         let at = Point::new(x, y).ok()?;
@@ -80,7 +78,6 @@ impl Answers for Scene {
         crossing.or_else(piece).map(found_link)
     }
 
-    /// The verdict on what was clicked, by the method that is stepped.
     fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
         let vertices = self.subject.vertices();
         if let Some(vertex_idx) = (0..vertices.len()).find(|&i| about == corner_link(i)) {
@@ -181,7 +178,6 @@ mod tests {
     };
     use crate::labs::Document;
 
-    /// The scene with one vertex of its subject elsewhere.
     fn moved(scene: &Scene, vertex_idx: usize, along: [f64; 2], by: f64) -> Scene {
         let mut scene = scene.clone();
         let [x, y] = scene.subject.vertices()[vertex_idx].to_array();
@@ -200,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_vertex_turns_where_it_is_said() {
-        let mut scene = LAB.first_scene();
+        let mut scene = (LAB.first_scene)();
         let scene = scene.get_mut::<Scene>().expect("of this lab");
         let mut n_turned = [0; 2];
         for (id, seed) in [
@@ -221,16 +217,9 @@ mod tests {
                 let normal = planes[border_idx].normal();
                 let beyond = moved(scene, vertex_idx, normal, by + by.signum() * 1e-9);
                 let before = moved(scene, vertex_idx, normal, 0.99 * by);
-                assert_eq!(
-                    is_kept(&beyond, vertex_idx),
-                    Some(!fate.is_kept),
-                    "{at:?} {by}"
-                );
-                assert_eq!(
-                    is_kept(&before, vertex_idx),
-                    Some(fate.is_kept),
-                    "{at:?} {by}"
-                );
+                let kept = [&beyond, &before].map(|scene| is_kept(scene, vertex_idx));
+                let expected = [Some(!fate.is_kept), Some(fate.is_kept)];
+                assert_eq!(kept, expected, "{at:?} {by}");
                 n_turned[usize::from(fate.is_kept)] += 1;
             }
         }
@@ -239,9 +228,9 @@ mod tests {
 
     #[test]
     fn every_vertex_intersection_and_piece_of_every_method_is_told() {
-        let mut scene = LAB.first_scene();
+        let mut scene = (LAB.first_scene)();
         let scene = scene.get_mut::<Scene>().expect("of this lab");
-        for card in scene.lab().methods() {
+        for card in (scene.lab().methods)() {
             scene.set_method(card.id);
             let runs = scene.record();
             let found = (scene.method.info().found)(scene);

@@ -1,29 +1,20 @@
-//! A step of a clipper by codes, with what the picture needs of those before it; and what is particular to the plane and to space.
+//! Clipping by codes, told: in the plane and in space the same steps, said in each one's own words.
 
 use crate::{
     algo::{
         parameter::End,
         segment::{CodeClip, CodeEvent, Coded, VisibleLine},
     },
-    figure::{BitRow, Bits, Role, View},
-    labs::{
-        Answer,
-        operator::Operator,
-        telling::Named,
-        words::{end_link, end_name, end_name_now, name},
-    },
-    text::{Formula, Message, Value},
-    trace::Step,
+    figure::{BitRow, Bits},
+    labs::{interval::value_of, prelude::*},
 };
 
-use super::ends::{left_in, place};
+use super::ends::{ENDS, end_named, is_point, left_in, place};
 
 const CODE_SYMBOLS: [&str; 2] = ["code₁", "code₂"];
 
-/// Catalogue keys of what is said.
 #[derive(Debug)]
 pub struct CodeKeys {
-    /// What is asked.
     pub opening: &'static str,
     /// A code with no bit set, with one, two and three.
     pub codes: [&'static str; 4],
@@ -31,52 +22,37 @@ pub struct CodeKeys {
     pub or: [&'static str; 2],
     /// The AND is 0, and not.
     pub and: [&'static str; 2],
-    /// The side that is cut at.
     pub choose: &'static str,
-    /// The end, where nothing is visible.
     pub reject: &'static str,
     /// The end, where one point is left, and where one was given.
     pub one_point: [&'static str; 2],
 }
 
-/// An event of clipping inputs of the kind `I`.
 pub type EventOf<const N: usize, I> = CodeEvent<N, <I as Coded<N>>::Code, <I as Coded<N>>::Side>;
 
-/// An input whose clipping can be shown.
 pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
-    /// What is drawn around a run.
     type Scenery: 'static;
-    /// As JSON spells the method.
     const ID: &'static str;
-    /// Catalogue key of its name.
     const NAME_KEY: &'static str;
-    /// Author and year.
     const SOURCE: &'static str;
-    /// What is said.
     const KEYS: CodeKeys;
 
-    /// The sides in the order in which their bits are written.
     fn written(&self) -> Vec<Self::Side>;
 
-    /// A side's name in a sentence, with its link.
     fn side(side: Self::Side) -> Named;
 
-    /// Its name over its bits.
     fn column(side: Self::Side) -> Value;
 
     /// Of several sides that both ends lie beyond, the one that is named.
     fn shared(&self, and: Self::Code) -> Option<Self::Side>;
 
-    /// What else a sentence names of a code.
     fn named(&self, code: Self::Code, name: &str) -> Option<Value>;
 
     /// Where a point lies along an axis: `x = −2 < −1`.
     fn position(&self, axis: usize, at: [f64; N], code: Self::Code) -> Formula;
 
-    /// The equation of a side.
     fn border(&self, side: Self::Side) -> Formula;
 
-    /// How the crossing with a side is worked out.
     fn crossing_formulas(&self, side: Self::Side, at: [f64; N]) -> Vec<Formula>;
 
     /// The watch table's word on a code: of an end, or of the OR and the AND.
@@ -85,25 +61,17 @@ pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
     /// What stands under the bits while nothing is made of them; the code is that which is found at this step.
     fn rule(&self, code: Option<Self::Code>) -> Message;
 
-    /// The drawing.
     fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
 }
 
-/// A step, with what the picture needs of those before it.
 pub struct CodeStep<'a, const N: usize, I: Coded<N>> {
-    /// What the method runs on.
     pub input: &'a I,
-    /// The event that led to the step.
     pub event: Option<EventOf<N, I>>,
-    /// The ends of what is left.
     pub ends: [[f64; N]; 2],
-    /// Their codes, once known.
     pub codes: [Option<I::Code>; 2],
     /// The last OR, until a code changes.
     or: Option<I::Code>,
-    /// The last AND, until a code changes.
     and: Option<I::Code>,
-    /// Where the segment was cut, in the order of the cuts.
     pub cuts: Vec<[f64; N]>,
     /// The answer, once known: a bit in common rejects as soon as it is seen.
     pub verdict: Option<VisibleLine<N>>,
@@ -156,7 +124,6 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
         }
     }
 
-    /// Both codes as bits, and what an operator makes of them once it is asked.
     pub fn bits(&self) -> Bits {
         let (input, written) = (self.input, self.input.written());
         let bits = |code| written.iter().map(|&side| input.has(code, side)).collect();
@@ -164,44 +131,43 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             Some(CodeEvent::Code { code, end, .. }) => (Some(code), Some(end)),
             _ => (None, None),
         };
+        let role = |is_now| if is_now { Role::Signal } else { Role::Ink };
         let row = |end: End| BitRow {
             name: end_name_now(end, self.ends[end.idx()] != input.ends()[end.idx()]),
             bits: self.codes[end.idx()].map_or_else(Vec::new, bits),
-            role: if found_at == Some(end) {
-                Role::Signal
-            } else {
-                Role::Ink
-            },
+            role: role(found_at == Some(end)),
             link: Some(end_link(end)),
         };
         let combined = self.combined();
-        let is_now = matches!(
-            self.event,
-            Some(CodeEvent::Or { .. } | CodeEvent::And { .. })
-        );
+        let is_now = |event| matches!(event, CodeEvent::Or { .. } | CodeEvent::And { .. });
+        let result = |(symbol, _, code)| BitRow {
+            name: name(symbol),
+            bits: bits(code),
+            role: role(self.event.is_some_and(is_now)),
+            link: None,
+        };
+        let note = combined.map(|(_, note, _)| Message::new(note));
         let column = |side| written.iter().position(|&of| of == side);
         Bits {
             columns: written.iter().map(|&side| I::column(side)).collect(),
             rows: End::BOTH.map(row).to_vec(),
-            note: Some(combined.map_or_else(|| input.rule(found), |(operator, _)| operator.note())),
-            result: combined.map(|(operator, code)| operator.row(bits(code), is_now)),
+            note: note.or_else(|| Some(input.rule(found))),
+            result: combined.map(result),
             deciding: self.deciding().and_then(column),
         }
     }
 
-    /// The operator that the step is about, and what it gives.
-    fn combined(&self) -> Option<(Operator, I::Code)> {
-        let operator = match self.event? {
-            CodeEvent::Code { .. } | CodeEvent::Cut { .. } => return None,
-            CodeEvent::Or { .. } | CodeEvent::Accept { .. } | CodeEvent::Choose { .. } => {
-                Operator::Or
+    /// Of OR and AND the one that the step is about: its name, what is said of it, and what it gives.
+    fn combined(&self) -> Option<(&'static str, &'static str, I::Code)> {
+        match self.event? {
+            CodeEvent::Code { .. } | CodeEvent::Cut { .. } => None,
+            CodeEvent::And { .. } | CodeEvent::Reject { .. } => {
+                Some(("AND", "cs-note-and", self.and?))
             }
-            CodeEvent::And { .. } | CodeEvent::Reject { .. } => Operator::And,
-        };
-        operator.of([self.or, self.and])
+            _ => Some(("OR", "cs-note-or", self.or?)),
+        }
     }
 
-    /// What is made of both codes, or the code of an end.
     fn bits_now(&self) -> Option<I::Code> {
         match self.event? {
             CodeEvent::Code { code, .. } => Some(code),
@@ -216,14 +182,10 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             CodeEvent::Code { end, .. }
             | CodeEvent::Choose { end, .. }
             | CodeEvent::Cut { end, .. } => Some(end),
-            CodeEvent::Or { .. }
-            | CodeEvent::And { .. }
-            | CodeEvent::Accept { .. }
-            | CodeEvent::Reject { .. } => None,
+            _ => None,
         }
     }
 
-    /// A code in the watch table, if it is known.
     fn watched(&self, code: Option<I::Code>, is_of_end: bool) -> Named {
         let shown = Named::maybe(code.map(|code| name(code.to_string())));
         let note = code.and_then(|code| self.input.note(code, is_of_end));
@@ -235,18 +197,14 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             "P₁" => Named::from(place(&self.ends[0])).linked(end_link(End::P1)),
             "P₂" => Named::from(place(&self.ends[1])).linked(end_link(End::P2)),
             "t" => match self.event {
-                Some(CodeEvent::Cut { u, .. }) => Value::Ratio {
-                    num: u.num,
-                    den: u.den,
-                }
-                .into(),
+                Some(CodeEvent::Cut { u, .. }) => value_of(u).into(),
                 _ => Named::empty(),
             },
             "code₁" => self.watched(self.codes[0], true),
             "code₂" => self.watched(self.codes[1], true),
             "OR" => self.watched(self.or, false),
             "AND" => self.watched(self.and, false),
-            "end" => Named::from(end_name(self.end_now()?)).linked(end_link(self.end_now()?)),
+            "end" => end_named(self.end_now()?),
             "code" => name(CODE_SYMBOLS[self.end_now()?.idx()]).into(),
             "bits" | "and" => name(self.bits_now()?.to_string()).into(),
             "segment" => Named::empty().linked("segment"),
@@ -283,4 +241,109 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             _ => None,
         }
     }
+}
+
+const CODES_VIEW: &str = "codes";
+
+const CODES: usize = 0;
+const ACCEPT: usize = 2;
+const REJECT: usize = 3;
+const CHOOSE: usize = 4;
+const CUT: usize = 6;
+const RECODE: usize = 7;
+
+const fn code_row(line: usize, key: &'static str) -> Row {
+    Row::new(Test, line, key)
+        .so(&["{x}", "{y}", "{z}"])
+        .about("end")
+}
+
+impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
+    type Scenery = I::Scenery;
+
+    const ID: &'static str = I::ID;
+    const NAME_KEY: &'static str = I::NAME_KEY;
+    const SOURCE: &'static str = I::SOURCE;
+    const CODE: &'static [CodeLine] = &[
+        code_line(0, "code-cs-codes", "words-cs-codes"),
+        code_line(0, "code-cs-loop", "words-cs-loop"),
+        code_line(1, "code-cs-accept", "words-cs-accept"),
+        code_line(1, "code-cs-reject", "words-cs-reject"),
+        code_line(1, "code-cs-choose", "words-cs-choose"),
+        code_line(1, "code-cs-end", "words-cs-end"),
+        code_line(1, "code-cs-cut", "words-cs-cut"),
+        code_line(1, "code-cs-recode", "words-cs-recode"),
+    ];
+    const WATCH: &'static [Watched] = &[
+        Watched::Names(&["P₁", "P₂", "t"]),
+        Watched::Seen(&["code₁", "code₂", "OR", "AND"], CODES_VIEW),
+    ];
+
+    table! { |event, step|
+        inside: CodeEvent::Code { code, .. } if found(step, code) == (true, 0) =>
+            code_row(CODES, I::KEYS.codes[0]);
+        one: CodeEvent::Code { code, .. } if found(step, code) == (true, 1) =>
+            code_row(CODES, I::KEYS.codes[1]);
+        two: CodeEvent::Code { code, .. } if found(step, code) == (true, 2) =>
+            code_row(CODES, I::KEYS.codes[2]);
+        three: CodeEvent::Code { code, .. } if found(step, code) == (true, 3) =>
+            code_row(CODES, I::KEYS.codes[3]);
+        inside_now: CodeEvent::Code { code, .. } if found(step, code) == (false, 0) =>
+            code_row(RECODE, I::KEYS.codes[0]);
+        one_now: CodeEvent::Code { code, .. } if found(step, code) == (false, 1) =>
+            code_row(RECODE, I::KEYS.codes[1]);
+        two_now: CodeEvent::Code { code, .. } if found(step, code) == (false, 2) =>
+            code_row(RECODE, I::KEYS.codes[2]);
+        three_now: CodeEvent::Code { .. } => code_row(RECODE, I::KEYS.codes[3]);
+        both_inside: CodeEvent::Or { or } if or == I::Code::default() =>
+            Row::new(Test, ACCEPT, I::KEYS.or[0]).so(&["{code₁} OR {code₂} = {OR}"])
+                .answers_as("or", "cs-option-inside").keeps("segment");
+        not_inside: CodeEvent::Or { .. } =>
+            Row::new(Test, ACCEPT, I::KEYS.or[1]).so(&["{code₁} OR {code₂} = {OR}"])
+                .answers_as("or", "cs-option-not-inside");
+        undecided: CodeEvent::And { and } if and == I::Code::default() =>
+            Row::new(Test, REJECT, I::KEYS.and[0]).so(&["{code₁} AND {code₂} = {AND}"])
+                .answers_as("and", "cs-option-undecided");
+        both_beyond: CodeEvent::And { .. } =>
+            Row::new(Test, REJECT, I::KEYS.and[1]).so(&["{code₁} AND {code₂} = {AND}"])
+                .answers_as("and", "cs-option-beyond").drops("segment");
+        choose: CodeEvent::Choose { .. } =>
+            Row::new(Phase, CHOOSE, I::KEYS.choose).so(&["code₁ OR code₂ = {OR}"])
+                .about("plane").picks("plane", "planes");
+        cut: CodeEvent::Cut { .. } =>
+            Row::new(Cut, CUT, "cs-cut").so(&["{1st}", "{2nd}", "{3rd}", "{4th}"]).cuts("end");
+        point: CodeEvent::Accept { .. } if is_point(step.input.ends()) =>
+            Row::new(Accept, ACCEPT, I::KEYS.one_point[1]);
+        touch: CodeEvent::Accept { ends } if is_point(ends) =>
+            Row::new(Accept, ACCEPT, I::KEYS.one_point[0]);
+        accept: CodeEvent::Accept { .. } => Row::new(Accept, ACCEPT, "line-accept");
+        reject: CodeEvent::Reject { .. } => Row::new(Reject, REJECT, I::KEYS.reject);
+    }
+
+    const OPENING: Row = Row::new(Phase, CODES, I::KEYS.opening).so(ENDS);
+
+    fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
+        CodeStep::of(&at.step).named(name)
+    }
+
+    fn listed(at: &At<'_, Self>, _: &str) -> Vec<Named> {
+        at.step.input.written().into_iter().map(I::side).collect()
+    }
+
+    fn views(at: &At<'_, Self>) -> Vec<View> {
+        let shown = CodeStep::of(&at.step);
+        let codes = View::new(CODES_VIEW, Body::Bits(shown.bits()));
+        let drawing = I::drawing(&shown, at.scenery);
+        drawing.into_iter().chain([codes]).collect()
+    }
+}
+
+/// Is it one of the first two codes, before any cut? And how many bits are set, three at most.
+fn found<const N: usize, I: CodeLook<N>>(
+    step: &Step<'_, CodeClip<N, I>>,
+    code: I::Code,
+) -> (bool, usize) {
+    let sides = step.input.written().into_iter();
+    let n_beyond = sides.filter(|&side| step.input.has(code, side)).count();
+    (step.past.len() <= 2, n_beyond.min(3))
 }

@@ -1,19 +1,18 @@
 //! What is said of a segment's ends.
 
-use crate::{
-    figure::Link,
-    labs::telling::Named,
-    text::{Formula, Value},
-};
+use crate::{algo::parameter::End, labs::prelude::*};
 
-/// Of a whole segment, given in its catalogue's words.
 pub const ENDS: &[&str] = &["P₁ = {P₁}", "P₂ = {P₂}"];
 
-/// A point as a value, in however many dimensions.
+/// An end in a sentence.
+pub fn end_named(end: End) -> Named {
+    Named::from(end_name(end)).linked(end_link(end))
+}
+
 pub fn place<const N: usize>(at: &[f64; N]) -> Value {
     match at[..] {
         [x, y] => Value::Point([x, y]),
-        _ => Value::Formula(Formula::default().sym("(").list(at).sym(")")),
+        _ => Value::Formula(sym("(").list(at).sym(")")),
     }
 }
 
@@ -27,7 +26,6 @@ pub fn left_in<const N: usize>(visible: Option<[[f64; N]; 2]>, name: &str) -> Op
     }
 }
 
-/// Are both ends the same?
 pub fn is_point<const N: usize>([p1, p2]: [[f64; N]; 2]) -> bool {
     p1 == p2
 }

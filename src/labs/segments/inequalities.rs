@@ -7,29 +7,23 @@ use crate::{
         segment::{Given, LineClip, LineEvent, LineRules, RowNumbers},
     },
     figure::{
-        Body, Side,
-        Tick::{self, Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchSection,
+        Side,
+        Tick::{self},
     },
     labs::{
-        CodeLine,
         interval::{difference, direction, quotient_formula, value_of},
-        telling::{At, Named, Row, Telling, Watched, table},
-        words::{end_link, end_name, name},
+        prelude::*,
     },
-    text::{Formula, Value},
 };
 
 use super::{
-    ends::{is_point, left_in, place},
+    ends::{end_named, is_point, left_in, place},
     line_step::{LineLook, LineStep, LineVariant, ratio},
     line_table::{row_values, rows_table},
 };
 
-/// The view of what is left of the parameter.
 const AXIS_VIEW: &str = "axis";
 
-/// The lines of pseudocode.
 pub const START: usize = 0;
 const EACH: usize = 1;
 const PARALLEL: usize = 2;
@@ -37,21 +31,17 @@ const ENTER: usize = 3;
 const LEAVE: usize = 4;
 const EMPTY: usize = 5;
 const ACCEPT: usize = 6;
-/// How many there are.
 pub const N_LINES: usize = ACCEPT + 1;
 
-/// A crossing, and what it does to its bound.
 const fn bound_row(line: usize, key: &'static str, question: &'static str) -> Row {
     let row = Row::new(Cut, line, key).so(&["{r = q/p}", "{u = max(u, r)}"]);
     row.about("plane").answers(question)
 }
 
-/// Which ends lie behind the eye.
 const fn depths_row(key: &'static str) -> Row {
     Row::new(Test, START, key).so(&["w₁ = {w₁}", "w₂ = {w₂}"])
 }
 
-/// Which way the line goes across a plane.
 const fn plane_row(key: &'static str) -> Row {
     let row = Row::new(Phase, EACH, key).so(&["{1st}", "{2nd}"]);
     row.about("plane").picks("direction", "directions")
@@ -129,11 +119,8 @@ where
             row(Reject, START, "space-line-reject-behind");
     }
 
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const {
-            &Row::new(Phase, START, B::KEYS.opening).so(&["P₁ = {given P₁}", "P₂ = {given P₂}"])
-        }
-    }
+    const OPENING: Row =
+        Row::new(Phase, START, B::KEYS.opening).so(&["P₁ = {given P₁}", "P₂ = {given P₂}"]);
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let shown = LineStep::of(&at.step);
@@ -155,23 +142,21 @@ where
         let header = vec![first, second, B::SYMBOLS[1]];
         let rows = WatchSection::table(header, row_values(&shown, at.scenery));
         let bounds = WatchSection::list(shown.interval(at.scenery).bound_rows().collect());
-        let [rows, bounds] = if B::SHOWS_PLANES {
+        let mut watch: Watch = Self::WATCH.iter().map(|it| at.section(it)).collect();
+        watch.extend(if B::SHOWS_PLANES {
             [rows.seen_in(B::ROWS_VIEW), bounds.seen_in(AXIS_VIEW)]
         } else {
             [rows, bounds]
-        };
-        let names = Self::WATCH.iter().map(|watched| at.section(watched));
-        names.chain([rows, bounds]).collect()
+        });
+        watch
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
         let shown = LineStep::of(&at.step);
         let mut views = B::drawing(&shown, at.scenery);
         let rows = || Body::Table(rows_table(&shown, at.scenery));
-        views.push(View::new(
-            B::ROWS_VIEW,
-            B::rows(&shown).unwrap_or_else(rows),
-        ));
+        let rows = B::rows(&shown).unwrap_or_else(rows);
+        views.push(View::new(B::ROWS_VIEW, rows));
         if B::SHOWS_PLANES {
             let interval = shown.interval(at.scenery);
             let axis = Body::NumberLine(interval.number_line(shown.reach()));
@@ -181,20 +166,18 @@ where
     }
 }
 
-/// What is named of the whole run: the ends, and what they differ by.
 fn whole<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>, of: &str) -> Option<Named> {
-    let end = |end: End, at: &[f64; N]| Some(Named::from(place(at)).linked(end_link(end)));
-    let delta = |i: usize| Some(Named::maybe(shown.delta.map(|delta| delta[i])));
-    let is_put = |end_put: End| end(end_put, shown.put[end_put.idx()].as_ref()?);
+    let end = |end: End, at: &[f64; N]| Named::from(place(at)).linked(end_link(end));
+    let delta = |i: usize| Named::maybe(shown.delta.map(|delta| delta[i]));
     let given = shown.input.ends();
-    match of {
-        "given P₁" => Some(place(&given[0]).into()),
-        "given P₂" => Some(place(&given[1]).into()),
+    Some(match of {
+        "given P₁" => place(&given[0]).into(),
+        "given P₂" => place(&given[1]).into(),
         "P₁" => end(End::P1, &shown.ends[0]),
         "P₂" => end(End::P2, &shown.ends[1]),
-        "P₁′" => is_put(End::P1),
-        "P₂′" => is_put(End::P2),
-        "Δ" => Some(place(shown.delta.as_ref()?).into()),
+        "P₁′" => end(End::P1, shown.put[0].as_ref()?),
+        "P₂′" => end(End::P2, shown.put[1].as_ref()?),
+        "Δ" => place(shown.delta.as_ref()?).into(),
         "Δx" => delta(0),
         "Δy" => delta(1),
         "x" | "y" | "z" => {
@@ -202,19 +185,17 @@ fn whole<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>, of: &str) -
             let Some(LineEvent::Delta { delta }) = shown.event else {
                 return None;
             };
-            let difference = Formula::default().sym(format!("Δ{of} = "));
-            let difference = difference.num(*given[1].get(axis)?).sym(" − ");
-            let difference = difference.operand(*given[0].get(axis)?);
-            Some(difference.equals(*delta.get(axis)?).into())
+            let difference = sym(format!("Δ{of} = ")).num(*given[1].get(axis)?);
+            let difference = difference.sym(" − ").operand(*given[0].get(axis)?);
+            difference.equals(*delta.get(axis)?).into()
         }
-        "w₁" => Some((*given[0].last()?).into()),
-        "w₂" => Some((*given[1].last()?).into()),
-        "planes" => Some(shown.input.bounds().planes().count().into()),
-        _ => None,
-    }
+        "w₁" => (*given[0].last()?).into(),
+        "w₂" => (*given[1].last()?).into(),
+        "planes" => shown.input.bounds().planes().count().into(),
+        _ => return None,
+    })
 }
 
-/// What is named of the plane in hand.
 fn of_plane<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
     shown: &LineStep<'_, N, B>,
     at: &At<'_, LineClip<N, B, L>>,
@@ -232,9 +213,8 @@ fn of_plane<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
         ("of q", _) => name(B::PARALLEL).into(),
         ("q", LineEvent::Parallel { q, .. }) => q.into(),
         ("1st" | "2nd" | "3rd" | "4th", event) => {
-            let nth = ["1st", "2nd", "3rd", "4th"]
-                .iter()
-                .position(|it| *it == of)?;
+            let nth = ["1st", "2nd", "3rd", "4th"];
+            let nth = nth.iter().position(|it| *it == of)?;
             let formulas = match event {
                 LineEvent::Row { .. } => {
                     let bounds = shown.input.bounds();
@@ -266,7 +246,6 @@ fn of_plane<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
     })
 }
 
-/// What is named of what is left.
 fn of_interval<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
     shown: &LineStep<'_, N, B>,
     at: &At<'_, LineClip<N, B, L>>,
@@ -288,45 +267,41 @@ fn of_interval<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>
     })
 }
 
-/// What is named of an end that is put in place, or of both.
 fn of_end<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
     shown: &LineStep<'_, N, B>,
     at: &At<'_, LineClip<N, B, L>>,
     of: &str,
 ) -> Option<Named> {
-    let end_named = |end| Some(Named::from(end_name(end)).linked(end_link(end)));
-    match (of, shown.event?) {
+    Some(match (of, shown.event?) {
         ("end", LineEvent::Put { end, .. }) => end_named(end),
-        ("end", LineEvent::Depths { behind, .. }) => {
-            end_named(if behind[0] { End::P1 } else { End::P2 })
-        }
-        ("at", LineEvent::Put { at, .. }) => Some(place(&at).into()),
-        ("symbol", _) => Some(name(B::SYMBOLS[0]).into()),
+        (
+            "end",
+            LineEvent::Depths {
+                behind: [true, _], ..
+            },
+        ) => end_named(End::P1),
+        ("end", LineEvent::Depths { .. }) => end_named(End::P2),
+        ("at", LineEvent::Put { at, .. }) => place(&at).into(),
+        ("symbol", _) => name(B::SYMBOLS[0]).into(),
         ("u" | "t", LineEvent::Put { u, plane, .. }) => {
             let row = plane.and_then(|plane| shown.row_of(plane));
             let row = row.filter(|_| N > 2);
             let written = || shown.interval(at.scenery).written(u);
-            Some(
-                row.map_or_else(written, |row| value_of(ratio(row, u)))
-                    .into(),
-            )
+            let written = row.map_or_else(written, |row| value_of(ratio(row, u)));
+            written.into()
         }
         ("border", LineEvent::Put { plane, .. }) => {
             let bounds = shown.input.bounds();
-            Some(bounds.border(plane?, at.scenery).into())
+            bounds.border(plane?, at.scenery).into()
         }
         ("P₁′/w" | "P₂′/w", LineEvent::Accept { ends }) if N == 4 => {
             let (w, place) = ends[usize::from(of == "P₂′/w")].split_last()?;
             let image: Vec<f64> = place.iter().map(|x| x / w).collect();
-            let symbol = if of == "P₂′/w" {
-                "P₂′ / w = "
-            } else {
-                "P₁′ / w = "
-            };
-            let formula = Formula::default().sym(symbol);
-            let is_image = *w > 0.0;
-            is_image.then(|| formula.sym("(").list(&image).sym(")").into())
+            let symbols = ["P₁′ / w = ", "P₂′ / w = "];
+            let formula = sym(symbols[usize::from(of == "P₂′/w")]);
+            let formula = formula.sym("(").list(&image).sym(")");
+            Some(formula).filter(|_| *w > 0.0)?.into()
         }
-        _ => left_in(shown.verdict.flatten(), of),
-    }
+        _ => return left_in(shown.verdict.flatten(), of),
+    })
 }

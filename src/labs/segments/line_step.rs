@@ -8,52 +8,37 @@ use crate::{
             Bounds, EventOf, Given, LineClip, LineEvent, LineRules, RowNumbers, VisibleLine,
         },
     },
-    figure::{Body, Side, TableNote, View},
+    figure::Side,
     labs::{
-        Answer, CodeLine,
+        crossing_formulas::Weights,
         interval::{ShownCrossing, ShownInterval, quotient},
-        telling::Named,
+        prelude::*,
     },
-    text::{Formula, Value},
-    trace::Step,
 };
 
-/// Catalogue keys of what is said.
 #[derive(Debug)]
 pub struct LineKeys {
-    /// What is asked.
     pub opening: &'static str,
-    /// P₂ − P₁ is worked out.
     pub delta: &'static str,
     /// A row: the line comes in, goes out, is parallel.
     pub row: [&'static str; 3],
-    /// Parallel and inside, and outside.
     pub parallel: [&'static str; 2],
-    /// Coming in raises the lower bound, or does not.
     pub enter: [&'static str; 2],
     /// Going out lowers the upper bound, or does not.
     pub leave: [&'static str; 2],
-    /// An end is put in place.
     pub put: &'static str,
     /// The end, where one point is left, and where one was given.
     pub one_point: [&'static str; 2],
-    /// The end, where a plane rejects.
     pub reject: &'static str,
 }
 
-/// Bounds that can be shown.
 pub trait LineLook<const N: usize>: Bounds<N, Output: Answer> {
-    /// What is drawn around a run.
     type Scenery: 'static;
-    /// Author and year.
     const SOURCE: &'static str;
-    /// What is said.
     const KEYS: LineKeys;
-    /// The names that the watch table begins with.
-    const WATCHED: &'static [&'static str];
+    const WATCHED: &'static [&'static str] = &["P₁", "P₂", "Δ", "P₁′", "P₂′"];
     /// The parameter along the segment, and where it crosses a plane.
     const SYMBOLS: [&'static str; 2];
-    /// Over the two numbers of a row.
     const HEADER: [&'static str; 2];
     /// The quotient of them, as it is written: above, below, each a symbol or one minus another.
     const QUOTIENT: [&'static [&'static str]; 2];
@@ -61,56 +46,51 @@ pub trait LineLook<const N: usize>: Bounds<N, Output: Answer> {
     const SIGN: f64;
     /// What stands before the number that decides of a parallel line.
     const PARALLEL: &'static str;
-    /// The view of the rows.
-    const ROWS_VIEW: &'static str;
-    /// Catalogue key: what is over the names of the planes.
+    const ROWS_VIEW: &'static str = "rows";
     const PLANES: &'static str = "column-plane";
-    /// Catalogue keys: how a crossing moves the bounds.
     const NOTES: [&'static str; 2];
     /// Has the watch table a row for each plane from the start, and a word on which way the line goes?
-    const WATCHES: [bool; 2];
+    const WATCHES: [bool; 2] = [false, true];
     /// Are the planes the rows of the table, and the interval an axis? Else the points are.
     const SHOWS_PLANES: bool = true;
 
-    /// A plane's name in a sentence, with its link.
     fn plane(plane: Self::Plane, scenery: Option<&Self::Scenery>) -> Named;
 
-    /// Its name in the table.
     fn plane_in_table(plane: Self::Plane, scenery: Option<&Self::Scenery>) -> Option<Value> {
         Self::plane(plane, scenery).value
     }
 
-    /// The two numbers of a row under [`LineLook::HEADER`].
     fn numbers(&self, ends: &[[f64; N]; 2], row: &SeenRow<N, Self>) -> [f64; 2];
 
     /// What they are, where a symbol says it.
-    fn meaning(plane: Self::Plane) -> Option<[String; 2]>;
+    fn meaning(_plane: Self::Plane) -> Option<[String; 2]> {
+        None
+    }
 
-    /// How the two are worked out.
     fn row_formulas(&self, ends: &[[f64; N]; 2], row: &SeenRow<N, Self>) -> Vec<Formula>;
 
-    /// How an end came to its place on a plane.
+    /// Of an end; where nothing else is said it is a mean of both, all coordinates at once.
     fn put_formulas(
         shown: &LineStep<'_, N, Self>,
         end: End,
         plane: Self::Plane,
         at: [f64; N],
-    ) -> Vec<Formula>;
+    ) -> Vec<Formula> {
+        let symbol = ["P₁′", "P₂′"][end.idx()];
+        let distances = shown.input.bounds().distances(plane, &shown.ends);
+        vec![Weights::across(distances).mean_of_places(symbol, &shown.ends, at)]
+    }
 
-    /// `x = 1`, or the plane's name.
     fn border(&self, plane: Self::Plane, scenery: Option<&Self::Scenery>) -> Value;
 
-    /// What else stands under the rows.
     fn other_notes(_: &LineStep<'_, N, Self>) -> Vec<TableNote> {
         Vec::new()
     }
 
-    /// What stands over r: how it is worked out, where there is room.
     fn quotient_header() -> Formula {
-        Formula::default().sym(Self::SYMBOLS[1])
+        sym(Self::SYMBOLS[1])
     }
 
-    /// Does the table begin with the whole interval?
     const STARTS_WHOLE: bool = false;
 
     /// What stands beside the drawing in rows, where it is not the planes in their order.
@@ -118,15 +98,11 @@ pub trait LineLook<const N: usize>: Bounds<N, Output: Answer> {
         None
     }
 
-    /// The drawing, and what stands beside it but for the table.
     fn drawing(shown: &LineStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Vec<View>;
 }
 
-/// How a method of certain rules is called.
 pub trait LineVariant<const N: usize, B>: Copy + 'static {
-    /// As JSON spells it.
     const ID: &'static str;
-    /// Catalogue key of its name.
     const NAME_KEY: &'static str;
     /// Its pseudocode: seven lines, of the same sense in all of them.
     const CODE: &'static [CodeLine];
@@ -142,16 +118,12 @@ pub fn ratio<const N: usize, B: LineLook<N>>(row: &SeenRow<N, B>, r: f64) -> Rat
     quotient(signed(q), signed(p), r)
 }
 
-/// One line of the table.
 #[derive(Debug)]
 pub struct SeenRow<const N: usize, B: Bounds<N>> {
-    /// The plane.
     pub plane: B::Plane,
     /// p and q, or what they follow from.
     pub numbers: B::Row,
-    /// q / p, where there is one.
     pub r: Option<f64>,
-    /// The interval after it, once known.
     pub left: Option<[f64; 2]>,
 }
 
@@ -162,37 +134,26 @@ impl<const N: usize, B: Bounds<N>> SeenRow<N, B> {
     }
 }
 
-/// A step, whatever the rules.
 pub struct LineStep<'a, const N: usize, B: LineLook<N>> {
-    /// What the method runs on.
     pub input: &'a B::Input,
-    /// The event that led to the step.
     pub event: Option<EventOf<N, B>>,
-    /// Are the ends divided before they are clipped?
     pub is_divided: bool,
     /// What is clipped: as given, but by wrong rules.
     pub ends: [[f64; N]; 2],
-    /// P₂ − P₁, once known and where it is needed.
     pub delta: Option<[f64; N]>,
-    /// The table, as far as it is filled.
     pub rows: Vec<SeenRow<N, B>>,
-    /// What is left of the parameter.
     pub bounds: [f64; 2],
-    /// The planes that set it.
     pub set_by: [Option<B::Plane>; 2],
-    /// Ends already put in place.
     pub put: [Option<[f64; N]>; 2],
     /// The answer, once known: what lies outside a parallel plane is rejected as soon as that is seen.
     pub verdict: Option<VisibleLine<N>>,
 }
 
 impl<'a, const N: usize, B: LineLook<N>> LineStep<'a, N, B> {
-    /// After all that is past.
     pub fn of<L: LineRules>(step: &Step<'a, LineClip<N, B, L>>) -> Self {
         Self::after::<L>(step.input, step.past)
     }
 
-    /// Before the last event.
     pub fn before<L: LineRules>(step: &Step<'a, LineClip<N, B, L>>) -> Self {
         let past = step.past.split_last().map_or(&[][..], |(_, before)| before);
         Self::after::<L>(step.input, past)
@@ -276,19 +237,14 @@ impl<'a, const N: usize, B: LineLook<N>> LineStep<'a, N, B> {
             | LineEvent::Leave { plane, .. } => Some(plane),
             LineEvent::Reject { plane } => plane,
             LineEvent::Interval { .. } => self.rows.last().map(|row| row.plane),
-            LineEvent::Delta { .. }
-            | LineEvent::Depths { .. }
-            | LineEvent::Put { .. }
-            | LineEvent::Accept { .. } => None,
+            _ => None,
         }
     }
 
-    /// The row of a plane that has been asked.
     pub fn row_of(&self, plane: B::Plane) -> Option<&SeenRow<N, B>> {
         self.rows.iter().find(|row| row.plane == plane)
     }
 
-    /// What is left of the parameter, with the crossings.
     pub fn interval(&self, scenery: Option<&B::Scenery>) -> ShownInterval {
         let current = self.in_hand();
         let crossings = self.rows.iter().filter_map(|row| {
@@ -312,7 +268,6 @@ impl<'a, const N: usize, B: LineLook<N>> LineStep<'a, N, B> {
         }
     }
 
-    /// Where the segment's line crosses the planes, to make room for it.
     pub fn reach(&self) -> impl Iterator<Item = f64> + '_ {
         let ends = self.input.ends();
         self.input.bounds().planes().map(move |plane| {

@@ -2,12 +2,10 @@
 
 use crate::{
     algo::segment::{Given, LineEvent},
-    figure::{Cell, Role, Table, TableNote, TableRow, WatchRow},
     labs::{
         interval::{direction, value_of},
-        words::name,
+        prelude::*,
     },
-    text::{Formula, Message, Value},
 };
 
 use super::line_step::{LineLook, LineStep, ratio};
@@ -22,10 +20,9 @@ pub fn row_values<const N: usize, B: LineLook<N>>(
     let rows = bounds.planes().enumerate().map(|(nth, plane)| {
         let row = shown.rows.get(nth);
         let numbers = row.map(|row| bounds.numbers(&shown.ends, row));
-        let mut cells: Vec<Option<Value>> = [0, 1]
-            .map(|i| numbers.map(|numbers| Value::Number(numbers[i])))
-            .to_vec();
-        cells.push(row.and_then(|row| Some(value_of(ratio(row, row.r?)))));
+        let number = |i: usize| numbers.map(|numbers| Value::Number(numbers[i]));
+        let r = row.and_then(|row| Some(value_of(ratio(row, row.r?))));
+        let cells = vec![number(0), number(1), r];
         let named = B::plane(plane, scenery);
         let word = row.filter(|_| says_direction);
         WatchRow {
@@ -38,19 +35,11 @@ pub fn row_values<const N: usize, B: LineLook<N>>(
     rows.take(n_rows).collect()
 }
 
-/// What has been worked out in a row at this step.
-struct Now {
-    numbers: bool,
-    r: bool,
-}
-
-/// Every row is there from the start; the current one is lit.
 pub fn rows_table<const N: usize, B: LineLook<N>>(
     shown: &LineStep<'_, N, B>,
     scenery: Option<&B::Scenery>,
 ) -> Table {
-    let symbol = |symbol: &'static str| Formula::default().sym(symbol);
-    let bound = |suffix| Formula::default().sym(format!("{}_{suffix}", B::SYMBOLS[0]));
+    let bound = |suffix| sym(format!("{}_{suffix}", B::SYMBOLS[0]));
     let mut above = [0.0, 1.0];
     let mut rows = Vec::new();
     if B::STARTS_WHOLE {
@@ -61,7 +50,7 @@ pub fn rows_table<const N: usize, B: LineLook<N>>(
         let left = shown.rows.get(nth).and_then(|row| row.left);
         above = left.unwrap_or(above);
     }
-    let [first, second] = B::HEADER.map(symbol);
+    let [first, second] = B::HEADER.map(sym);
     Table {
         header: vec![
             Formula::default().term(B::PLANES),
@@ -77,7 +66,6 @@ pub fn rows_table<const N: usize, B: LineLook<N>>(
     }
 }
 
-/// All of the segment.
 fn start_row() -> TableRow {
     let mut cells = vec![Cell::new(Role::Ink, None::<Value>); 4];
     cells.extend([0.0, 1.0].map(|bound| Cell::new(Role::Ink, Some(bound))));
@@ -98,30 +86,25 @@ fn plane_row<const N: usize, B: LineLook<N>>(
 ) -> TableRow {
     let row = shown.rows.get(nth);
     let is_current = shown.in_hand() == Some(plane);
-    let now = Now {
-        numbers: is_current && matches!(shown.event, Some(LineEvent::Row { .. })),
-        r: is_current
-            && matches!(
-                shown.event,
-                Some(
-                    LineEvent::Enter { .. } | LineEvent::Leave { .. } | LineEvent::Interval { .. }
-                )
-            ),
+    use LineEvent::{Enter, Interval, Leave};
+    let [numbers_role, r_role] = match shown.event.filter(|_| is_current) {
+        Some(LineEvent::Row { .. }) => [Role::Signal, Role::Ink],
+        Some(Enter { .. } | Leave { .. } | Interval { .. }) => [Role::Ink, Role::Signal],
+        _ => [Role::Ink; 2],
     };
-    let role = |is_now: bool| if is_now { Role::Signal } else { Role::Ink };
     let bounds = shown.input.bounds();
     let numbers = row.map(|row| bounds.numbers(&shown.ends, row));
     // Before the first row: what the numbers are.
     let meaning = B::meaning(plane).filter(|_| shown.rows.is_empty());
     let number = |i: usize| match (&numbers, &meaning) {
         (None, Some(meaning)) => Cell::new(Role::Soft, Some(name(meaning[i].clone()))),
-        (numbers, _) => Cell::new(role(now.numbers), numbers.map(|numbers| numbers[i])),
+        (numbers, _) => Cell::new(numbers_role, numbers.map(|numbers| numbers[i])),
     };
     let r = row.and_then(|row| Some(value_of(ratio(row, row.r?))));
     let mut cells = vec![
         number(0),
         number(1),
-        Cell::new(role(now.r), r),
+        Cell::new(r_role, r),
         Cell::new(Role::Soft, row.map(|row| Value::Term(direction(row.p())))),
     ];
     cells.extend([0, 1].map(|i| {
@@ -132,7 +115,7 @@ fn plane_row<const N: usize, B: LineLook<N>>(
         if left[i] == above[i] {
             return Cell::new(Role::Soft, value);
         }
-        Cell::new(role(now.r), value).strong()
+        Cell::new(r_role, value).strong()
     }));
     TableRow {
         name: B::plane_in_table(plane, scenery).unwrap_or_else(|| name("")),
@@ -142,12 +125,9 @@ fn plane_row<const N: usize, B: LineLook<N>>(
     }
 }
 
-/// The rules that make the bounds.
 fn notes<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>) -> Vec<TableNote> {
-    let p = shown
-        .in_hand()
-        .and(shown.rows.last())
-        .map(super::line_step::SeenRow::p);
+    let row = shown.in_hand().and(shown.rows.last());
+    let applies = |of: fn(f64) -> bool| row.is_some_and(|row| of(row.p()));
     let note = |key, suffix, applies| TableNote {
         text: Message::new(key)
             .with("bound", name(format!("{}_{suffix}", B::SYMBOLS[0])))
@@ -158,8 +138,8 @@ fn notes<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>) -> Vec<Tabl
     };
     let [enter, leave] = B::NOTES;
     let mut notes = vec![
-        note(enter, "min", p.is_some_and(|p| p < 0.0)),
-        note(leave, "max", p.is_some_and(|p| p > 0.0)),
+        note(enter, "min", applies(|p| p < 0.0)),
+        note(leave, "max", applies(|p| p > 0.0)),
     ];
     notes.extend(B::other_notes(shown));
     notes

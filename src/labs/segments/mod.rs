@@ -2,13 +2,12 @@
 //! how it draws them, stands with its own lab.
 
 pub mod code_step;
-pub mod codes;
 mod ends;
 pub mod inequalities;
 mod line_step;
 mod line_table;
 
 pub use code_step::CodeStep;
-pub use ends::{ENDS, left_in};
+pub use ends::{ENDS, end_named, left_in};
 pub use line_step::{LineKeys, LineLook, LineStep, LineVariant, SeenRow};
 pub use line_table::row_values;

@@ -7,33 +7,24 @@ use crate::{
 
 use super::{Model, Object, Opening, RasterPlan, Scene, street::street};
 
-/// A number of the camera's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CameraNumber {
     /// The angle from bottom to top in degrees, or of a parallel camera the height.
     Opening,
     /// Width over height.
     Aspect,
-    /// Distance of the near plane.
     Near,
-    /// Distance of the far plane.
     Far,
 }
 
-/// One change to the scene.
 #[derive(Clone, PartialEq, Debug)]
 pub enum SpaceChange {
-    /// Looks at another object.
     Focus(usize),
-    /// Looks at another face of the object in focus.
     Face(usize),
-    /// Looks at another vertex of the object in focus.
     Vertex(usize),
-    /// Sets a number of the camera's.
     Camera(CameraNumber, f64),
     /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
     Freeze(bool),
-    /// Draws surfaces pixel by pixel in this way.
     Raster(RasterPlan),
     /// Side by side, or through the eye: as much is seen of what the camera looks at.
     Parallel(bool),
@@ -43,11 +34,8 @@ pub enum SpaceChange {
     Turn([f64; 3]),
     /// Makes the object in focus so much larger than its model.
     Size(f64),
-    /// A street of boxes in place of the objects that there are.
     Street {
-        /// How many.
         count: usize,
-        /// The same seed gives the same street.
         seed: u64,
     },
 }

@@ -2,22 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::{
-    figure::{Link, Run},
-    labs::{MethodCard, MethodEntry, Verdict, recorded::Recorded, telling::Telling},
-};
+use crate::labs::{MethodEntry, prelude::*};
 
 use super::{MethodInfo, Scene, SpaceLab, Subject, stage::Scenery};
 
-/// A method of this lab.
 pub trait SpaceTelling: Telling<Scenery = Scenery> {
-    /// What it is about.
     const SUBJECT: Subject = Subject::Object;
 
     /// Can it say what became of a face of the object in focus?
     const TELLS_FACES: bool = false;
 
-    /// Its input, from the scene.
     fn input(scene: &Scene) -> Self::Input;
 
     /// Its card, where this scene changes its pseudocode.
@@ -30,7 +24,6 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
         None
     }
 
-    /// Records its run.
     fn record(scene: &Scene) -> Box<dyn Run> {
         Box::new(Recorded::<Self>::new(
             Self::input(scene),
@@ -39,14 +32,12 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
     }
 }
 
-/// What is drawn around a run on a scene.
 pub fn scenery_of(scene: &Scene) -> Arc<Scenery> {
     Arc::new(Scenery::new(scene))
 }
 
-/// The line of a method that is told by a table, in the table of its lab.
 pub(in crate::labs) const fn told<A: SpaceTelling>(
-    lab: &'static SpaceLab<Scene>,
+    lab: &'static SpaceLab,
 ) -> MethodEntry<MethodInfo> {
     let info = MethodInfo {
         lab,

@@ -3,30 +3,26 @@
 use std::sync::Arc;
 
 use crate::{
-    figure::{Link, Mark, Raster, Run},
-    labs::{self, Answers, Backdrop, Click, Document, Handle, Lab, MethodCard, Own, Verdict},
-    text::{Diagnostic, Value},
+    labs::{Answers, Backdrop, Click, Document, Handle, Lab, Own, prelude::*},
+    text::Diagnostic,
 };
 
 use super::{
-    Method, RasterPlan, Scene, SpaceChange, SpaceLab, Subject,
+    Method, RasterPlan, Scene, SpaceChange, Subject,
     change::beside,
     pixel::pixel_link,
     stage::{face_link, object_link, vertex_link},
 };
 
 impl Scene {
-    /// The methods on stage.
     pub(in crate::labs) fn on_stage(&self) -> impl Iterator<Item = Method> {
         std::iter::once(self.method).chain(self.beside.iter().copied())
     }
 
-    /// The method of the same lab with this id.
     fn sibling(&self, id: &str) -> Option<Method> {
         self.method.info().lab.method(id)
     }
 
-    /// Is a method on stage about this?
     pub(in crate::labs) fn asks(&self, subject: Subject) -> bool {
         self.on_stage()
             .any(|method| method.info().subject == subject)
@@ -55,13 +51,11 @@ impl Scene {
         plan
     }
 
-    /// Do objects stand in the picture?
     pub(in crate::labs) fn shows_objects(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_objects())
     }
 
-    /// Does the camera?
     pub(in crate::labs) fn shows_camera(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_camera())
@@ -74,7 +68,6 @@ impl Backdrop for Scene {
         Vec::new()
     }
 
-    /// Of a picture in space.
     fn bounds(&self) -> [[f64; 2]; 2] {
         [[-1.0; 2], [1.0; 2]]
     }
@@ -93,8 +86,8 @@ impl Answers for Scene {
 }
 
 impl Document for Scene {
-    fn lab(&self) -> &'static dyn Lab {
-        self.method.info().lab
+    fn lab(&self) -> &'static Lab {
+        &self.method.info().lab.lab
     }
 
     fn methods(&self) -> Vec<&'static MethodCard> {
@@ -168,38 +161,5 @@ impl Document for Scene {
     fn size(&self) -> usize {
         let faces = |object: &super::Object| object.model().mesh().faces().len();
         self.objects().iter().map(faces).sum()
-    }
-}
-
-impl Lab for SpaceLab<Scene> {
-    fn id(&self) -> &'static str {
-        self.id
-    }
-
-    fn name_key(&self) -> &'static str {
-        self.name_key
-    }
-
-    fn about_key(&self) -> &'static str {
-        self.about_key
-    }
-
-    fn methods(&self) -> Vec<&'static MethodCard> {
-        self.all().map(Method::card).collect()
-    }
-
-    fn first_scene(&self) -> labs::Scene {
-        (self.first_scene)().into()
-    }
-
-    /// Any scene in three dimensions.
-    fn adopt(&self, scene: &labs::Scene) -> Option<labs::Scene> {
-        let mut scene: Scene = scene.get::<Scene>()?.clone();
-        (scene.method, scene.beside) = (self.all().next()?, Vec::new());
-        Some(scene.into())
-    }
-
-    fn lock_groups(&self) -> &'static [&'static str] {
-        self.lock_groups
     }
 }

@@ -60,7 +60,6 @@ static OBJECT_CORNER: HandleKind = kind("object-corner", "object", |[i, corner]|
 /// In a scene of more objects corners cannot be taken hold of by themselves.
 const MOST_WITH_CORNERS: usize = 12;
 
-/// The handle of an object.
 pub fn object(object_idx: usize) -> Handle {
     OBJECT.at([object_idx, 0])
 }
@@ -163,7 +162,6 @@ impl Draggable for Scene {
     }
 }
 
-/// Places of which the one of a handle is moved.
 fn with<const N: usize>(mut places: [[f64; 3]; N], handle: Handle, to: [f64; 3]) -> [[f64; 3]; N] {
     if let Some(place) = places.get_mut(handle.idx()[0]) {
         *place = to;
@@ -171,7 +169,6 @@ fn with<const N: usize>(mut places: [[f64; 3]; N], handle: Handle, to: [f64; 3])
     places
 }
 
-/// A world point in the camera's own axes.
 fn in_view(camera: &Camera, at: [f64; 3]) -> [f64; 3] {
     camera.view_from_world().point(at)
 }

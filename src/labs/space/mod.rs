@@ -7,6 +7,7 @@ mod document;
 mod handles;
 mod object;
 mod pixel;
+pub(in crate::labs) mod prelude;
 mod raster_plan;
 mod scene;
 pub(in crate::labs) mod screen;

@@ -9,32 +9,24 @@ use crate::{
     text::Diagnostic,
 };
 
-/// A mesh with a name: of a file, say.
 #[derive(Clone, PartialEq, Debug)]
 pub struct NamedMesh {
-    /// As the file is called.
     pub name: String,
-    /// Its surface.
     pub mesh: Mesh,
-    /// What it is painted with, at its texture coordinates.
     pub picture: Option<Picture>,
 }
 
 /// A texture, and the file that it was read from: a scene that is saved keeps that as it is.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Picture {
-    /// Its texels.
     pub texture: Texture,
     /// A PNG or a JPEG.
     pub file: Arc<[u8]>,
 }
 
-/// What an object looks like.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Model {
-    /// A generated solid.
     Solid(Solid),
-    /// A mesh.
     Mesh(Arc<NamedMesh>),
 }
 
@@ -65,7 +57,6 @@ impl Model {
         }
     }
 
-    /// What a face is painted with.
     pub fn skin(&self, face: [u32; 3]) -> Option<Skin> {
         let Self::Mesh(named) = self else {
             return None;
@@ -114,7 +105,6 @@ impl Object {
         Ok(object)
     }
 
-    /// What it looks like.
     pub const fn model(&self) -> &Model {
         &self.model
     }
@@ -129,7 +119,6 @@ impl Object {
         self.turn_deg
     }
 
-    /// How much larger than its model it is.
     pub const fn size(&self) -> f64 {
         self.size
     }
@@ -168,7 +157,6 @@ impl Object {
         Ok(Self::new(model, self.at, self.turn_deg, self.size)?)
     }
 
-    /// From its model to the world.
     pub fn world_from_model(&self) -> Matrix {
         let turned = Matrix::rotation(self.turn_deg.map(f64::to_radians));
         let sized = turned.after(&Matrix::scale(self.size));

@@ -6,9 +6,8 @@ use crate::{
         ring::Right,
         surface::{DepthBufferInput, Fragment, pixel_story},
     },
-    figure::{Caption, Link, Raster},
-    labs::{Verdict, words::pixel_formula},
-    text::{Formula, Message, Value},
+    figure::Caption,
+    labs::{prelude::*, words::pixel_formula},
 };
 
 use super::{
@@ -16,7 +15,6 @@ use super::{
     soup::{place_of, surfaces_of},
 };
 
-/// Rows of the picture that pixels are counted in.
 const ROWS: u32 = RasterPlan::PICTURE_ROWS;
 /// Columns are told apart in links by this many.
 const STRIDE: usize = 1 << 12;
@@ -46,7 +44,6 @@ pub fn pixel_link(scene: &Scene, [x, y]: [f64; 2]) -> Link {
     Link::nth("pixel", row * STRIDE + column)
 }
 
-/// The pixel that a link is about.
 fn pixel_of(scene: &Scene, about: Link) -> Option<[u32; 2]> {
     let [width, height] = picture_size(scene);
     let nth = about.number_of("pixel")?;
@@ -58,13 +55,11 @@ fn picture_size(scene: &Scene) -> [u32; 2] {
     super::screen::screen(scene.camera.aspect(), ROWS).size()
 }
 
-/// Why the pixel of the camera's picture that a link is about shows what it shows.
 pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let pixel = pixel_of(scene, about)?;
     Some(verdict_at(scene, picture_size(scene), pixel))
 }
 
-/// The same of a large pixel of the raster.
 pub fn raster_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let size = scene.raster.size(scene.camera.aspect());
     let place = u32::try_from(about.number_of(Raster::LINK)?).ok()?;
@@ -136,14 +131,12 @@ fn other_beside(
     Some(message.with("direction", Value::Term(direction)))
 }
 
-/// Where something else is seen.
 struct Shift {
     by: u32,
     direction: Direction,
     seen: Option<u32>,
 }
 
-/// The triangle that is seen at a pixel.
 fn seen_at(input: &DepthBufferInput, pixel: [u32; 2]) -> Option<u32> {
     let story = pixel_story::<Right>(input, pixel);
     story.iter().rfind(|fragment| fragment.kept).map(|it| it.id)

@@ -2,13 +2,10 @@
 
 use crate::algo::surface::{DepthFormat, DepthSteps};
 
-/// The pixels that surfaces are asked at, and how.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RasterPlan {
     rows: u32,
-    /// How depths are stored.
     pub format: DepthFormat,
-    /// How much happens in one step.
     pub steps: DepthSteps,
     /// Are faces that show their back left out?
     pub culls_backs: bool,
@@ -16,14 +13,12 @@ pub struct RasterPlan {
     pub shuffle: Option<u64>,
     /// The pixel that is looked at, by column and row; one that the raster has not is none.
     pub pixel: Option<[u32; 2]>,
-    /// What the tones of a depth buffer tell.
     pub tones: Tones,
 }
 
 /// What the tones of a depth buffer tell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Tones {
-    /// Which triangle is seen.
     #[default]
     Triangles,
     /// The depth as it is stored.
@@ -47,11 +42,9 @@ impl Default for RasterPlan {
 }
 
 impl RasterPlan {
-    /// As many rows as a raster for teaching may have.
     pub const ROWS: std::ops::RangeInclusive<u32> = 4..=120;
     /// As many has a whole picture, where its pixels are asked about.
     pub const PICTURE_ROWS: u32 = 480;
-    /// And columns at most.
     const MOST_COLUMNS: f64 = 160.0;
 
     /// Of so many rows, as far as a raster may have them.

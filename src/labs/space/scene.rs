@@ -3,10 +3,9 @@
 use std::fmt;
 
 use crate::{
-    figure::{Link, Run},
     geom::{Camera, Orbit},
-    labs::{self, MethodCard, MethodEntry, Verdict},
-    text::{Diagnostic, Message},
+    labs::{self, Lab, MethodEntry, prelude::*},
+    text::Diagnostic,
 };
 
 use super::{Object, Places, RasterPlan, Subject, TaughtCamera};
@@ -14,52 +13,42 @@ use super::{Object, Places, RasterPlan, Subject, TaughtCamera};
 /// More objects than this are refused: a frame could not draw them in time.
 pub const MAX_OBJECTS: usize = 10_000;
 
-/// A method of one of these labs.
 pub type Method = labs::Method<MethodInfo>;
 
-/// What tells such a lab from the others of its kind; all have the same scenes, `S`.
-pub struct SpaceLab<S: 'static> {
-    /// As lesson files spell it.
-    pub id: &'static str,
-    /// Catalogue key of its name.
-    pub name_key: &'static str,
-    /// Catalogue key of what it is about.
-    pub about_key: &'static str,
-    /// Groups of handles that a lesson can lock.
-    pub lock_groups: &'static [&'static str],
+/// What tells such a lab from the others of its kind; all have the same scenes.
+pub struct SpaceLab {
+    pub lab: Lab,
     /// So many methods have room beside another.
     pub most_beside: usize,
-    /// Its methods, in the order in which they are taught.
     pub methods: fn() -> &'static [MethodEntry<MethodInfo>],
-    /// What it opens on where there is no lesson.
-    pub first_scene: fn() -> S,
     /// Its verdict on what the method that runs has none on.
-    pub verdict: fn(&S, Link, &dyn Run) -> Option<Verdict>,
+    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
 }
 
-impl<S> SpaceLab<S> {
-    /// Its methods, in the order in which they are taught.
-    pub fn all(&self) -> impl ExactSizeIterator<Item = Method> + use<S> {
+impl SpaceLab {
+    pub fn all(&self) -> impl ExactSizeIterator<Item = Method> + use<> {
         (self.methods)().iter().map(Method::of)
     }
 
-    /// The method with this id.
+    /// Any scene in three dimensions, by its first method.
+    pub(in crate::labs) fn adopted(&self, scene: &labs::Scene) -> Option<labs::Scene> {
+        let mut scene = scene.get::<Scene>()?.clone();
+        (scene.method, scene.beside) = (self.all().next()?, Vec::new());
+        Some(scene.into())
+    }
+
     pub fn method(&self, id: &str) -> Option<Method> {
         self.all().find(|method| method.card().id == id)
     }
 }
 
-/// What its lab knows of a method without running it.
 pub struct MethodInfo {
-    /// Whose it is.
-    pub lab: &'static SpaceLab<Scene>,
+    pub lab: &'static SpaceLab,
     /// Its card for a scene that changes its pseudocode.
     pub card_on: fn(&Scene) -> Option<&'static MethodCard>,
-    /// What it is about.
     pub subject: Subject,
     /// Can it say what became of a face of the object in focus?
     pub tells_faces: bool,
-    /// Runs it on a scene.
     pub record: fn(&Scene) -> Box<dyn Run>,
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
@@ -68,19 +57,13 @@ pub struct MethodInfo {
 /// Always valid: at least one object, the focus is one of them, face and vertex are that object's.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
-    /// What is stepped.
     pub method: Method,
-    /// Other methods on the same scene, side by side.
     pub beside: Vec<Method>,
-    /// Who looks, and culls.
     pub camera: TaughtCamera,
     /// Who culls in its place, so that the camera flies around what this one kept.
     pub frozen: Option<TaughtCamera>,
-    /// Where the observer stands at first.
     pub eye: Orbit,
-    /// What is asked about besides objects.
     pub places: Places,
-    /// How its surfaces are drawn pixel by pixel.
     pub raster: RasterPlan,
     objects: Vec<Object>,
     focus: usize,
@@ -88,34 +71,13 @@ pub struct Scene {
     vertex: usize,
 }
 
-/// Why a scene is refused.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SceneError {
-    /// A scene needs an object.
     NoObjects,
-    /// More than [`MAX_OBJECTS`].
     TooManyObjects(usize),
-    /// The focus is not the index of an object.
-    NoSuchObject {
-        /// As given.
-        focus: usize,
-        /// Objects that there are.
-        n_objects: usize,
-    },
-    /// The object in focus has no such face.
-    NoSuchFace {
-        /// As given.
-        face: usize,
-        /// Faces that it has.
-        n_faces: usize,
-    },
-    /// The object in focus has no such vertex.
-    NoSuchVertex {
-        /// As given.
-        vertex: usize,
-        /// Vertices that it has.
-        n_vertices: usize,
-    },
+    NoSuchObject { focus: usize, n_objects: usize },
+    NoSuchFace { face: usize, n_faces: usize },
+    NoSuchVertex { vertex: usize, n_vertices: usize },
 }
 
 impl From<SceneError> for Diagnostic {
@@ -181,27 +143,22 @@ impl Scene {
         &self.objects
     }
 
-    /// Index of the object that is looked at.
     pub const fn focus(&self) -> usize {
         self.focus
     }
 
-    /// The object that is looked at.
     pub fn focused(&self) -> &Object {
         &self.objects[self.focus]
     }
 
-    /// Index of a face of the object that is looked at.
     pub const fn face(&self) -> usize {
         self.face
     }
 
-    /// Index of a vertex of the object that is looked at.
     pub const fn vertex(&self) -> usize {
         self.vertex
     }
 
-    /// Whose view volume culls.
     pub fn culler(&self) -> &Camera {
         self.frozen.as_ref().unwrap_or(&self.camera).camera()
     }

@@ -4,10 +4,7 @@ use std::ops::Range;
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
-    figure::Link,
-    labs::{split_mix::SplitMix64, words::subscript},
-    text::Value,
-    trace::silent,
+    labs::{prelude::*, split_mix::SplitMix64},
 };
 
 use super::{Scene, stage::object_link};
@@ -36,7 +33,6 @@ pub fn surfaces_of(scene: &Scene, size: [u32; 2]) -> Surfaces {
     surfaces.expect("finite vertices, and pixels")
 }
 
-/// The same with the large pixels of its raster.
 pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {
     surfaces_of(scene, scene.raster.size(scene.camera.aspect()))
 }
@@ -47,7 +43,6 @@ pub fn pixels_covered(surfaces: &Surfaces, ids: Range<usize>) -> usize {
     silent::<DepthBuffer>(&alone).tally.pixels as usize
 }
 
-/// The ids of so many triangles in the order in which they come.
 pub fn order(n_triangles: usize, shuffle: Option<u64>) -> Vec<u32> {
     let mut order: Vec<u32> = (0..).take(n_triangles).collect();
     if let Some(seed) = shuffle {
@@ -90,7 +85,6 @@ pub fn surface_name(scene: Option<&Scene>, id: u32) -> Value {
     })
 }
 
-/// What marks of a triangle and its object have in common.
 pub fn surface_link(scene: &Scene, id: u32) -> Option<Link> {
     let [object_idx, _] = place_of(scene, id)?;
     Some(object_link(object_idx))

@@ -2,16 +2,12 @@
 
 use crate::geom::SpaceError;
 
-/// What a method is about.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Subject {
     /// Objects of the scene, or the one in focus.
     Object,
-    /// A face of the object in focus.
     Face,
-    /// A vertex of the object in focus.
     Vertex,
-    /// The scene's point.
     Point,
     /// The scene's segment; objects are left out of the picture.
     Segment,
@@ -19,12 +15,10 @@ pub enum Subject {
     BoxedSegment,
     /// The scene's triangle; objects are left out of the picture.
     Triangle,
-    /// All faces of all objects, which have letters.
     Surfaces,
 }
 
 impl Subject {
-    /// Do the scene's objects stand in the picture?
     pub const fn shows_objects(self) -> bool {
         match self {
             Self::Object | Self::Face | Self::Vertex | Self::Point | Self::Surfaces => true,
@@ -32,7 +26,6 @@ impl Subject {
         }
     }
 
-    /// Does the camera?
     pub const fn shows_camera(self) -> bool {
         match self {
             Self::Object
@@ -67,7 +60,6 @@ impl Default for Places {
 }
 
 impl Places {
-    /// A point that is asked of planes.
     pub const fn point(&self) -> [f64; 3] {
         self.point
     }
@@ -77,7 +69,6 @@ impl Places {
         self.segment
     }
 
-    /// The corners of a triangle, with or without an area.
     pub const fn triangle(&self) -> [[f64; 3]; 3] {
         self.triangle
     }

@@ -2,7 +2,6 @@
 
 use crate::geom::{Camera, SpaceError, ViewVolume};
 
-/// How wide a camera is open.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Opening {
     /// In perspective: the angle from bottom to top, in degrees.
@@ -41,12 +40,10 @@ impl TaughtCamera {
         })
     }
 
-    /// The camera itself.
     pub const fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// As it was given.
     pub const fn opening(&self) -> Opening {
         self.opening
     }
@@ -56,7 +53,6 @@ impl TaughtCamera {
         self.aspect
     }
 
-    /// Distances of the near and the far plane.
     pub const fn depths(&self) -> [f64; 2] {
         let volume = self.camera.volume();
         [volume.near(), volume.far()]

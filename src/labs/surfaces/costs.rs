@@ -11,27 +11,22 @@ use crate::{
     trace::silent,
 };
 
-/// Every street is made from this seed.
 const SEED: u64 = 1;
 /// Pairs grow with the square: of more triangles they are not asked.
 const MOST_SORTED: usize = 1000;
 /// About so many questions of rays are a piece of work.
 const QUESTIONS: usize = 50_000;
 
-/// What was counted for one street.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SurfaceCounts {
-    /// In the street.
     pub n_triangles: usize,
     /// Asked by painter's algorithm; not known of too many triangles, nor where there is no order.
     pub pairs: Option<u64>,
     /// Asked by rays: as many as pixels times triangles.
     pub questions: u64,
-    /// Of the depth buffer.
     pub tally: FragmentTally,
 }
 
-/// A street under way.
 pub struct SurfaceCounting {
     surfaces: Surfaces,
     counts: SurfaceCounts,

@@ -14,7 +14,7 @@ use crate::{
     labs::{
         Lab, MethodEntry,
         space::{
-            MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
+            Method, MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
             TaughtCamera, demo,
         },
     },
@@ -22,27 +22,29 @@ use crate::{
 
 use super::verdict::verdict;
 
-/// Surfaces before a camera, some behind others.
-pub static SURFACES: SpaceLab<Scene> = SpaceLab {
-    id: "surfaces",
-    name_key: "lab-surfaces",
-    about_key: "lab-surfaces-about",
-    lock_groups: &["camera", "volume", "object"],
+pub static SURFACES: SpaceLab = SpaceLab {
+    lab: Lab {
+        id: "surfaces",
+        name_key: "lab-surfaces",
+        about_key: "lab-surfaces-about",
+        methods: || SURFACES.all().map(Method::card).collect(),
+        first_scene: || first_scene().into(),
+        lock_groups: &["camera", "volume", "object"],
+        adopt: |scene| SURFACES.adopted(scene),
+        outlines: &[],
+    },
     // One of each way to find who is in front.
     most_beside: 2,
     methods: || &METHODS,
-    first_scene,
     verdict,
 };
 
-/// The same, for whoever knows no lab by name.
-pub static LAB: &dyn Lab = &SURFACES;
+pub static LAB: &Lab = &SURFACES.lab;
 
 const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M>(&SURFACES)
 }
 
-/// Every method, in the order in which they are taught; the mistakes last.
 pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
     told::<DepthBuffer>(),
     told::<RayCasting>(),

@@ -4,17 +4,13 @@ use std::ops::Range;
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
-    figure::{Caption, Link, Run},
-    labs::{
-        Verdict,
-        space::{
-            Scene, pixel_verdict, raster_verdict,
-            soup::{pixels_covered, surface_name, surfaces_on_raster},
-            stage::{face_link, object_link},
-        },
+    figure::Caption,
+    labs::space::{
+        pixel_verdict,
+        prelude::*,
+        raster_verdict,
+        soup::{pixels_covered, surface_name, surfaces_on_raster},
     },
-    text::{Message, Value},
-    trace::silent,
 };
 
 /// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.
@@ -47,12 +43,10 @@ fn owner_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     })
 }
 
-/// Pixels of some triangles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct PixelCounts {
     /// Those that they would have, were there nothing else.
     covered: usize,
-    /// Those at which they are seen.
     seen: usize,
 }
 

@@ -2,25 +2,20 @@
 
 use crate::figure::{Decides, Tick};
 
-/// A question that some steps answer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Question {
-    /// What this method calls it.
     pub id: &'static str,
     /// What might be answered.
     pub options: Options,
 }
 
-/// What might be answered to a question.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Options {
     /// What the rows that answer it say.
     Rows,
     /// The entries of a list; the right one is the value of a name.
     Of {
-        /// The name of the right answer.
         name: &'static str,
-        /// The list of all answers.
         list: &'static str,
     },
 }
@@ -28,7 +23,6 @@ pub enum Options {
 /// Everything that is said of one kind of step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Row {
-    /// The shape of its tick on the timeline.
     pub tick: Tick,
     /// Its line of pseudocode.
     pub line: usize,
@@ -36,18 +30,14 @@ pub struct Row {
     pub key: &'static str,
     /// Templates of the formulas after the sentence; one whose names are not all alive is left out.
     pub so: &'static [&'static str],
-    /// The name of what the step is about.
     pub about: Option<&'static str>,
-    /// What the step decides about that.
     pub decides: Decides,
-    /// The question that the step answers.
     pub answers: Option<Question>,
     /// Catalogue key of the answer, where the sentence has names that are not alive before the answer is known.
     pub option: Option<&'static str>,
 }
 
 impl Row {
-    /// A row that decides nothing and answers nothing.
     pub const fn new(tick: Tick, line: usize, key: &'static str) -> Self {
         Self {
             tick,
@@ -61,7 +51,6 @@ impl Row {
         }
     }
 
-    /// With formulas.
     pub const fn so(self, so: &'static [&'static str]) -> Self {
         Self { so, ..self }
     }
@@ -71,17 +60,14 @@ impl Row {
         self.decides(name, Decides::Nothing)
     }
 
-    /// What the name stands for stays.
     pub const fn keeps(self, name: &'static str) -> Self {
         self.decides(name, Decides::Keeps)
     }
 
-    /// What the name stands for is cut.
     pub const fn cuts(self, name: &'static str) -> Self {
         self.decides(name, Decides::Cuts)
     }
 
-    /// What the name stands for is left out.
     pub const fn drops(self, name: &'static str) -> Self {
         self.decides(name, Decides::Drops)
     }
@@ -119,68 +105,32 @@ impl Row {
     }
 }
 
-/// The rows of a method and of its parts, in one table of `N`.
-pub const fn all_rows<const N: usize>(tables: &[&[Row]]) -> [Row; N] {
-    let mut all = [tables[0][0]; N];
-    let (mut n, mut i) = (0, 0);
-    while i < tables.len() {
-        let mut k = 0;
-        while k < tables[i].len() {
-            all[n] = tables[i][k];
-            (n, k) = (n + 1, k + 1);
-        }
-        i += 1;
-    }
-    all
-}
-
-/// The table of a method, as a constant `ROWS`, and the function `row` that finds the row of a step: every event must have a row,
-/// or the table does not compile. Guards may look at the step, which is the one after the event.
+/// The table of a method within its `impl Telling`: every event must have a row, or the table does not compile. Guards may look
+/// at the step, which is the one after the event; rows may take their keys from the method's type parameters.
 ///
 /// ```text
-/// rows! { [L: CullRules] |event, step: SphereCull<L>|
+/// table! { |event, step|
 ///     inside: Event::Plane { class: Inside, .. } => Row::new(Test, 1, "sphere-inside").keeps("plane");
 ///     last: Event::Done if step.held.class == Outside => Row::new(Reject, 4, "planes-done-outside");
 /// }
 /// ```
-macro_rules! rows {
-    ($([$($generics:tt)*])? |$event:ident, $step:ident: $M:ty| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
-        #[derive(Clone, Copy)]
-        #[allow(non_camel_case_types, reason = "the names of rows, which are written once")]
-        enum Which { $($name),+ }
-
-        const ROWS: &[$crate::labs::telling::Row] = &[$($row),+];
-
-        fn row$(<$($generics)*>)?($step: &$crate::trace::Step<'_, $M>) -> &'static $crate::labs::telling::Row {
-            let Some($event) = $step.event() else {
-                // Only the opening has no event, and nobody asks for its row here.
-                return &ROWS[0];
-            };
-            let which = match $event { $($pattern $(if $guard)? => Which::$name),+ };
-            &ROWS[which as usize]
-        }
-    };
-}
-
-/// The same within `impl Telling`, of a method with type parameters: the rows may take their keys from these.
 macro_rules! table {
     (|$event:ident, $step:ident| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
         const ROWS: &'static [$crate::labs::telling::Row] = &[$($row),+];
 
-        fn row($step: &$crate::trace::Step<'_, Self>) -> &'static $crate::labs::telling::Row {
+        fn row_idx($step: &$crate::trace::Step<'_, Self>) -> usize {
             #[derive(Clone, Copy)]
             #[allow(non_camel_case_types, reason = "the names of rows, which are written once")]
             enum Which { $($name),+ }
 
             let Some($event) = $step.event() else {
                 // Only the opening has no event, and nobody asks for its row here.
-                return &Self::ROWS[0];
+                return 0;
             };
             let which = match $event { $($pattern $(if $guard)? => Which::$name),+ };
-            &Self::ROWS[which as usize]
+            which as usize
         }
     };
 }
 
-pub(crate) use rows;
 pub(crate) use table;

@@ -69,7 +69,6 @@ impl<M: Telling> At<'_, M> {
     }
 }
 
-/// How a value stands in a formula.
 #[derive(Clone, Copy)]
 enum Way {
     AsItIs,

@@ -91,47 +91,26 @@ mod tests {
         }
     }
 
+    /// In the plane z = 5.
+    fn flat<const N: usize>(corners: [[f32; 2]; N]) -> Option<Vec<[usize; 3]>> {
+        triangles(&corners.map(|[x, y]| [x, y, 5.0]))
+    }
+
     #[test]
     fn what_meets_itself_or_has_no_area_is_none() {
-        let bow_tie = [
-            [0.0, 0.0, 0.0],
-            [1.0, 1.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-        ];
-        assert_eq!(triangles(&bow_tie), None);
+        assert_eq!(flat([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]), None);
         assert_eq!(triangles(&[[0.0; 3], [1.0; 3], [2.0; 3], [3.0; 3]]), None);
     }
 
     #[test]
     fn four_corners_are_fanned_where_they_turn_one_way() {
-        let square = [
-            [0.0, 0.0, 5.0],
-            [1.0, 0.0, 5.0],
-            [1.0, 1.0, 5.0],
-            [0.0, 1.0, 5.0],
-        ];
-        assert_eq!(triangles(&square), Some(vec![[0, 1, 2], [0, 2, 3]]));
+        let square = flat([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+        assert_eq!(square, Some(vec![[0, 1, 2], [0, 2, 3]]));
         // A dart's fan from its first corner would leave it.
-        let dart = [
-            [0.0, 0.0, 0.0],
-            [2.0, 1.0, 0.0],
-            [0.0, 2.0, 0.0],
-            [0.5, 1.0, 0.0],
-        ];
-        let mut found = triangles(&dart).expect("a dart").concat();
-        found.sort_unstable();
-        assert_eq!(
-            found,
-            [0, 1, 1, 2, 3, 3],
-            "cut from the corner that turns back"
-        );
-        let bow_tie = [
-            [0.0, 0.0, 0.0],
-            [1.0, 1.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-        ];
-        assert_eq!(triangles(&bow_tie), None);
+        let dart = flat([[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0]]);
+        let mut cut = dart.expect("a dart").concat();
+        cut.sort_unstable();
+        let from_the_last = [0, 1, 1, 2, 3, 3];
+        assert_eq!(cut, from_the_last, "cut from the corner that turns back");
     }
 }

@@ -4,11 +4,10 @@
 //! curves and groups, is passed over: normals follow from the faces. Every complaint names file, line and column.
 
 mod faces;
-mod mtl;
 mod obj;
 mod picture;
 mod statements;
 
-pub use mtl::read_mtl;
 pub use obj::{ObjFile, read_obj, read_obj_while};
 pub use picture::{picture_of, read_picture};
+pub use statements::read_mtl;

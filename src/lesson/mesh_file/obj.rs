@@ -18,44 +18,33 @@ const MAX_CORNERS: usize = 1000;
 /// A file of more triangles is refused: no frame could draw them in time.
 const MAX_TRIANGLES: usize = 500_000;
 
-/// What an OBJ file holds.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ObjFile {
-    /// Its triangles.
     pub mesh: Mesh,
     /// The material file that it names, and the material of its first face.
     pub material: Option<[String; 2]>,
-    /// What was left out of it.
     pub warnings: Vec<Problem>,
 }
 
-/// Reads an OBJ file; `file` is how its problems name it.
-///
-/// # Errors
-/// Every mistake in it, from the top to the end, as far as it keeps the mesh from being drawn.
+// Refused are all mistakes that keep the mesh from being drawn; `file` is how they name it.
 pub fn read_obj(file: &str, bytes: &[u8]) -> Result<ObjFile, Vec<Problem>> {
     read_obj_while(file, bytes, &|| true)
 }
 
-/// The same as long as somebody wants it: else the reading ends early, and the answer means nothing.
-///
-/// # Errors
-/// As for [`read_obj`].
+// The same as long as somebody wants it: else the reading ends early, and the answer means nothing.
 pub fn read_obj_while(
     file: &str,
     bytes: &[u8],
     is_wanted: &dyn Fn() -> bool,
 ) -> Result<ObjFile, Vec<Problem>> {
     let source = Source::new(file.to_owned(), bytes);
-    let mut sink = Sink::new(&source);
+    let sink = Sink::new(&source);
     let mut reader = Reader::default();
     let wanted = || statements(&source.text).take_while(|_| is_wanted());
     for statement in wanted() {
         match statement.keyword() {
-            "v" => reader
-                .positions
-                .extend(numbers::<3>(&statement, 3, &mut sink)),
-            "vt" => reader.uvs.extend(numbers::<2>(&statement, 1, &mut sink)),
+            "v" => reader.positions.extend(numbers::<3>(&statement, 3, &sink)),
+            "vt" => reader.uvs.extend(numbers::<2>(&statement, 1, &sink)),
             "mtllib" => reader.library = statement.rest().map(str::to_owned),
             "usemtl" if reader.material.is_none() => {
                 reader.material = statement.rest().map(str::to_owned);
@@ -64,7 +53,7 @@ pub fn read_obj_while(
         }
     }
     if sink.n_errors() == 0 {
-        reader.faces(wanted(), &mut sink);
+        reader.faces(wanted(), &sink);
     }
     reader.finish(sink)
 }
@@ -83,7 +72,7 @@ struct Reader {
 
 impl Reader {
     /// In a second round: faces may name vertices that come later.
-    fn faces<'t>(&mut self, statements: impl Iterator<Item = Statement<'t>>, sink: &mut Sink<'_>) {
+    fn faces<'t>(&mut self, statements: impl Iterator<Item = Statement<'t>>, sink: &Sink<'_>) {
         let mut so_far = [0; 2];
         for statement in statements {
             match statement.keyword() {
@@ -100,7 +89,7 @@ impl Reader {
         }
     }
 
-    fn face(&mut self, statement: &Statement<'_>, so_far: [usize; 2], sink: &mut Sink<'_>) {
+    fn face(&mut self, statement: &Statement<'_>, so_far: [usize; 2], sink: &Sink<'_>) {
         let corners: Option<Vec<_>> = statement
             .values()
             .map(|(word, span)| self.corner(word, span, so_far, sink))
@@ -114,7 +103,7 @@ impl Reader {
             _ => Some(Message::new("problem-face-too-long").with("limit", MAX_CORNERS)),
         };
         if let Some(message) = odd {
-            sink.warning(statement.span(), message.with("count", corners.len()), []);
+            sink.warning(statement.span(), message.with("count", corners.len()));
             return;
         }
         let positions: Vec<[f32; 3]> = corners
@@ -122,11 +111,7 @@ impl Reader {
             .filter_map(|[position, _]| self.positions.get((*position)?).copied())
             .collect();
         let Some(cut) = triangles(&positions) else {
-            sink.warning(
-                statement.span(),
-                Message::new("problem-face-not-simple"),
-                [],
-            );
+            sink.warning(statement.span(), Message::new("problem-face-not-simple"));
             return;
         };
         let vertices: Vec<u32> = corners
@@ -145,7 +130,7 @@ impl Reader {
         word: &str,
         span: Range<usize>,
         so_far: [usize; 2],
-        sink: &mut Sink<'_>,
+        sink: &Sink<'_>,
     ) -> Option<[Option<usize>; 2]> {
         let mut parts = word.split('/');
         let counts = [self.positions.len(), self.uvs.len()];
@@ -163,7 +148,7 @@ impl Reader {
             let message = Message::new("problem-no-such-uv")
                 .with("index", short(uv))
                 .with("count", counts[1]);
-            sink.warning(span, message, []);
+            sink.warning(span, message);
         }
         Some([Some(position), found])
     }
@@ -178,7 +163,7 @@ impl Reader {
         })
     }
 
-    fn finish(self, mut sink: Sink<'_>) -> Result<ObjFile, Vec<Problem>> {
+    fn finish(self, sink: Sink<'_>) -> Result<ObjFile, Vec<Problem>> {
         if sink.n_errors() > 0 {
             return Err(sink.into_problems());
         }
@@ -229,7 +214,7 @@ fn index(word: &str, so_far: usize, count: usize) -> Option<usize> {
 fn numbers<const N: usize>(
     statement: &Statement<'_>,
     needed: usize,
-    sink: &mut Sink<'_>,
+    sink: &Sink<'_>,
 ) -> Option<[f32; N]> {
     let mut found = [0.0; N];
     if statement.values().len() < needed {
@@ -266,7 +251,7 @@ fn short(word: &str) -> String {
 mod tests {
     use super::*;
     use crate::{
-        lesson::read_mtl,
+        lesson::{read_mtl, tests::cases},
         text::{Catalog, Lang},
     };
 
@@ -289,15 +274,9 @@ mod tests {
             f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf -4/2 -1/1 -2/4\nf -4/2 -2/4 -3/3\r\n";
         let read = read_obj("cube.obj", text.as_bytes()).unwrap();
         assert_eq!(read.mesh.faces().len(), 4);
-        assert_eq!(
-            read.mesh.positions().len(),
-            8,
-            "each corner has two places in the texture"
-        );
-        assert!(
-            read.mesh.is_closed(),
-            "and the faces share their edges all the same"
-        );
+        let n_vertices = read.mesh.positions().len();
+        assert_eq!(n_vertices, 8, "each corner has two places in the texture");
+        assert!(read.mesh.is_closed(), "its faces share their edges");
         let expected = ["cube.mtl", "wood"].map(str::to_owned);
         assert_eq!(read.material, Some(expected));
         assert_eq!(read.warnings, []);
@@ -305,57 +284,31 @@ mod tests {
         assert_eq!(read_mtl(mtl, "wood").as_deref(), Some("my wood.png"));
     }
 
+    const WRONG: &str = "
+f 1 2 4 => a.obj:4:7: error: There is no vertex 4: the file has 3.
+f 0 1 2 => a.obj:4:3: error: There is no vertex 0: the file has 3.
+f 1 2 -4 => a.obj:4:7: error: There is no vertex -4: the file has 3.
+v 1 x 3 => a.obj:4:5: error: “x” is not a finite number.
+v 1 NaN 3 => a.obj:4:5: error: “NaN” is not a finite number.
+v 1 2 => a.obj:4:1: error: Only 2 numbers stand here, of 3.
+ => a.obj:1:1: error: The file has no face that could be drawn.
+";
+
+    const LEFT_OUT: &str = "
+f 1 2 => a.obj:5:1: warning: This face has only 2 corners: it is left out.
+f 1 2 1 3 => a.obj:5:1: warning: This face meets itself or has no area: it is left out.
+f 1/7 2 3 => a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without.
+";
+
     #[test]
     fn every_complaint_names_its_line() {
         let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-        let cases = [
-            (
-                "f 1 2 4",
-                "a.obj:4:7: error: There is no vertex 4: the file has 3.",
-            ),
-            (
-                "f 0 1 2",
-                "a.obj:4:3: error: There is no vertex 0: the file has 3.",
-            ),
-            (
-                "f 1 2 -4",
-                "a.obj:4:7: error: There is no vertex -4: the file has 3.",
-            ),
-            ("v 1 x 3", "a.obj:4:5: error: “x” is not a finite number."),
-            (
-                "v 1 NaN 3",
-                "a.obj:4:5: error: “NaN” is not a finite number.",
-            ),
-            (
-                "v 1 2",
-                "a.obj:4:1: error: Only 2 numbers stand here, of 3.",
-            ),
-            (
-                "",
-                "a.obj:1:1: error: The file has no face that could be drawn.",
-            ),
-        ];
-        for (line, expected) in cases {
+        for [line, expected] in cases(WRONG) {
             let found = problems(&format!("{triangle}{line}\n"));
-            assert_eq!(found.first().map(String::as_str), Some(expected), "{line}");
+            assert_eq!(found.first(), Some(&expected), "{line}");
         }
-        let drawn = "f 1 2 3\n";
-        let left_out = [
-            (
-                "f 1 2",
-                "a.obj:5:1: warning: This face has only 2 corners: it is left out.",
-            ),
-            (
-                "f 1 2 1 3",
-                "a.obj:5:1: warning: This face meets itself or has no area: it is left out.",
-            ),
-            (
-                "f 1/7 2 3",
-                "a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without.",
-            ),
-        ];
-        for (line, expected) in left_out {
-            let found = problems(&format!("{triangle}{drawn}{line}\n"));
+        for [line, expected] in cases(LEFT_OUT) {
+            let found = problems(&format!("{triangle}f 1 2 3\n{line}\n"));
             assert_eq!(found, [expected], "{line}");
         }
     }
@@ -377,10 +330,8 @@ mod tests {
 
     #[test]
     fn a_line_as_long_as_a_book_is_no_trouble() {
-        let text = format!(
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf {}\n",
-            "1 2 3 ".repeat(200_000)
-        );
+        let corners = "1 2 3 ".repeat(200_000);
+        let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf {corners}\n");
         assert_eq!(problems(&text).len(), 2);
         let text = format!("v {} 0 0\n", "9".repeat(1_000_000));
         assert_eq!(problems(&text).len(), 1);

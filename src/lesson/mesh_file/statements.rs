@@ -1,15 +1,13 @@
-//! Lines and words of OBJ and MTL files.
+//! Lines and words of OBJ and MTL files, and the one thing that is asked of an MTL file.
 
 use std::ops::Range;
 
-/// A statement: its words, each with its place in the file.
 pub(super) struct Statement<'t> {
     text: &'t str,
     words: Vec<Range<usize>>,
 }
 
 impl<'t> Statement<'t> {
-    /// The keyword.
     pub fn keyword(&self) -> &'t str {
         self.words
             .first()
@@ -21,7 +19,6 @@ impl<'t> Statement<'t> {
         self.words.first().cloned().unwrap_or_default()
     }
 
-    /// What follows the keyword, word by word.
     pub fn values(&self) -> impl ExactSizeIterator<Item = (&'t str, Range<usize>)> + '_ {
         let values = self.words.iter().skip(1);
         values.map(|span| (&self.text[span.clone()], span.clone()))
@@ -60,6 +57,21 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
         }
         (!words.is_empty()).then_some(Statement { text, words })
     })
+}
+
+/// The picture that a material of an MTL file is painted with, by its file's name.
+pub fn read_mtl(bytes: &[u8], material: &str) -> Option<String> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut is_wanted = false;
+    let mut found = None;
+    for statement in statements(&text) {
+        match statement.keyword() {
+            "newmtl" => is_wanted = statement.rest() == Some(material),
+            "map_Kd" if is_wanted => found = statement.rest().map(str::to_owned),
+            _ => {}
+        }
+    }
+    found
 }
 
 #[cfg(test)]

@@ -1,40 +1,22 @@
 //! A scene of the lines lab as files spell it.
 
-use std::fmt::Write as _;
-
 use crate::{
     algo::line::BitOrder,
-    geom::{ConvexPolygon, Segment, Window},
+    geom::{Segment, Window},
     input::{BIT_ORDER, CONVEX_CLIP, Dim, Part, Shape, WINDOW},
     labs::{
         self, Lab,
         lines::{LAB, MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
     },
-    lesson::{
-        sink::Sink,
-        toml_fields::{Item, TomlFields, list, made, whole, wrong_type},
-    },
+    lesson::toml_fields::{Node, TomlFields},
     text::Message,
 };
 
 use super::{
-    format::SceneFormat,
-    parts::{array, count_and_seed, head, method, number_like},
+    format::{SceneFormat, Spelling},
+    parts::{array, count_and_seed, counted, lines, list, method, points, quoted, rows},
 };
 
-/// The fields of a scene.
-const FIELDS: [&str; 8] = [
-    "method",
-    "compare",
-    "window",
-    "clip",
-    "bit_order",
-    "segments",
-    "random",
-    "focus",
-];
-
-/// All segments of a scene.
 const SEGMENTS: Part<Vec<Segment>> = Part::new(
     "segments",
     &Shape::Numbers(&[Dim::ANY, Dim::Exactly(4)]),
@@ -45,33 +27,32 @@ const SEGMENTS: Part<Vec<Segment>> = Part::new(
 )
 .expecting("expect-segments");
 
-/// The spelling of this lab's scenes.
 pub(super) struct Format;
 
 impl SceneFormat for Format {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
-    fn fields(&self) -> &'static [&'static str] {
-        &FIELDS
+    fn spelling(&self) -> &'static Spelling {
+        &Spelling {
+            fields: &[
+                "method",
+                "compare",
+                "window",
+                "clip",
+                "bit_order",
+                "segments",
+                "random",
+                "focus",
+            ],
+            own_field: "segments",
+            room: MAX_SEGMENTS,
+        }
     }
 
-    fn own_field(&self) -> &'static str {
-        "segments"
-    }
-
-    fn room(&self) -> usize {
-        MAX_SEGMENTS
-    }
-
-    fn read(
-        &self,
-        fields: &TomlFields<'_>,
-        room: &mut usize,
-        sink: &mut Sink<'_>,
-    ) -> Option<labs::Scene> {
-        scene(fields, room, sink).map(labs::Scene::from)
+    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<labs::Scene> {
+        scene(fields, room).map(labs::Scene::from)
     }
 
     fn write(&self, scene: &labs::Scene) -> Option<String> {
@@ -79,31 +60,21 @@ impl SceneFormat for Format {
     }
 }
 
-/// Reads a scene; `segments_left` is how many a file may still have.
-fn scene(fields: &TomlFields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
-    let n_errors = sink.n_errors();
-    let method = fields
-        .require("method", sink)
-        .and_then(|item| line_method(item, sink));
-    let compare = fields
-        .get("compare")
-        .and_then(|item| line_method(item, sink));
-    let window = fields.need(&WINDOW, sink);
-    let clip = fields.part(&CONVEX_CLIP, sink);
-    let bit_order = fields.part(&BIT_ORDER, sink);
-    let segments = segments(fields, window.as_ref(), *segments_left, sink);
-    let focus = fields.get("focus").and_then(|item| {
-        let number = whole(item, 0..MAX_SEGMENTS as u64, sink)? as usize;
+fn scene(fields: &TomlFields<'_>, segments_left: &mut usize) -> Option<Scene> {
+    let n_errors = fields.sink.n_errors();
+    let method = fields.require("method").and_then(line_method);
+    let compare = fields.get("compare").and_then(line_method);
+    let window = fields.need(&WINDOW);
+    let clip = fields.part(&CONVEX_CLIP);
+    let bit_order = fields.part(&BIT_ORDER);
+    let segments = segments(fields, window.as_ref(), *segments_left);
+    let focus = fields.get("focus").and_then(|node| {
+        let focus = node.whole(0..MAX_SEGMENTS as u64)? as usize;
         let n_segments = segments.as_ref()?.len();
-        if number >= n_segments {
-            let focus = number;
-            sink.refuse(
-                item.span(),
-                SceneError::NoSuchFocus { focus, n_segments },
-                [],
-            );
+        if focus >= n_segments {
+            node.error(SceneError::NoSuchFocus { focus, n_segments }, []);
         }
-        Some(number)
+        Some(focus)
     });
     let segments = segments?;
     *segments_left -= segments.len();
@@ -111,96 +82,71 @@ fn scene(fields: &TomlFields<'_>, segments_left: &mut usize, sink: &mut Sink<'_>
     (scene.compare, scene.clip) = (compare, clip);
     scene.bit_order = bit_order.unwrap_or_default();
     scene.set_focus(focus.unwrap_or(0));
-    (sink.n_errors() == n_errors).then_some(scene)
+    (fields.sink.n_errors() == n_errors).then_some(scene)
 }
 
-fn line_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
-    Method::by_id(method(LAB, item, sink)?)
+fn line_method(node: Node<'_>) -> Option<Method> {
+    Method::by_id(method(LAB, node)?)
 }
 
-/// The segments of a scene, listed or random: one of the two.
-fn segments(
-    fields: &TomlFields<'_>,
-    window: Option<&Window>,
-    most: usize,
-    sink: &mut Sink<'_>,
-) -> Option<Vec<Segment>> {
+/// Listed or random: one of the two.
+fn segments(fields: &TomlFields<'_>, window: Option<&Window>, most: usize) -> Option<Vec<Segment>> {
     match (fields.get("segments"), fields.get("random")) {
         (Some(_), Some(random)) => {
-            sink.error(
-                random.span(),
-                Message::new("problem-two-kinds-of-segments"),
-                [],
-            );
+            random.error(Message::new("problem-two-kinds-of-segments"), []);
             None
         }
-        (Some(item), None) => listed(item, most, sink),
-        (None, Some(item)) => random(item, window, most, sink),
+        (Some(node), None) => listed(node, most),
+        (None, Some(node)) => random(node, window, most),
         (None, None) => {
             if !fields.is_misspelt("segments") && !fields.is_misspelt("random") {
-                let message =
-                    Message::new("problem-missing-field").with("name", "segments".to_owned());
-                sink.error(fields.span(), message, [Message::new("expect-segments")]);
+                fields.missing("segments", [Message::new("expect-segments")]);
             }
             None
         }
     }
 }
 
-fn listed(item: &Item<'_>, most: usize, sink: &mut Sink<'_>) -> Option<Vec<Segment>> {
-    let items = list(item, "expect-segments", sink)?;
-    if items.is_empty() || items.len() > most {
-        let error = match items.len() {
-            0 => SceneError::NoSegments,
-            n => SceneError::TooManySegments(n),
-        };
-        sink.refuse(item.span(), error, [Message::new("expect-segments")]);
+fn listed(node: Node<'_>, most: usize) -> Option<Vec<Segment>> {
+    let mut entries = node.list("expect-segments")?;
+    let error = match entries.len() {
+        0 => Some(SceneError::NoSegments),
+        n if n > most => Some(SceneError::TooManySegments(n)),
+        _ => None,
+    };
+    if let Some(error) = error {
+        node.error(error, [Message::new("expect-segments")]);
         return None;
     }
     // One segment without its list is a slip worth a word of its own.
-    if items.iter().all(number_like) {
-        wrong_type(&items[0], "expect-segments", sink);
+    if entries.clone().all(Node::is_number) {
+        entries.next()?.wrong_type("expect-segments");
         return None;
     }
-    made(item, &SEGMENTS, sink)
+    node.made(&SEGMENTS)
 }
 
-fn random(
-    item: &Item<'_>,
-    window: Option<&Window>,
-    most: usize,
-    sink: &mut Sink<'_>,
-) -> Option<Vec<Segment>> {
-    let (count, seed) = count_and_seed(item, 1..MAX_SEGMENTS as u64 + 1, sink)?;
+fn random(node: Node<'_>, window: Option<&Window>, most: usize) -> Option<Vec<Segment>> {
+    let (count, seed) = count_and_seed(node, 1..MAX_SEGMENTS as u64 + 1)?;
     if count > most {
-        sink.refuse(item.span(), SceneError::TooManySegments(count), []);
+        node.error(SceneError::TooManySegments(count), []);
         return None;
     }
     Some(random_segments(window?, count, seed))
 }
 
-/// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
-    let compare = scene.compare.map(|method| method.card().id);
-    let clip = scene.clip.as_ref().map(ConvexPolygon::vertices);
-    let mut text = head(scene.method.card().id, compare, &scene.window, clip);
-    if scene.bit_order == BitOrder::Lrbt {
-        text.push_str("bit_order = \"lrbt\"\n");
-    }
-    if scene.focus() > 0 {
-        let _ = writeln!(text, "focus = {}", scene.focus());
-    }
-    match scene.segments() {
-        [one] => {
-            let _ = writeln!(text, "segments = [{}]", array(&one.to_array()));
-        }
-        many => {
-            text.push_str("segments = [\n");
-            for segment in many {
-                let _ = writeln!(text, "    {},", array(&segment.to_array()));
-            }
-            text.push_str("]\n");
-        }
-    }
-    text
+    let compare = scene.compare.map(|method| quoted(method.card().id));
+    let clip = scene.clip.as_ref();
+    let is_usual = scene.bit_order == BitOrder::default();
+    let segments = rows(scene.segments().iter().map(|segment| segment.to_array()));
+    lines([
+        ("method", Some(quoted(scene.method.card().id))),
+        ("compare", compare),
+        ("window", Some(array(&scene.window.to_array()))),
+        ("clip", clip.map(|clip| points(clip.vertices()))),
+        ("bit_order", (!is_usual).then(|| quoted("lrbt"))),
+        ("focus", counted(scene.focus())),
+        ("segments", Some(list(&segments, 1))),
+    ])
 }

@@ -8,13 +8,14 @@ mod polygons;
 mod space;
 
 pub(crate) use format::SceneFormat;
+#[cfg(all(test, feature = "gui"))]
+pub(crate) use format::Spelling;
 pub use format::{SceneFile, SceneFormats};
 pub use space::spot;
 
 use crate::labs::{frustum::FRUSTUM, surfaces::SURFACES};
 
 impl SceneFormats {
-    /// Those of all labs.
     pub const fn standard() -> Self {
         static FORMATS: [&dyn SceneFormat; 4] = [
             &lines::Format,

@@ -2,76 +2,62 @@
 
 use std::{fmt::Write as _, ops::Range};
 
-use crate::{
-    geom::{Point, Window},
-    labs::Lab,
-};
+use crate::{geom::Point, labs::Lab, lesson::toml_fields::Node};
 
-use crate::lesson::{
-    sink::Sink,
-    toml_fields::{Item, TomlFields, one_of, whole},
-};
-
-/// The id of a method of this lab.
-pub(super) fn method(lab: &dyn Lab, item: &Item<'_>, sink: &mut Sink<'_>) -> Option<&'static str> {
-    let known: Vec<&str> = lab.methods().iter().map(|card| card.id).collect();
-    one_of(item, &known, "problem-unknown-method", sink, |name| {
-        let mut cards = lab.methods().into_iter();
-        cards.find(|card| card.id == name).map(|card| card.id)
+pub(super) fn method(lab: &Lab, node: Node<'_>) -> Option<&'static str> {
+    let known: Vec<&'static str> = (lab.methods)().iter().map(|card| card.id).collect();
+    node.one_of(&known, "problem-unknown-method", |name| {
+        known.iter().copied().find(|id| *id == name)
     })
 }
 
-/// `[[x, y], …]`, on a line of its own each where there are many.
-pub(super) fn points(points: &[Point]) -> String {
-    let vertices: Vec<String> = points.iter().map(|p| array(&p.to_array())).collect();
-    if points.len() <= 6 {
-        return format!("[{}]", vertices.join(", "));
-    }
-    let mut text = String::from("[\n");
-    for vertex in vertices {
-        let _ = writeln!(text, "    {vertex},");
-    }
-    text + "]"
-}
-
 /// How many and the seed of what is drawn by lot.
-pub(super) fn count_and_seed(
-    item: &Item<'_>,
-    counts: Range<u64>,
-    sink: &mut Sink<'_>,
-) -> Option<(usize, u64)> {
-    let fields = TomlFields::of(item, &["count", "seed"], sink)?;
-    let count = fields
-        .require("count", sink)
-        .and_then(|item| whole(item, counts, sink));
-    let seed = fields
-        .require("seed", sink)
-        .and_then(|item| whole(item, 0..i64::MAX as u64, sink));
+pub(super) fn count_and_seed(node: Node<'_>, counts: Range<u64>) -> Option<(usize, u64)> {
+    let fields = node.fields(&["count", "seed"])?;
+    let whole = |name, range| fields.require(name)?.whole(range);
+    let (count, seed) = (whole("count", counts), whole("seed", 0..i64::MAX as u64));
     Some((count? as usize, seed?))
 }
 
-/// Where an element of a list stands; the whole list where there is no such element.
-pub(super) fn span_of(item: &Item<'_>, index: usize) -> Range<usize> {
-    let element = item.get_ref().as_array().and_then(|list| list.get(index));
-    element.map_or_else(|| item.span(), Item::span)
+/// A field and its value as a file spells it; none where a file would have the same by itself.
+pub(super) type Spelt = (&'static str, Option<String>);
+
+/// Fields on a line each.
+pub(super) fn lines(fields: impl IntoIterator<Item = Spelt>) -> String {
+    let lines = assigned(fields).map(|line| line + "\n");
+    lines.collect()
 }
 
-/// The fields that a scene of a window begins with.
-pub(super) fn head(
-    method: &str,
-    compare: Option<&str>,
-    window: &Window,
-    clip: Option<&[Point]>,
-) -> String {
-    let mut text = format!("method = \"{method}\"\n");
-    if let Some(compare) = compare {
-        let _ = writeln!(text, "compare = \"{compare}\"");
+/// Fields in braces, on one line.
+pub(super) fn table(fields: impl IntoIterator<Item = Spelt>) -> String {
+    format!("{{ {} }}", assigned(fields).collect::<Vec<_>>().join(", "))
+}
+
+fn assigned(fields: impl IntoIterator<Item = Spelt>) -> impl Iterator<Item = String> {
+    let fields = fields.into_iter();
+    fields.filter_map(|(name, value)| value.map(|value| format!("{name} = {value}")))
+}
+
+/// A list, its entries on a line each where there are more than `most` of them.
+pub(super) fn list(entries: &[String], most: usize) -> String {
+    if entries.len() <= most {
+        return format!("[{}]", entries.join(", "));
     }
-    let _ = writeln!(text, "window = {}", array(&window.to_array()));
-    if let Some(clip) = clip {
-        let _ = writeln!(text, "clip = {}", points(clip));
-    }
-    text
+    let lines = entries.iter().map(|entry| format!("    {entry},\n"));
+    format!("[\n{}]", lines.collect::<String>())
+}
+
+pub(super) fn points(points: &[Point]) -> String {
+    list(&rows(points.iter().map(|p| p.to_array())), 6)
+}
+
+pub(super) fn rows<const N: usize>(rows: impl IntoIterator<Item = [f64; N]>) -> Vec<String> {
+    rows.into_iter().map(|row| array(&row)).collect()
+}
+
+/// A number that is 0 where a file does not say it.
+pub(super) fn counted(n: usize) -> Option<String> {
+    (n > 0).then(|| n.to_string())
 }
 
 pub(super) fn array(numbers: &[f64]) -> String {
@@ -88,6 +74,16 @@ pub(super) fn exact(x: f64) -> String {
     }
 }
 
-pub(super) fn number_like(item: &Item<'_>) -> bool {
-    item.get_ref().is_integer() || item.get_ref().is_float()
+pub(super) fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => {
+                let _ = write!(quoted, "\\u{:04X}", u32::from(c));
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
 }

@@ -1,7 +1,5 @@
 //! A scene of the polygons lab as files spell it.
 
-use std::fmt::Write as _;
-
 use crate::{
     geom::{Polygon, Window},
     input::{CLIP, POLYGON, WINDOW},
@@ -9,50 +7,34 @@ use crate::{
         self, Lab,
         polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
     },
-    lesson::{
-        sink::Sink,
-        toml_fields::{Item, TomlFields, each, made, one_of},
-    },
+    lesson::toml_fields::{Node, TomlFields},
     text::Message,
 };
 
 use super::{
-    format::SceneFormat,
-    parts::{count_and_seed, head, method, points},
+    format::{SceneFormat, Spelling},
+    parts::{array, count_and_seed, lines, list, method, points, quoted},
 };
 
-/// The fields of a scene.
-const FIELDS: [&str; 8] = [
-    "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
-];
-
-/// The spelling of this lab's scenes.
 pub(super) struct Format;
 
 impl SceneFormat for Format {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
-    fn fields(&self) -> &'static [&'static str] {
-        &FIELDS
+    fn spelling(&self) -> &'static Spelling {
+        &Spelling {
+            fields: &[
+                "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
+            ],
+            own_field: "polygon",
+            room: 10 * MAX_VERTICES,
+        }
     }
 
-    fn own_field(&self) -> &'static str {
-        "polygon"
-    }
-
-    fn room(&self) -> usize {
-        10 * MAX_VERTICES
-    }
-
-    fn read(
-        &self,
-        fields: &TomlFields<'_>,
-        room: &mut usize,
-        sink: &mut Sink<'_>,
-    ) -> Option<labs::Scene> {
-        scene(fields, room, sink).map(labs::Scene::from)
+    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<labs::Scene> {
+        scene(fields, room).map(labs::Scene::from)
     }
 
     fn write(&self, scene: &labs::Scene) -> Option<String> {
@@ -60,80 +42,65 @@ impl SceneFormat for Format {
     }
 }
 
-/// Reads a scene; `vertices_left` is how many a file may still have.
-fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize, sink: &mut Sink<'_>) -> Option<Scene> {
-    let n_errors = sink.n_errors();
-    let method = fields
-        .require("method", sink)
-        .and_then(|item| polygon_method(item, sink));
-    let compare = fields
-        .get("compare")
-        .and_then(|item| polygon_method(item, sink));
-    let window = fields.need(&WINDOW, sink);
-    let clip = fields.part(&CLIP, sink);
-    let subject = subject(fields, window.as_ref(), sink);
-    let holes = fields.get("holes").and_then(|item| {
-        each(item, "expect-holes", sink, |item, sink| {
-            made(item, &POLYGON, sink)
-        })
-    });
-    let texture = fields.get("texture").and_then(|item| {
-        let known = Texture::ALL.map(Texture::id);
-        one_of(item, &known, "problem-unknown-value", sink, |name| {
-            Texture::ALL.into_iter().find(|t| t.id() == name)
-        })
-    });
+fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize) -> Option<Scene> {
+    let n_errors = fields.sink.n_errors();
+    let method = fields.require("method").and_then(polygon_method);
+    let compare = fields.get("compare").and_then(polygon_method);
+    let window = fields.need(&WINDOW);
+    let clip = fields.part(&CLIP);
+    let subject = subject(fields, window.as_ref());
+    let holes = fields.get("holes");
+    let holes = holes.and_then(|node| node.each("expect-holes", |node| node.made(&POLYGON)));
+    let texture = fields.get("texture");
+    let texture = texture.and_then(|node| node.value(Texture::ALL, Texture::id));
     let mut scene = Scene::new(method?, window?, subject?);
     (scene.compare, scene.clip) = (compare, clip);
     scene.holes = holes.unwrap_or_default();
     scene.texture = texture.unwrap_or_default();
     let n_vertices = scene.n_vertices();
     if n_vertices > MAX_VERTICES.min(*vertices_left) {
-        sink.refuse(fields.span(), SceneError::TooManyVertices(n_vertices), []);
+        let error = SceneError::TooManyVertices(n_vertices);
+        fields.sink.error(fields.span.clone(), error, []);
     } else {
         *vertices_left -= n_vertices;
     }
-    (sink.n_errors() == n_errors).then_some(scene)
+    (fields.sink.n_errors() == n_errors).then_some(scene)
 }
 
-fn polygon_method(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Method> {
-    Method::by_id(method(LAB, item, sink)?)
+fn polygon_method(node: Node<'_>) -> Option<Method> {
+    Method::by_id(method(LAB, node)?)
 }
 
-/// The polygon of a scene, listed or random: one of the two.
-fn subject(
-    fields: &TomlFields<'_>,
-    window: Option<&Window>,
-    sink: &mut Sink<'_>,
-) -> Option<Polygon> {
+/// Listed or random: one of the two.
+fn subject(fields: &TomlFields<'_>, window: Option<&Window>) -> Option<Polygon> {
     match (fields.get("polygon"), fields.get("random")) {
         (Some(_), Some(random)) => {
-            let message = Message::new("problem-two-kinds-of-polygons");
-            sink.error(random.span(), message, []);
+            random.error(Message::new("problem-two-kinds-of-polygons"), []);
             None
         }
-        (None, Some(item)) => random(item, window, sink),
-        _ => fields.need(&POLYGON, sink),
+        (None, Some(node)) => {
+            let (count, seed) = count_and_seed(node, 3..MAX_VERTICES as u64 + 1)?;
+            random_polygon(window?, count, seed).ok()
+        }
+        _ => fields.need(&POLYGON),
     }
 }
 
-fn random(item: &Item<'_>, window: Option<&Window>, sink: &mut Sink<'_>) -> Option<Polygon> {
-    let (count, seed) = count_and_seed(item, 3..MAX_VERTICES as u64 + 1, sink)?;
-    random_polygon(window?, count, seed).ok()
-}
-
-/// Writes a scene.
 fn to_toml(scene: &Scene) -> String {
-    let compare = scene.compare.map(|method| method.card().id);
-    let clip = scene.clip.as_ref().map(Polygon::vertices);
-    let mut text = head(scene.method.card().id, compare, &scene.window, clip);
-    if scene.texture != Texture::None {
-        let _ = writeln!(text, "texture = \"{}\"", scene.texture.id());
-    }
-    let _ = writeln!(text, "polygon = {}", points(scene.subject.vertices()));
-    if !scene.holes.is_empty() {
-        let holes: Vec<String> = scene.holes.iter().map(|h| points(h.vertices())).collect();
-        let _ = writeln!(text, "holes = [{}]", holes.join(", "));
-    }
-    text
+    let compare = scene.compare.map(|method| quoted(method.card().id));
+    let clip = scene.clip.as_ref();
+    let has_texture = scene.texture != Texture::None;
+    let holes: Vec<String> = scene.holes.iter().map(|h| points(h.vertices())).collect();
+    lines([
+        ("method", Some(quoted(scene.method.card().id))),
+        ("compare", compare),
+        ("window", Some(array(&scene.window.to_array()))),
+        ("clip", clip.map(|clip| points(clip.vertices()))),
+        ("texture", has_texture.then(|| quoted(scene.texture.id()))),
+        ("polygon", Some(points(scene.subject.vertices()))),
+        (
+            "holes",
+            (!holes.is_empty()).then(|| list(&holes, usize::MAX)),
+        ),
+    ])
 }

@@ -4,159 +4,80 @@ use crate::text::{Catalog, Lang};
 
 use super::*;
 
-const WINDOW: &str = "window = [-1, -1, 1, 1]";
-const SEGMENTS: &str = "segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]]";
+const BROKEN: &str = r#"
+lab = => lba = => 1:1 unknown-field
+lab = "lines"\n =>  => 1:1 missing-field
+"lines" => "line" => 1:7 unknown-lab
+"lines" => 7 => 1:7 wrong-type
+source = "D. Cohen and I. Sutherland, 1967"\n =>  => 1:1 missing-field
+"D. Cohen and I. Sutherland, 1967" => " " => 2:10 empty-text
+"cohen-sutherland" => "cohen-suterland" => 5:10 unknown-method
+method = "cohen-sutherland"\n =>  => 4:1 missing-field
+window = [-1, -1, 1, 1] => windw = [-1, -1, 1, 1] => 6:1 unknown-field
+window = [-1, -1, 1, 1] => window = [-1, -1, 1] => 6:10 wrong-length
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, inf] => 6:22 not-finite
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1e999] => 6:22 not-finite
+window = [-1, -1, 1, 1] => window = [-1, nan, 1, 1] => 6:15 not-finite
+window = [-1, -1, 1, 1] => window = [-1, "a", 1, 1] => 6:15 wrong-type
+window = [-1, -1, 1, 1] => window = [1, -1, -1, 1] => 6:11 empty-window
+window = [-1, -1, 1, 1] => window = [-1, 1, 1, 1] => 6:15 empty-window
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1]\nclip = [[0, 0], [2, 0]] => 7:8 degenerate
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1]\nclip = [[0, 0], [1, 0], [1, 0], [0, 1]] => 7:25 degenerate
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1, 1], [0, 4]] => 7:25 not-convex
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1]] => 7:25 wrong-length
+window = [-1, -1, 1, 1] => window = [-1, -1, 1, 1]\nclip = [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]] => 7:35 self-intersecting
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [] => 7:12 no-segments
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [-2, -1, 2, 1.5] => 7:13 wrong-type
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[-2, -1, 2]] => 7:13 wrong-length
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] =>  => 4:1 missing-field
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => random = { count = 0, seed = 7 } => 7:20 out-of-range
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => random = { count = 2000000, seed = 7 } => 7:20 out-of-range
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => random = { count = 5 } => 7:10 missing-field
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => random = { count = 5, seed = -1 } => 7:30 out-of-range
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[0, 0, 1, 1]]\nrandom = { count = 5, seed = 1 } => 8:10 two-kinds-of-segments
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[0, 0, 1, 1]]\nfocus = 1 => 8:9 no-such-focus
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[0, 0, 1, 1]]\nfocus = 0.5 => 8:9 wrong-type
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[0, 0, 1, 1]]\nbit_order = "tblr" => 8:13 unknown-value
+segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]] => segments = [[0, 0, 1, 1]]\ncompare = "brute" => 8:11 unknown-method
+id = "second" => id = "first" => 15:6 duplicate-step
+id = "second" => id = "Second step" => 15:6 bad-step-id
+id = "second"\n =>  => 14:1 missing-field
+scene = "practice" => scene = "practise" => 11:9 unknown-scene
+scene = "practice" =>  => 9:1 missing-field
+figure = "one" => figure = "../one" => 12:10 bad-figure
+at = "end" => at = "cut top" => 16:6 moment-never-happens
+at = "end" => at = "cut #0" => 16:6 bad-moment
+at = "end" => figure = "one" => 16:10 duplicate-figure
+["window"] => ["p1", "windows"] => 17:15 unknown-lock
+["window"] => "window" => 17:8 wrong-type
+"words" => "none" => 18:8 unknown-value
+lab = "lines" => lab =  => 1:7 toml-value
+"lines" => "lines"\nlab = "lines" => 2:1 toml-duplicate
+[scenes.practice] => [scenes.practice => 4:17 toml-unclosed
+"#;
 
-/// What is replaced in the lesson, by what, and the place and code of the one problem.
-const BROKEN: &[(&str, &str, &str)] = &[
-    ("lab =", "lba =", "1:1 unknown-field"),
-    ("lab = \"lines\"\n", "", "1:1 missing-field"),
-    ("\"lines\"", "\"line\"", "1:7 unknown-lab"),
-    ("\"lines\"", "7", "1:7 wrong-type"),
-    (
-        "source = \"D. Cohen and I. Sutherland, 1967\"\n",
-        "",
-        "1:1 missing-field",
-    ),
-    (
-        "\"D. Cohen and I. Sutherland, 1967\"",
-        "\" \"",
-        "2:10 empty-text",
-    ),
-    (
-        "\"cohen-sutherland\"",
-        "\"cohen-suterland\"",
-        "5:10 unknown-method",
-    ),
-    ("method = \"cohen-sutherland\"\n", "", "4:1 missing-field"),
-    (WINDOW, "windw = [-1, -1, 1, 1]", "6:1 unknown-field"),
-    (WINDOW, "window = [-1, -1, 1]", "6:10 wrong-length"),
-    (WINDOW, "window = [-1, -1, 1, inf]", "6:22 not-finite"),
-    (WINDOW, "window = [-1, -1, 1, 1e999]", "6:22 not-finite"),
-    (WINDOW, "window = [-1, nan, 1, 1]", "6:15 not-finite"),
-    (WINDOW, "window = [-1, \"a\", 1, 1]", "6:15 wrong-type"),
-    (WINDOW, "window = [1, -1, -1, 1]", "6:11 empty-window"),
-    (WINDOW, "window = [-1, 1, 1, 1]", "6:15 empty-window"),
-    (
-        WINDOW,
-        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [2, 0]]",
-        "7:8 degenerate",
-    ),
-    (
-        WINDOW,
-        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [1, 0], [1, 0], [0, 1]]",
-        "7:25 degenerate",
-    ),
-    (
-        WINDOW,
-        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1, 1], [0, 4]]",
-        "7:25 not-convex",
-    ),
-    (
-        WINDOW,
-        "window = [-1, -1, 1, 1]\nclip = [[0, 0], [4, 0], [1]]",
-        "7:25 wrong-length",
-    ),
-    (
-        WINDOW,
-        "window = [-1, -1, 1, 1]\nclip = [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]",
-        "7:35 self-intersecting",
-    ),
-    (SEGMENTS, "segments = []", "7:12 no-segments"),
-    (SEGMENTS, "segments = [-2, -1, 2, 1.5]", "7:13 wrong-type"),
-    (SEGMENTS, "segments = [[-2, -1, 2]]", "7:13 wrong-length"),
-    (SEGMENTS, "", "4:1 missing-field"),
-    (
-        SEGMENTS,
-        "random = { count = 0, seed = 7 }",
-        "7:20 out-of-range",
-    ),
-    (
-        SEGMENTS,
-        "random = { count = 2000000, seed = 7 }",
-        "7:20 out-of-range",
-    ),
-    (SEGMENTS, "random = { count = 5 }", "7:10 missing-field"),
-    (
-        SEGMENTS,
-        "random = { count = 5, seed = -1 }",
-        "7:30 out-of-range",
-    ),
-    (
-        SEGMENTS,
-        "segments = [[0, 0, 1, 1]]\nrandom = { count = 5, seed = 1 }",
-        "8:10 two-kinds-of-segments",
-    ),
-    (
-        SEGMENTS,
-        "segments = [[0, 0, 1, 1]]\nfocus = 1",
-        "8:9 no-such-focus",
-    ),
-    (
-        SEGMENTS,
-        "segments = [[0, 0, 1, 1]]\nfocus = 0.5",
-        "8:9 wrong-type",
-    ),
-    (
-        SEGMENTS,
-        "segments = [[0, 0, 1, 1]]\nbit_order = \"tblr\"",
-        "8:13 unknown-value",
-    ),
-    (
-        SEGMENTS,
-        "segments = [[0, 0, 1, 1]]\ncompare = \"brute\"",
-        "8:11 unknown-method",
-    ),
-    ("id = \"second\"", "id = \"first\"", "15:6 duplicate-step"),
-    (
-        "id = \"second\"",
-        "id = \"Second step\"",
-        "15:6 bad-step-id",
-    ),
-    ("id = \"second\"\n", "", "14:1 missing-field"),
-    (
-        "scene = \"practice\"",
-        "scene = \"practise\"",
-        "11:9 unknown-scene",
-    ),
-    ("scene = \"practice\"", "", "9:1 missing-field"),
-    (
-        "figure = \"one\"",
-        "figure = \"../one\"",
-        "12:10 bad-figure",
-    ),
-    (
-        "at = \"end\"",
-        "at = \"cut top\"",
-        "16:6 moment-never-happens",
-    ),
-    ("at = \"end\"", "at = \"cut #0\"", "16:6 bad-moment"),
-    ("at = \"end\"", "figure = \"one\"", "16:10 duplicate-figure"),
-    (
-        "[\"window\"]",
-        "[\"p1\", \"windows\"]",
-        "17:15 unknown-lock",
-    ),
-    ("[\"window\"]", "\"window\"", "17:8 wrong-type"),
-    ("\"words\"", "\"none\"", "18:8 unknown-value"),
-    ("lab = \"lines\"", "lab = ", "1:7 toml-value"),
-    (
-        "\"lines\"",
-        "\"lines\"\nlab = \"lines\"",
-        "2:1 toml-duplicate",
-    ),
-    (
-        "[scenes.practice]",
-        "[scenes.practice",
-        "4:17 toml-unclosed",
-    ),
-];
+const BROKEN_TEXTS: &str = r"
+# Regions\n =>  => 1:1 missing-title
+# Regions => Regions => 1:1 missing-title
+# Regions => #  => 1:1 empty-text
+# Regions\n => # Regions\n\nWelcome.\n => 3:1 text-outside
+## first:  => ##  => 3:1 bad-heading
+## first: => ## frist: => 3:1 unknown-step
+## second: => ## first: => 9:1 duplicate-section
+## second: The second step\n\n- one\n- two\n =>  => 3:1 missing-section
+- one\n- two\n =>  => 9:1 empty-section
+- one => - one\n\n# Two => 13:1 second-title
+- one => ### Deeper => 11:1 unsupported-markdown
+- one => - <b>one</b> => 11:3 unsupported-markdown
+- one => - see [this](that) => 11:7 unsupported-markdown
+- one => - **甲。**乙 => 11:3 stray-emphasis
+";
 
 #[test]
 fn every_mistake_in_a_lesson_file_has_its_place() {
     let mut wrong = Vec::new();
-    for (old, new, expected) in BROKEN {
-        let files = lesson(&[(*old, *new)]);
+    for [old, new, expected] in cases(BROKEN) {
+        let files = lesson(&[(&old, &new)]);
         let mut spots = found(&files);
         // A step without an id, or with a bad one, leaves the texts unchecked; a scene that is not found
         // is not used.
@@ -171,29 +92,10 @@ fn every_mistake_in_a_lesson_file_has_its_place() {
 
 #[test]
 fn every_mistake_in_a_text_has_its_place() {
-    for (old, new, expected) in [
-        ("# Regions\n", "", "1:1 missing-title"),
-        ("# Regions", "Regions", "1:1 missing-title"),
-        ("# Regions", "# ", "1:1 empty-text"),
-        ("# Regions\n", "# Regions\n\nWelcome.\n", "3:1 text-outside"),
-        ("## first: ", "## ", "3:1 bad-heading"),
-        ("## first:", "## frist:", "3:1 unknown-step"),
-        ("## second:", "## first:", "9:1 duplicate-section"),
-        (
-            "## second: The second step\n\n- one\n- two\n",
-            "",
-            "3:1 missing-section",
-        ),
-        ("- one\n- two\n", "", "9:1 empty-section"),
-        ("- one", "- one\n\n# Two", "13:1 second-title"),
-        ("- one", "### Deeper", "11:1 unsupported-markdown"),
-        ("- one", "- <b>one</b>", "11:3 unsupported-markdown"),
-        ("- one", "- see [this](that)", "11:7 unsupported-markdown"),
-        ("- one", "- **甲。**乙", "11:3 stray-emphasis"),
-    ] {
-        assert!(TEXT.contains(old), "the text has no {old:?}");
+    for [old, new, expected] in cases(BROKEN_TEXTS) {
+        assert!(TEXT.contains(&old), "the text has no {old:?}");
         let mut files = with(LESSON, TEXT);
-        files.insert("01-a/es.md".to_owned(), TEXT.replacen(old, new, 1).into());
+        files.insert("01-a/es.md".to_owned(), TEXT.replacen(&old, &new, 1).into());
         let spots = found(&files);
         let at = format!("es.md:{expected}");
         assert!(spots.contains(&at), "{new}: expected {at}, found {spots:?}");
@@ -219,11 +121,8 @@ fn several_mistakes_of_several_files_are_all_reported() {
     files.insert("01-a/zh-CN.md".to_owned(), b"# \xff".to_vec());
     files.insert("01-a/fr.md".to_owned(), b"# A".to_vec());
     files.remove("01-a/pt-BR.md");
-    files.extend(
-        with(LESSON, TEXT)
-            .into_iter()
-            .map(|(path, bytes)| (path.replace("01-a", "02-b"), bytes)),
-    );
+    let other = with(LESSON, TEXT).into_iter();
+    files.extend(other.map(|(path, bytes)| (path.replace("01-a", "02-b"), bytes)));
     assert_eq!(
         found(&files),
         [
@@ -254,38 +153,23 @@ fn odd_files_are_named() {
         "\"end\"\n\n[scenes.spare]\nmethod = \"cohen-sutherland\"\nwindow = [0, 0, 1, 1]\nsegments = [[0, 0, 1, 1]]\n\n[[step]]\nid = \"third\"",
     )]);
     for lang in Lang::ALL {
-        let text = format!(
-            "\u{feff}{}",
-            TEXT.replace('\n', "\r\n") + "## third：T\r\nt\r\n"
-        );
+        let text = TEXT.replace('\n', "\r\n");
+        let text = format!("\u{feff}{text}## third：T\r\nt\r\n");
         files.insert(format!("01-a/{lang}.md"), text.into());
     }
-    assert_eq!(
-        found(&files),
-        ["lesson.toml:18:9 unused-scene"],
-        "a warning; marks and CRLF are fine"
-    );
+    let warning = ["lesson.toml:18:9 unused-scene"];
+    assert_eq!(found(&files), warning, "marks and CRLF are fine");
     assert_eq!(Course::check(&files).course.lessons.len(), 1);
     let files = lesson(&[("\"lines\"", &"[".repeat(100_000))]);
-    assert_eq!(
-        found(&files)[0],
-        "lesson.toml:1:87 toml",
-        "nesting has a bound"
-    );
+    let found_first = &found(&files)[0];
+    assert_eq!(found_first, "lesson.toml:1:87 toml", "nesting has a bound");
     let files = lesson(&[("[0, 0, 1, 1]]", &(r#"["x"],"#.repeat(1_000) + "]"))]);
     let problems = Course::check(&files).problems;
-    assert_eq!(
-        problems.len(),
-        101,
-        "a hundred, and how many more there are"
-    );
+    let n = problems.len();
+    assert_eq!(n, 101, "a hundred, and how many more there are");
     assert_eq!(problems[100].code(), "more");
-    assert!(
-        problems[99]
-            .render(Catalog::of(Lang::En))
-            .lines()
-            .all(|line| line.chars().count() < 140)
-    );
+    let last = problems[99].render(Catalog::of(Lang::En));
+    assert!(last.lines().all(|line| line.chars().count() < 140));
 }
 
 #[test]
@@ -349,19 +233,13 @@ fn a_file_that_is_not_toml_is_explained() {
 fn what_a_file_holds_cannot_upset_the_terminal() {
     let long = "x".repeat(1_000);
     let toml = format!("\"\\u001b[2J{long}\" = \"\u{7f}\"");
-    for problem in SceneFormats::standard()
-        .read("a\u{1b}.toml", toml.as_bytes())
-        .expect_err("no scene")
-    {
+    let read = SceneFormats::standard().read("a\u{1b}.toml", toml.as_bytes());
+    for problem in read.expect_err("no scene") {
         let text = problem.render(Catalog::of(Lang::En));
-        assert!(
-            !text.contains(|c: char| c.is_control() && c != '\n'),
-            "{text:?}"
-        );
-        assert!(
-            text.lines().all(|line| line.chars().count() < 180),
-            "{text}"
-        );
+        let is_control = |c: char| c.is_control() && c != '\n';
+        assert!(!text.contains(is_control), "{text:?}");
+        let mut lines = text.lines();
+        assert!(lines.all(|line| line.chars().count() < 180), "{text}");
     }
 }
 

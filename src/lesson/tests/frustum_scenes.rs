@@ -1,4 +1,4 @@
-//! Scenes of the frustum lab in files: read as they were written, and every mistake with its place.
+//! Scenes of the frustum lab in files, and meshes beside them: read as they were written, and every mistake with its place.
 
 use std::sync::Arc;
 
@@ -10,13 +10,13 @@ use crate::{
     labs::{
         self,
         frustum::{FRUSTUM, LAB},
-        space::{Method, Model, NamedMesh, Object, Opening, Scene, TaughtCamera},
+        space::{Method, Model, NamedMesh, Object, Opening, Picture, Scene, TaughtCamera},
     },
 };
 
 use super::*;
 
-pub(super) const SCENE: &str = r#"method = "sphere-cull"
+const SCENE: &str = r#"method = "sphere-cull"
 compare = "box-cull"
 camera = { position = [0, 2, 6], target = [0, 1, -2], fov_y_deg = 40, aspect = 1.6, near = 1, far = 12 }
 eye = { target = [0, 1, 0], yaw_deg = -58, pitch_deg = 24, distance = 26, fov_y_deg = 26 }
@@ -30,7 +30,7 @@ objects = [
 ]
 "#;
 
-pub(super) fn read(text: &str) -> Result<Scene, Vec<String>> {
+fn read(text: &str) -> Result<Scene, Vec<String>> {
     let read = SceneFormats::standard().read("a.toml", text.as_bytes());
     let read = read.map_err(|problems| problems.iter().map(super::spot).collect::<Vec<_>>())?;
     Ok(read.scene.get::<Scene>().expect("of this lab").clone())
@@ -45,23 +45,14 @@ fn written(scene: &Scene) -> String {
 fn every_field_is_read() {
     let scene = read(SCENE).expect("in order");
     assert_eq!(scene.method.card().id, "sphere-cull");
-    assert_eq!(
-        scene.beside.first().map(|method| method.card().id),
-        Some("box-cull")
-    );
-    assert_eq!(
-        scene.camera.places(),
-        [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]]
-    );
-    assert_eq!(scene.camera.opening(), Opening::FovY(40.0));
-    assert_eq!(
-        (scene.camera.aspect(), scene.camera.depths()),
-        (1.6, [1.0, 12.0])
-    );
-    assert_eq!(
-        scene.eye,
-        Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0)
-    );
+    assert_eq!(scene.beside[0].card().id, "box-cull");
+    let camera = &scene.camera;
+    let places = [[0.0, 2.0, 6.0], [0.0, 1.0, -2.0], [0.0, 1.0, 0.0]];
+    assert_eq!(camera.places(), places);
+    assert_eq!(camera.opening(), Opening::FovY(40.0));
+    assert_eq!((camera.aspect(), camera.depths()), (1.6, [1.0, 12.0]));
+    let eye = Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0);
+    assert_eq!(scene.eye, eye);
     assert_eq!(scene.places.point(), [0.5, 1.0, -2.0]);
     assert_eq!((scene.focus(), scene.face()), (1, 2));
     let [cube, wedge, cow] = scene.objects() else {
@@ -99,109 +90,74 @@ fn where_no_eye_is_given_one_sees_the_whole_volume() {
     }
 }
 
-/// What is replaced in the scene, by what, and the place and code of the one problem.
-const BROKEN: &[(&str, &str, &str)] = &[
-    ("\"sphere-cull\"", "\"sphere-cul\"", "1:10 unknown-method"),
-    (
-        "compare = \"box-cull\"",
-        "compare = [\"box-cull\", \"funnel\"]",
-        "2:11 too-many-beside",
-    ),
-    ("\"box-cull\"", "[\"box\"]", "2:12 unknown-method"),
-    ("camera =", "camra =", "3:1 unknown-field"),
-    ("position = [0, 2, 6], ", "", "3:10 missing-field"),
-    (
-        "position = [0, 2, 6]",
-        "position = [0, 2]",
-        "3:23 wrong-length",
-    ),
-    (
-        "position = [0, 2, 6]",
-        "position = [0, 2, nan]",
-        "3:30 not-finite",
-    ),
-    ("[0, 1, -2], fov", "[0, 2, 6], fov", "3:43 degenerate"),
-    (
-        "fov_y_deg = 40",
-        "up = [0, 1, 8], fov_y_deg = 40",
-        "3:60 degenerate",
-    ),
-    ("fov_y_deg = 40", "fov_y_deg = 180", "3:67 degenerate"),
-    (
-        "fov_y_deg = 40",
-        "fov_y_deg = 40, height = 1",
-        "3:80 two-openings",
-    ),
-    ("fov_y_deg = 40, ", "", "3:10 missing-field"),
-    ("fov_y_deg = 40", "height = 0", "3:64 degenerate"),
-    ("aspect = 1.6", "aspect = 0", "3:80 degenerate"),
-    ("near = 1,", "near = 0,", "3:92 degenerate"),
-    ("far = 12", "far = 1", "3:101 degenerate"),
-    ("far = 12", "far = \"away\"", "3:101 wrong-type"),
-    ("pitch_deg = 24", "pitch_deg = 95", "4:56 out-of-range"),
-    ("distance = 26", "distance = 0", "4:71 out-of-range"),
-    (
-        "point = [0.5, 1, -2]",
-        "point = [0.5, 1]",
-        "5:9 wrong-length",
-    ),
-    ("focus = 1", "focus = 3", "6:9 no-such-object"),
-    ("focus = 1", "focus = -1", "6:9 out-of-range"),
-    ("face = 2", "face = 4", "7:8 no-such-face"),
-    ("\"cube\"", "\"cub\"", "9:15 unknown-value"),
-    ("size = 0.6", "size = 0", "9:69 degenerate"),
-    ("at = [0, 1, 0]", "at = [0, 1, 1e999]", "9:35 not-finite"),
-    ("solid = \"cube\", ", "", "9:5 missing-field"),
-    ("{ mesh =", "{ solid = \"cube\", mesh =", "10:30 two-models"),
-    ("name = \"wedge\", ", "", "10:14 missing-field"),
-    ("[1, 2, 3]", "[1, 2, 4]", "10:133 degenerate"),
-    ("[1, 2, 3]", "[1, 2]", "10:133 wrong-length"),
-    ("[1, 2, 3]", "[1, 2, 3.5]", "10:140 wrong-type"),
-    ("[0, 0, 0.5]", "[0, 0]", "10:77 wrong-length"),
-    (
-        "name = \"wedge\"",
-        "name = \"wedge\", obj = \"f 1\"",
-        "10:56 two-meshes",
-    ),
-    (
-        "name = \"wedge\"",
-        "name = \"wedge\", picture = \"cow!\"",
-        "10:42 no-picture",
-    ),
-    ("{ solid = \"spot\" }", "street", "11:5 toml-value"),
-];
+const BROKEN: &str = r#"
+"sphere-cull" => "sphere-cul" => 1:10 unknown-method
+compare = "box-cull" => compare = ["box-cull", "funnel"] => 2:11 too-many-beside
+"box-cull" => ["box"] => 2:12 unknown-method
+camera = => camra = => 3:1 unknown-field
+position = [0, 2, 6],  =>  => 3:10 missing-field
+position = [0, 2, 6] => position = [0, 2] => 3:23 wrong-length
+position = [0, 2, 6] => position = [0, 2, nan] => 3:30 not-finite
+[0, 1, -2], fov => [0, 2, 6], fov => 3:43 degenerate
+fov_y_deg = 40 => up = [0, 1, 8], fov_y_deg = 40 => 3:60 degenerate
+fov_y_deg = 40 => fov_y_deg = 180 => 3:67 degenerate
+fov_y_deg = 40 => fov_y_deg = 40, height = 1 => 3:80 two-openings
+fov_y_deg = 40,  =>  => 3:10 missing-field
+fov_y_deg = 40 => height = 0 => 3:64 degenerate
+aspect = 1.6 => aspect = 0 => 3:80 degenerate
+near = 1, => near = 0, => 3:92 degenerate
+far = 12 => far = 1 => 3:101 degenerate
+far = 12 => far = "away" => 3:101 wrong-type
+pitch_deg = 24 => pitch_deg = 95 => 4:56 out-of-range
+distance = 26 => distance = 0 => 4:71 out-of-range
+point = [0.5, 1, -2] => point = [0.5, 1] => 5:9 wrong-length
+focus = 1 => focus = 3 => 6:9 no-such-object
+focus = 1 => focus = -1 => 6:9 out-of-range
+face = 2 => face = 4 => 7:8 no-such-face
+"cube" => "cub" => 9:15 unknown-value
+size = 0.6 => size = 0 => 9:69 degenerate
+at = [0, 1, 0] => at = [0, 1, 1e999] => 9:35 not-finite
+solid = "cube",  =>  => 9:5 missing-field
+{ mesh = => { solid = "cube", mesh = => 10:30 two-models
+name = "wedge",  =>  => 10:14 missing-field
+[1, 2, 3] => [1, 2, 4] => 10:133 degenerate
+[1, 2, 3] => [1, 2] => 10:133 wrong-length
+[1, 2, 3] => [1, 2, 3.5] => 10:140 wrong-type
+[0, 0, 0.5] => [0, 0] => 10:77 wrong-length
+name = "wedge" => name = "wedge", obj = "f 1" => 10:56 two-meshes
+name = "wedge" => name = "wedge", picture = "cow!" => 10:42 no-picture
+{ solid = "spot" } => street => 11:5 toml-value
+"#;
 
 #[test]
 fn every_mistake_has_its_place() {
-    for (old, new, expected) in BROKEN {
-        assert!(SCENE.contains(old), "the scene has no {old:?}");
-        let found = read(&SCENE.replacen(old, new, 1)).expect_err(new);
+    for [old, new, expected] in cases(BROKEN) {
+        assert!(SCENE.contains(&old), "the scene has no {old:?}");
+        let found = read(&SCENE.replacen(&old, &new, 1)).expect_err(&new);
         let expected = format!("a.toml:{expected}");
         assert!(
             found.contains(&expected),
             "{new}: {found:?}, not {expected}"
         );
     }
-    let empty = SCENE
-        .split("objects")
-        .next()
-        .expect("a beginning")
-        .to_owned();
-    assert_eq!(
-        read(&format!(
-            "{}objects = []\n",
-            empty.replace("focus = 1\nface = 2\n", "")
-        )),
-        Err(vec!["a.toml:6:11 no-objects".to_owned()])
-    );
-    let two = format!("{SCENE}street = {{ count = 2, seed = 1 }}\n");
-    assert_eq!(
-        read(&two),
-        Err(vec!["a.toml:13:10 two-kinds-of-objects".to_owned()])
-    );
+    let (head, _) = SCENE.split_once("focus").expect("it has a focus");
+    let refused = |expected: &str| Err(vec![expected.to_owned()]);
+    let none = read(&format!("{head}objects = []\n"));
+    assert_eq!(none, refused("a.toml:6:11 no-objects"));
+    let two = read(&format!("{SCENE}street = {{ count = 2, seed = 1 }}\n"));
+    assert_eq!(two, refused("a.toml:13:10 two-kinds-of-objects"));
 }
 
-/// The grid of n × n squares: a mesh as large as one wants.
+fn named(name: &str, mesh: Mesh, picture: Option<Picture>) -> Model {
+    let name = name.to_owned();
+    Model::Mesh(Arc::new(NamedMesh {
+        name,
+        mesh,
+        picture,
+    }))
+}
+
+/// n × n squares: a mesh as large as one wants.
 fn grid(n: u32) -> Mesh {
     let at = |i: u32, j: u32| i * (n + 1) + j;
     let positions =
@@ -224,54 +180,33 @@ fn a_mesh_comes_back_however_large_with_its_picture() {
         (60, read_picture(painted)),
         (80, read_picture(painted)),
     ] {
-        let name = "grid".to_owned();
-        let mesh = grid(n);
-        let model = Model::Mesh(Arc::new(NamedMesh {
-            name,
-            mesh,
-            picture,
-        }));
-        scene.set_object(
-            1,
-            Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5).expect("finite"),
-        );
+        let model = named("grid", grid(n), picture);
+        let object = Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5);
+        scene.set_object(1, object.expect("finite"));
         scene.set_face(100).expect("it has as many");
         // An OBJ file numbers vertices as faces name them: a mesh that came from one keeps even that.
         let again = read(&written(&scene)).expect("as it was written");
         assert_eq!(read(&written(&again)).as_ref(), Ok(&again));
         let (before, after) = (scene.focused(), again.focused());
-        assert_eq!(
-            after.model().mesh().faces().len(),
-            before.model().mesh().faces().len()
-        );
+        let [n_before, n_after] = [before, after].map(|object| object.model().mesh().faces().len());
+        assert_eq!(n_after, n_before);
         assert!((0..(2 * n * n) as usize).all(|i| after.face(i) == before.face(i)));
-        assert_eq!(
-            after.model().skin([0, 1, 2]),
-            before.model().skin([0, 1, 2])
-        );
+        let [skin, again] = [before, after].map(|object| object.model().skin([0, 1, 2]));
+        assert_eq!(again, skin);
     }
 }
 
 #[test]
 fn first_scenes_and_names_that_need_quotes_come_back() {
-    let mut scene: Scene = LAB
-        .first_scene()
+    let mut scene: Scene = (LAB.first_scene)()
         .get::<Scene>()
         .expect("of this lab")
         .clone();
     assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
     for name in ["a \"b\" \\ c", "牛", "line\nbreak\t\u{7f}", "x = { }"] {
-        let name = name.to_owned();
-        let mesh = Solid::Tetrahedron.mesh();
-        let model = Model::Mesh(Arc::new(NamedMesh {
-            name,
-            mesh,
-            picture: None,
-        }));
-        scene.set_object(
-            0,
-            Object::new(model, [0.0; 3], [0.0; 3], 1.0).expect("finite"),
-        );
+        let model = named(name, Solid::Tetrahedron.mesh(), None);
+        let object = Object::new(model, [0.0; 3], [0.0; 3], 1.0);
+        scene.set_object(0, object.expect("finite"));
         assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
     }
 }
@@ -301,12 +236,7 @@ fn model() -> impl Strategy<Value = Model> {
             let uvs = positions.iter().filter(|_| has_uvs);
             let uvs = uvs.map(|&[x, y, _]| [x, y]).collect();
             let mesh = Mesh::new(positions, uvs, vec![a, b]).expect("in order");
-            let name = "m".to_owned();
-            Model::Mesh(Arc::new(NamedMesh {
-                name,
-                mesh,
-                picture: None,
-            }))
+            named("m", mesh, None)
         });
     prop_oneof![
         prop::sample::select(Solid::ALL.to_vec()).prop_map(Model::Solid),
@@ -321,7 +251,7 @@ fn object() -> impl Strategy<Value = Object> {
 
 prop_compose! {
     fn scenes()(
-        methods in [any::<prop::sample::Index>(), any::<prop::sample::Index>()],
+        methods in any::<[prop::sample::Index; 2]>(),
         places in [place(), place()],
         volume in (any::<bool>(), 0.5..170.0, 0.1..4.0, 0.01..5.0, 0.01..90.0),
         eye in (place(), [-400.0..400.0, -89.0..89.0], 1e-3..1e5, 1.0..120.0),
@@ -329,7 +259,7 @@ prop_compose! {
         point in place(),
         corners in [place(), place(), place()],
         is_frozen in any::<bool>(),
-        picks in [any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<prop::sample::Index>()],
+        picks in any::<[prop::sample::Index; 3]>(),
     ) -> Option<Scene> {
         let known: Vec<Method> = FRUSTUM.all().collect();
         let [method, compare] = methods.map(|index| *index.get(&known));
@@ -362,4 +292,61 @@ proptest! {
         let again = read(&written(&scene));
         prop_assert_eq!(again, Ok(scene));
     }
+}
+
+const MESH_LESSON: &str = r#"lab = "frustum"
+source = "J. H. Clark, 1976"
+
+[scenes.wedge]
+method = "sphere-cull"
+camera = { position = [0, 2, 6], target = [0, 1, -2], fov_y_deg = 40, aspect = 1.6, near = 1, far = 12 }
+objects = [{ mesh = "wedge.obj", at = [0, 1, 0] }]
+
+[[step]]
+id = "first"
+scene = "wedge"
+figure = "one"
+
+[[step]]
+id = "second"
+at = "end"
+"#;
+
+const WEDGE: &str = "v 0 0 0\nv 8 0 0\nv 0 4 0\nf 1 2 3\n";
+
+#[test]
+fn a_lesson_has_meshes_in_its_folder() {
+    let found_in = |toml: &str, mesh: &str| {
+        let mut files = with(toml, TEXT);
+        files.insert("01-a/wedge.obj".to_owned(), mesh.into());
+        (found(&files), Course::check(&files).course)
+    };
+    let (problems, course) = found_in(MESH_LESSON, WEDGE);
+    assert!(problems.is_empty(), "{problems:?}");
+    let scene = course.lessons[0].steps[0].scene.get::<Scene>();
+    let object = scene.expect("of this lab").focused();
+    let bounds = object.model().mesh().bounds().expect("it has vertices");
+    assert_eq!(bounds.min(), [-1.0, -0.5, 0.0]);
+    assert_eq!(bounds.max(), [1.0, 0.5, 0.0]);
+    let long_wedge = format!("{WEDGE}f 1 2\n");
+    for (file, mesh, expected) in [
+        (
+            "wedge.obj",
+            "v 0 0 0\nf 1 1 2\n",
+            "wedge.obj:2:7 no-such-vertex",
+        ),
+        ("wedge.obj", &long_wedge, "wedge.obj:5:1 face-too-short"),
+        ("gone.obj", WEDGE, "lesson.toml:7:21 unreadable"),
+        ("../wedge.obj", WEDGE, "lesson.toml:7:21 no-such-mesh"),
+        ("wedge.ply", WEDGE, "lesson.toml:7:21 no-such-mesh"),
+    ] {
+        let (problems, _) = found_in(&MESH_LESSON.replacen("wedge.obj", file, 1), mesh);
+        assert!(
+            problems.contains(&expected.to_owned()),
+            "{file}: {problems:?}"
+        );
+    }
+    let alone = SCENE.replace("solid = \"spot\"", "mesh = \"wedge.obj\"");
+    let expected = vec!["a.toml:11:14 no-such-mesh".to_owned()];
+    assert_eq!(read(&alone), Err(expected));
 }

@@ -1,7 +1,6 @@
 //! A small lesson in order, and ways to break it.
 
 mod broken;
-mod frustum_meshes;
 mod frustum_scenes;
 mod reading;
 
@@ -75,4 +74,15 @@ fn lesson(replacements: &[(&str, &str)]) -> Memory {
         toml = toml.replacen(old, new, 1);
     }
     with(&toml, TEXT)
+}
+
+/// Rows of a table: what is replaced, by what, and what is found then. `\n` is a line break.
+pub(super) fn cases<const N: usize>(table: &str) -> impl Iterator<Item = [String; N]> {
+    table.trim_matches('\n').lines().map(|row| {
+        let cells = row.split(" => ").map(|cell| cell.replace("\\n", "\n"));
+        let cells: Vec<String> = cells.collect();
+        cells
+            .try_into()
+            .expect("as many cells as the table has columns")
+    })
 }

@@ -2,6 +2,7 @@
 
 use crate::{
     figure::Moment,
+    geom::Segment,
     labs::Scene,
     text::{Catalog, Lang},
 };
@@ -17,10 +18,8 @@ fn a_lesson_in_order_loads() {
     let [first, second] = &lesson.steps[..] else {
         panic!("two steps, not {}", lesson.steps.len());
     };
-    assert_eq!(
-        (first.moment.clone(), first.position()),
-        (Moment::Start, Some(0))
-    );
+    assert_eq!(first.moment, Moment::Start);
+    assert_eq!(first.position(), Some(0));
     assert_eq!(first.figure.as_deref(), Some("one"));
     assert_eq!(second.scene, first.scene, "a step keeps the scene");
     assert!(second.position() > Some(0), "the end comes after the start");
@@ -46,10 +45,8 @@ fn a_missing_translation_is_read_in_english() {
     assert!(!course.lessons[0].speaks(Lang::Es));
     assert_eq!(course.lessons[0].text(Lang::Es).title, "Regions");
     files.remove("01-a/en.md");
-    assert_eq!(
-        found(&files),
-        ["en.md missing-file", "es.md missing-language"]
-    );
+    let both = ["en.md missing-file", "es.md missing-language"];
+    assert_eq!(found(&files), both);
     assert_eq!(Course::check(&files).course.lessons, []);
 }
 
@@ -97,10 +94,13 @@ fn text_is_parsed_into_blocks() {
             item(0, BlockMarker::Bullet, "r"),
         ]),
     ];
-    assert_eq!(
-        loaded.course.lessons[0].text(Lang::En).steps[1].body,
-        expected
-    );
+    let text = loaded.course.lessons[0].text(Lang::En);
+    assert_eq!(text.steps[1].body, expected);
+}
+
+fn segments_of(scene: &Scene) -> &[Segment] {
+    let scene = scene.get::<crate::labs::lines::Scene>();
+    scene.expect("of the lines lab").segments()
 }
 
 #[test]
@@ -113,59 +113,38 @@ bit_order = \"lrbt\"
 focus = 1
 segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0xff, 1_000.5]]
 ";
-    let scene = SceneFormats::standard()
-        .read("a.toml", toml.as_bytes())
-        .expect("a scene in order")
-        .scene;
-    let text = SceneFormats::standard().write(&scene, &Moment::Start);
-    let again = SceneFormats::standard()
-        .read("a.toml", text.as_bytes())
-        .expect("a scene as it was written")
-        .scene;
+    let formats = SceneFormats::standard();
+    let read = |text: &str| formats.read("a.toml", text.as_bytes());
+    let scene = read(toml).expect("a scene in order").scene;
+    let text = formats.write(&scene, &Moment::Start);
+    let again = read(&text).expect("a scene as it was written").scene;
     let bits = |scene: &Scene| -> Vec<u64> {
-        let numbers = scene
-            .get::<crate::labs::lines::Scene>()
-            .unwrap()
-            .segments()
-            .iter()
-            .flat_map(|s| s.to_array());
+        let numbers = segments_of(scene).iter().flat_map(|s| s.to_array());
         numbers.map(f64::to_bits).collect()
     };
     assert_eq!((&again, bits(&again)), (&scene, bits(&scene)), "{text}");
-    assert_eq!(SceneFormats::standard().write(&again, &Moment::Start), text);
-    assert!(
-        text.contains("    [-0.0, 0.1, 5e-324, 0.30000000000000004],\n"),
-        "{text}"
-    );
-    assert!(text.contains("window = [-1, -1, 1, 1e300]\n"), "{text}");
-    let problems = SceneFormats::standard()
-        .read("a.toml", b"method = 1\nwindow = [0]")
-        .expect_err("a broken scene");
+    assert_eq!(formats.write(&again, &Moment::Start), text);
+    for line in [
+        "    [-0.0, 0.1, 5e-324, 0.30000000000000004],\n",
+        "window = [-1, -1, 1, 1e300]\n",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    let problems = read("method = 1\nwindow = [0]").expect_err("a broken scene");
     let spots: Vec<String> = problems.iter().map(spot).collect();
-    assert_eq!(
-        spots,
-        [
-            "a.toml:1:1 missing-field",
-            "a.toml:1:10 wrong-type",
-            "a.toml:2:10 wrong-length"
-        ]
-    );
+    let expected = ["1:1 missing-field", "1:10 wrong-type", "2:10 wrong-length"];
+    assert_eq!(spots, expected.map(|spot| format!("a.toml:{spot}")));
 }
 
 #[test]
 fn the_embedded_course_is_in_order_and_complete() {
     let loaded = Course::check(&Embedded);
-    if Embedded
-        .list()
-        .is_ok_and(|paths| !paths.iter().any(|path| path.contains('/')))
-    {
+    let paths = Embedded.list().expect("what is compiled in is there");
+    if !paths.iter().any(|path| path.contains('/')) {
         return; // The course has not been written yet.
     }
-    let problems: Vec<String> = loaded
-        .problems
-        .iter()
-        .map(|problem| problem.render(Catalog::of(Lang::En)))
-        .collect();
+    let render = |problem: &Problem| problem.render(Catalog::of(Lang::En));
+    let problems: Vec<String> = loaded.problems.iter().map(render).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     for lesson in &loaded.course.lessons {
         for lang in Lang::ALL {
@@ -189,14 +168,9 @@ fn a_folder_is_read_like_the_embedded_course() {
         assert_eq!(problems.len(), 1, "{problems:?}");
         assert_eq!(problems[0].file, file.display().to_string());
     }
-    let gone = Course::check(&Folder::new(root.path().join("gone")));
-    assert_eq!(gone.problems[0].code(), "unreadable");
-    assert_eq!(
-        Course::check(&Folder::new(root.path().join("01-a/..")))
-            .problems
-            .len(),
-        1
-    );
+    let problems = |path| Course::check(&Folder::new(root.path().join(path))).problems;
+    assert_eq!(problems("gone")[0].code(), "unreadable");
+    assert_eq!(problems("01-a/..").len(), 1);
 }
 
 #[test]
@@ -206,14 +180,7 @@ fn large_files_are_read_in_no_time() {
     let loaded = Course::check(&files);
     assert_eq!(loaded.problems, []);
     let scene = &loaded.course.lessons[0].steps[0].scene;
-    assert_eq!(
-        scene
-            .get::<crate::labs::lines::Scene>()
-            .unwrap()
-            .segments()
-            .len(),
-        100_001
-    );
+    assert_eq!(segments_of(scene).len(), 100_001);
     let written = SceneFormats::standard().write(scene, &Moment::Start);
     let again = SceneFormats::standard().read("a.toml", written.as_bytes());
     assert!(again.is_ok());

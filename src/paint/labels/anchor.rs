@@ -12,24 +12,19 @@ use crate::{
     },
 };
 
-/// Of an outline's edges the longest have room for its label.
 const MOST_EDGES: usize = 8;
 
-/// What a label belongs to.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Anchor {
-    /// Beside a point mark of this radius.
     Point(Pos2, f32),
     /// Along one of these edges; a line's only one is as long as it is seen.
     Along(Vec<[Pos2; 2]>),
-    /// Anywhere in a rectangle, best in its middle.
     Inside(Rect),
     /// Anywhere that an odd number of outlines goes round.
     Within(Vec<Vec<Pos2>>),
 }
 
 impl Anchor {
-    /// Of a mark's label; none where nothing of it is on the stage.
     pub fn of(viewport: &Viewport, theme: &Theme, mark: &Mark) -> Option<Self> {
         let stage = viewport.rect;
         let parts = parts(viewport, &mark.shape);
@@ -49,49 +44,31 @@ impl Anchor {
                 Some(Self::Within(outlines.iter().map(on_screen).collect()))
             }
             Shape::Wash(_) => {
-                let corners = |part| {
-                    let Part::Wash(corners) = part else {
-                        return None;
-                    };
-                    Some(corners)
-                };
-                Some(Self::Within(
-                    parts.into_iter().filter_map(corners).collect(),
-                ))
+                let corners = parts.into_iter().filter_map(|part| match part {
+                    Part::Wash(corners) => Some(corners),
+                    _ => None,
+                });
+                Some(Self::Within(corners.collect()))
             }
-            Shape::Arrow(_)
-            | Shape::Heading(_)
-            | Shape::Dot(_)
-            | Shape::Vertex(_)
-            | Shape::Ring(_)
-            | Shape::Cross(_)
-            | Shape::Bound(_)
-            | Shape::Angle(_)
-            | Shape::RightAngle(_) => parts
-                .iter()
-                .find_map(|part| match part {
-                    Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark))),
-                    Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
-                    Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
-                    Part::Wash(_)
-                    | Part::Fill(_)
-                    | Part::Solids(_)
-                    | Part::Texture(_)
-                    | Part::Crowd(_)
-                    | Part::Ring(_) => None,
-                })
-                .filter(|(at, _)| stage.expand(1.0).contains(*at))
-                .map(|(at, radius)| Self::Point(at, radius)),
             Shape::Label(at) => {
                 let at = viewport.to_screen(*at);
                 stage.contains(at).then_some(Self::Point(at, 0.0))
             }
             // Too many things for one label.
             Shape::Solids(_) | Shape::Textured(_) | Shape::Crowd(_) => None,
+            _ => {
+                let (at, radius) = parts.iter().find_map(|part| match part {
+                    Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark))),
+                    Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
+                    Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
+                    _ => None,
+                })?;
+                let is_seen = stage.expand(1.0).contains(at);
+                is_seen.then_some(Self::Point(at, radius))
+            }
         }
     }
 
-    /// A place that moves as it does.
     pub fn middle(&self) -> Pos2 {
         match self {
             Self::Point(at, _) => *at,
@@ -107,10 +84,9 @@ impl Anchor {
     fn along(parts: &[Part<'_>], stage: Rect) -> Option<Self> {
         let edges = parts.iter().flat_map(edges_of);
         let seen = edges.filter_map(|ends| cut_to(ends, stage));
-        let mut longest: Vec<(f32, usize, [Pos2; 2])> = seen
-            .enumerate()
-            .map(|(i, [a, b])| (a.distance(b), i, [a, b]))
-            .collect();
+        let seen = seen.enumerate();
+        let longest = seen.map(|(i, [a, b])| (a.distance(b), i, [a, b]));
+        let mut longest: Vec<(f32, usize, [Pos2; 2])> = longest.collect();
         // Of edges of one length the first: the same place at every step.
         let order = |(a, i, _): &(f32, usize, _), (b, k, _): &(f32, usize, _)| {
             b.total_cmp(a).then(i.cmp(k))
@@ -125,7 +101,6 @@ impl Anchor {
     }
 }
 
-/// The edges of a part that is a line, on the stage or off it.
 pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
     match part {
         Part::Stroke(points) => points.windows(2).map(|ends| [ends[0], ends[1]]).collect(),
@@ -134,12 +109,6 @@ pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
             points.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
         }
         Part::Arrow(ends) => vec![*ends],
-        Part::Wash(_)
-        | Part::Fill(_)
-        | Part::Solids(_)
-        | Part::Texture(_)
-        | Part::Crowd(_)
-        | Part::Head(_)
-        | Part::Marker(..) => Vec::new(),
+        _ => Vec::new(),
     }
 }

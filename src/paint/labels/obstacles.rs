@@ -10,27 +10,20 @@ use crate::paint::{
     pen::{Pen, radius},
 };
 
-use super::anchor::edges_of;
+use super::{anchor::edges_of, places::corners};
 
-/// Of more than this on a stage there is no keeping off.
 const MOST: usize = 2_000;
 /// An outline of more points than this leaves no room beside it to look for.
 const MOST_OF_AN_OUTLINE: usize = 500;
-/// Solids of more faces than this are not looked at one by one.
 const MOST_FACETS: usize = 1_500;
 /// A crowd of more segments than this is a texture behind the figure.
 const MOST_OF_A_CROWD: usize = 50;
-/// Lines that are weaker than this are not kept off.
 const QUIET: f32 = 0.6;
-/// White space that a label likes to have around it, in points.
 const CLEAR: f32 = 4.0;
 
-/// Something that a label does not cover.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Obstacle {
-    /// A line and half its width.
     Stroke([Pos2; 2], f32),
-    /// A marker or a head: its middle and its radius.
     Disc(Pos2, f32),
     /// A triangle of a texture: no ground for text.
     Picture([Pos2; 3]),
@@ -39,7 +32,6 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
-    /// Is some of it in this rectangle?
     pub fn covers(&self, rect: Rect) -> bool {
         match *self {
             Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,
@@ -72,17 +64,14 @@ impl Obstacle {
         }
     }
 
-    /// Is it no ground for text?
     pub(super) const fn is_picture(&self) -> bool {
         matches!(self, Self::Picture(_))
     }
 
-    /// Is it the face of a solid?
     pub(super) const fn is_surface(&self) -> bool {
         matches!(self, Self::Surface(_))
     }
 
-    /// The rectangle that it is in.
     pub(super) fn bounds(&self) -> Rect {
         match *self {
             Self::Stroke([a, b], half) => Rect::from_two_pos(a, b).expand(half),
@@ -92,14 +81,11 @@ impl Obstacle {
     }
 }
 
-/// All of them on the stage.
 pub fn obstacles(viewport: &Viewport, theme: &Theme, pieces: &[LayeredPart<'_>]) -> Vec<Obstacle> {
-    let pieces = pieces
-        .iter()
-        .filter(|piece| !matches!(piece.layer, Layer::Glow | Layer::Casing));
-    let all = pieces
-        .flat_map(|piece| of_piece(viewport, theme, piece))
-        .filter(|obstacle| obstacle.bounds().intersects(viewport.rect));
+    let is_drawn = |piece: &&LayeredPart| !matches!(piece.layer, Layer::Glow | Layer::Casing);
+    let all = pieces.iter().filter(is_drawn);
+    let all = all.flat_map(|piece| of_piece(viewport, theme, piece));
+    let all = all.filter(|obstacle| obstacle.bounds().intersects(viewport.rect));
     let (surfaces, mut others): (Vec<_>, Vec<_>) = all.partition(Obstacle::is_surface);
     others.truncate(MOST);
     others.extend(surfaces);
@@ -124,15 +110,13 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
             obstacles.push(Obstacle::Disc(middle, 0.5 * HEAD * theme.stroke_scale));
         }
         Part::Marker(marker, at) => {
-            let radius = radius(theme, *marker, mark);
-            obstacles.push(Obstacle::Disc(*at, radius));
+            obstacles.push(Obstacle::Disc(*at, radius(theme, *marker, mark)));
         }
         Part::Crowd(segments) if segments.len() <= MOST_OF_A_CROWD => {
             let half = 0.5 * Pen::of_crowd(theme, mark, segments.len()).stroke.width;
-            let ends = segments
-                .iter()
-                .map(|ends| ends.map(|p| viewport.to_screen(p)));
-            obstacles.extend(ends.map(|ends| Obstacle::Stroke(ends, half)));
+            let on_screen = |ends: &[[f64; 2]; 2]| ends.map(|p| viewport.to_screen(p));
+            let stroke = |ends| Obstacle::Stroke(on_screen(ends), half);
+            obstacles.extend(segments.iter().map(stroke));
         }
         Part::Texture(triangles) => {
             let corners = triangles.iter().take(MOST_OF_A_CROWD);
@@ -146,12 +130,7 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
                 obstacles.extend(fan.map(|pair| Obstacle::Surface([corners[0], pair[0], pair[1]])));
             }
         }
-        Part::Crowd(_)
-        | Part::Wash(_)
-        | Part::Fill(_)
-        | Part::Solids(_)
-        | Part::Stroke(_)
-        | Part::Ring(_) => {}
+        _ => {}
     }
     obstacles
 }
@@ -159,15 +138,9 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
 /// Have a triangle and a rectangle something in common? None of the sides of either parts them.
 fn meets([a, b, c]: [Pos2; 3], rect: Rect) -> bool {
     let turn = (b - a).rot90().dot(c - a).signum();
-    let corners = [
-        rect.left_top(),
-        rect.right_top(),
-        rect.left_bottom(),
-        rect.right_bottom(),
-    ];
     let is_parted = |[p, q]: [Pos2; 2]| {
         let is_beyond = |at: &Pos2| turn * (q - p).rot90().dot(*at - p) <= 0.0;
-        corners.iter().all(is_beyond)
+        corners(rect).iter().all(is_beyond)
     };
     Rect::from_points(&[a, b, c]).intersects(rect)
         && ![[a, b], [b, c], [c, a]].map(is_parted).contains(&true)

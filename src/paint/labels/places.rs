@@ -1,21 +1,28 @@
-//! The places that a label may take, each with how little it is liked: near its anchor is best, on a preferred side,
-//! and for labels of one kind always the same.
+//! The places that a label may take, each with how little it is liked.
 
-use egui::{Pos2, Rect, Vec2, pos2};
+use egui::{Pos2, Rect, Vec2};
 
 use super::anchor::Anchor;
 
-/// A place for a label.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LabelPlace {
-    /// Of its box.
     pub centre: Pos2,
     /// In points of distance that it would rather go.
     pub dislike: f32,
     /// On the wrong side of a line, where a label says what is not true.
     pub is_wrong: bool,
-    /// So far off that a thin line has to lead there, from here.
     pub leader: Option<Pos2>,
+}
+
+impl LabelPlace {
+    const fn new(centre: Pos2, dislike: f32) -> Self {
+        Self {
+            centre,
+            dislike,
+            is_wrong: false,
+            leader: None,
+        }
+    }
 }
 
 /// Directions around a point: to the right, as one reads, is best, then the corners, then what is in between.
@@ -47,22 +54,15 @@ const ALONG: [f32; 15] = [
 /// White space between an edge and its label; what holds on all of a side may stand further off.
 const ASIDE: [f32; 6] = [5.0, 9.0, 15.0, 24.0, 36.0, 50.0];
 const ASIDE_OF_AN_EDGE: usize = 3;
-/// Places across an area, the middle first.
 const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
-/// Half of what it costs a corner's label to stand in the corner and not outside.
 const TURNED: f32 = 5.0;
-/// To which side of its anchor a label goes, on the screen.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Lean {
-    /// It has to.
     pub toward: Option<Vec2>,
-    /// It would rather.
     pub away: Option<Vec2>,
-    /// What it says holds on all of that side, so it may stand further off.
     pub is_of_side: bool,
 }
 
-/// Where a label of this size can stand on a stage.
 pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<LabelPlace> {
     let half = 0.5 * size;
     match anchor {
@@ -75,9 +75,9 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Label
         Anchor::Inside(rect) => {
             let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
             let mut places = inside(*rect, half);
-            for place in &mut places {
-                place.centre = seen.clamp(place.centre);
-            }
+            places
+                .iter_mut()
+                .for_each(|it| it.centre = seen.clamp(it.centre));
             places.extend(near(seen.clamp(rect.center()), half));
             places
         }
@@ -87,14 +87,8 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Label
             let mut places = inside(bounds, half);
             places.retain(|place| {
                 let place = Rect::from_center_size(place.centre, size);
-                let corners = [
-                    place.left_top(),
-                    place.right_top(),
-                    place.left_bottom(),
-                    place.right_bottom(),
-                    place.center(),
-                ];
-                corners.iter().all(|&at| goes_round(outlines, at))
+                let mut places = corners(place).into_iter().chain([place.center()]);
+                places.all(|at| goes_round(outlines, at))
             });
             if places.is_empty() {
                 places = near(bounds.center(), half);
@@ -137,17 +131,15 @@ fn beside([a, b]: [Pos2; 2], half: Vec2, stage: Rect, lean: Lean, dislike: f32) 
     for (i, t) in ALONG.into_iter().enumerate() {
         for (k, side) in [normal, -normal].into_iter().enumerate() {
             for gap in &ASIDE[..n_gaps] {
-                let is_wrong = (lean.toward).is_some_and(|toward| toward.dot(side) < 0.0);
                 let at = a + (b - a) * t + side * (support + gap);
                 // Along the edge it moves into the stage, not across it.
                 let moved = seen.clamp(at) - at;
                 let along = (b - a).normalized();
                 let centre = at + along * moved.dot(along);
+                let dislike = dislike + 1.2 * i as f32 + k as f32 + 0.8 * (gap - ASIDE[0]);
                 places.push(LabelPlace {
-                    centre,
-                    dislike: dislike + 1.2 * i as f32 + k as f32 + 0.8 * (gap - ASIDE[0]),
-                    is_wrong,
-                    leader: None,
+                    is_wrong: (lean.toward).is_some_and(|toward| toward.dot(side) < 0.0),
+                    ..LabelPlace::new(centre, dislike)
                 });
             }
         }
@@ -161,41 +153,28 @@ fn inside(rect: Rect, half: Vec2) -> Vec<LabelPlace> {
     // Sideways first: labels of neighbouring regions keep one height.
     for (row, y) in ACROSS.into_iter().enumerate() {
         for (column, x) in ACROSS.into_iter().enumerate() {
-            places.push(LabelPlace {
-                centre: pos2(
-                    inner.left() + x * inner.width(),
-                    inner.top() + y * inner.height(),
-                ),
-                dislike: 3.0 * row as f32 + column as f32,
-                is_wrong: false,
-                leader: None,
-            });
+            let at = [
+                inner.left() + x * inner.width(),
+                inner.top() + y * inner.height(),
+            ];
+            let dislike = 3.0 * row as f32 + column as f32;
+            places.push(LabelPlace::new(at.into(), dislike));
         }
     }
     // Where the label hardly fits between two lines, a little to one side is better than on either.
     for i in 0..ACROSS.len() {
         let place = places[i * ACROSS.len()];
         for by in [-10.0, -5.0, 5.0, 10.0] {
-            places.push(LabelPlace {
-                centre: place.centre + by * Vec2::X,
-                dislike: place.dislike + 2.0,
-                is_wrong: false,
-                leader: None,
-            });
+            let centre = place.centre + by * Vec2::X;
+            places.push(LabelPlace::new(centre, place.dislike + 2.0));
         }
     }
     places
 }
 
-/// Where a rectangle has no free place: around its middle.
 fn near(middle: Pos2, half: Vec2) -> Vec<LabelPlace> {
     let mut places = around(middle, 0.0, half, Lean::default());
-    places.push(LabelPlace {
-        centre: middle,
-        dislike: 0.0,
-        is_wrong: false,
-        leader: None,
-    });
+    places.push(LabelPlace::new(middle, 0.0));
     for place in &mut places {
         place.dislike += 36.0;
         place.leader = None;
@@ -212,4 +191,13 @@ fn goes_round(outlines: &[Vec<Pos2>], at: Pos2) -> bool {
         })
     });
     crossed.count() % 2 == 1
+}
+
+pub fn corners(rect: Rect) -> [Pos2; 4] {
+    [
+        rect.left_top(),
+        rect.right_top(),
+        rect.left_bottom(),
+        rect.right_bottom(),
+    ]
 }

@@ -4,9 +4,7 @@ use egui::{Pos2, Rect, Vec2, vec2};
 
 use crate::paint::cut::length_in;
 
-/// Each label looks again this often, once the others stand.
 const ROUNDS: usize = 3;
-/// Space that two labels keep between them, in points.
 pub const APART: Vec2 = vec2(5.0, 2.0);
 
 /// A candidate, and what it costs whatever the other labels do.
@@ -17,7 +15,6 @@ pub struct Candidate {
     pub cost: f32,
 }
 
-/// Labels that take their places.
 pub struct Seating {
     pub stage: Rect,
     pub places: Vec<Vec<Candidate>>,
@@ -37,11 +34,9 @@ impl Seating {
         }
     }
 
-    /// The least costly place, given those that the others have.
     fn best(&self, label: usize) -> Candidate {
-        let middle = Rect::from_center_size(self.stage.center(), Vec2::ZERO);
         let mut best = Candidate {
-            rect: middle,
+            rect: Rect::from_center_size(self.stage.center(), Vec2::ZERO),
             leader: None,
             cost: f32::INFINITY,
         };
@@ -52,18 +47,15 @@ impl Seating {
             }
             let others = self.taken.iter().enumerate().filter(|(i, _)| *i != label);
             let cost: f32 = others.map(|(_, other)| between(candidate, other)).sum();
-            if candidate.cost + cost < best.cost {
-                best = Candidate {
-                    cost: candidate.cost + cost,
-                    ..*candidate
-                };
+            let cost = candidate.cost + cost;
+            if cost < best.cost {
+                best = Candidate { cost, ..*candidate };
             }
         }
         best
     }
 }
 
-/// What two labels in these places cost each other.
 fn between(a: &Candidate, b: &Candidate) -> f32 {
     let apart = a.rect.expand2(APART);
     let overlap = if apart.intersects(b.rect) {

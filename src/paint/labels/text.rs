@@ -15,47 +15,35 @@ use crate::{
 
 /// Space above and below that belongs to the line, not to its letters, as a part of the letters' size.
 const LEADING: f32 = 0.08;
-/// A label that has to lie in a region may be smaller by these parts.
 const SHRUNK: [f32; 4] = [1.0, 0.9, 0.8, 0.7];
-/// White space between such a label and the region's border.
 pub const INSIDE: Vec2 = vec2(2.0, 1.0);
-/// Reach of a halo, in points, and the rings of copies that it is made of.
 const HALO: f32 = 4.0;
 const HALO_RINGS: [(f32, usize); 2] = [(0.5, 8), (0.9, 16)];
 
-/// What setting a label takes.
 #[derive(Clone, Copy)]
 pub struct Setter<'a> {
-    /// Lays out text.
     pub painter: &'a Painter,
-    /// Its colours.
     pub theme: &'a Theme,
-    /// Factor on sizes.
     pub scale: f32,
-    /// Its language.
     pub catalog: &'a Catalog,
 }
 
-/// A text that stands in one place.
 pub struct Text {
-    /// As it reads.
     pub plain: String,
     spans: Vec<Span>,
     set: Typeset,
 }
 
 impl Setter<'_> {
-    /// A mark's label, as large as such labels are.
     pub fn set(&self, label: &Label, role: Role) -> Text {
         self.set_at(1.0, label, role)
     }
 
-    /// The same in a room that it may have to be smaller for; `None` where it would be too small to be read.
     pub fn set_in(&self, room: Vec2, label: &Label, role: Role) -> Option<Text> {
-        let sizes = SHRUNK
+        let mut sizes = SHRUNK
             .into_iter()
             .map(|part| self.set_at(part, label, role));
-        sizes.into_iter().find(|text| {
+        sizes.find(|text| {
             let size = text.size() + 2.0 * INSIDE;
             size.x <= room.x && size.y <= room.y
         })
@@ -72,7 +60,6 @@ impl Setter<'_> {
         self.of_spans(plain, spans)
     }
 
-    /// Two names of one thing: `C₁ = I₁`.
     pub fn join(&self, first: &Text, second: &Text) -> Text {
         let font = FontId::proportional(13.0 * self.scale);
         let mut spans = first.spans.clone();
@@ -86,7 +73,6 @@ impl Setter<'_> {
         Text { plain, spans, set }
     }
 
-    /// With one character in the signal's colour.
     fn spans_lit(&self, plain: &str, lit: usize, font: &FontId, colour: Color32) -> Vec<Span> {
         let signal = text_colour(self.theme, Role::Signal);
         let mut chars = plain.char_indices().map(|(at, _)| at).skip(lit);
@@ -105,19 +91,16 @@ impl Setter<'_> {
 }
 
 impl Text {
-    /// Of the box around its letters.
     pub fn size(&self) -> Vec2 {
         let leading = self.spans.first().map_or(0.0, |span| span.font.size) * LEADING;
         self.set.size() - vec2(0.0, 2.0 * leading)
     }
 
-    /// Into its box.
     pub fn paint(&self, painter: &Painter, place: Rect) {
         self.set
             .paint(painter, place.left_center(), Align2::LEFT_CENTER);
     }
 
-    /// What sets it off from what runs under it.
     pub fn paint_halo(&self, painter: &Painter, theme: &Theme, place: Rect) {
         let mut spans = self.spans.clone();
         for span in &mut spans {

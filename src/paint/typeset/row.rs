@@ -14,30 +14,23 @@ use super::script::{Char, Form, Half, Script};
 /// The size of a subscript, and of what stands above or below a quotient's line, to that of the text.
 const SUB_SIZE: f32 = 0.72;
 const HALF_SIZE: f32 = 0.92;
-/// How far a subscript is lowered; what follows is in sizes of the text, too.
 const SUB_DROP: f32 = 0.2;
 /// Capitals and digits are as high as this in all shipped fonts.
 const CAPITAL: f32 = 0.73;
-/// Between a quotient's line and what stands above or below it.
 const BAR_GAP: f32 = 0.14;
 /// How far the line reaches out on either side of the longer half, and the room beside it.
 const OVERHANG: f32 = 0.1;
 const BESIDE: f32 = 0.09;
 
-/// A row, ready to be painted.
 pub struct SetRow {
-    /// Of one row.
     pub galley: Arc<Galley>,
-    /// From its top to the line that letters stand on.
     pub baseline: f32,
     /// Where each character begins and ends; a quotient's all where it does.
     pub places: Vec<[f32; 2]>,
-    /// Does a line feed follow?
     pub ends_line: bool,
 }
 
 impl SetRow {
-    /// Sets these characters on one row.
     pub fn new(painter: &Painter, script: &Script<'_>, range: Range<usize>) -> Self {
         let chars = &script.chars[range];
         let galley = painter.layout_job(job(script, chars));
@@ -46,10 +39,8 @@ impl SetRow {
         let is_of_one_size = chars
             .windows(2)
             .all(|pair| size(&pair[0]) == size(&pair[1]));
-        let is_plain = is_of_one_size
-            && chars
-                .iter()
-                .all(|char| char.form == Form::Full && char.quotient.is_none());
+        let is_full = |char: &Char| char.form == Form::Full && char.quotient.is_none();
+        let is_plain = is_of_one_size && chars.iter().all(is_full);
         match galley.rows.first() {
             Some(row) if row.glyphs.len() == chars.len() => {
                 let mut stacker = Stacker::new(painter, script, chars, &row.row);
@@ -69,7 +60,6 @@ impl SetRow {
     }
 }
 
-/// The characters on a line, each in its size.
 fn job(script: &Script<'_>, chars: &[Char]) -> LayoutJob {
     let mut job = LayoutJob::default();
     let mut rest = chars;
@@ -109,18 +99,14 @@ fn size(script: &Script<'_>, char: &Char) -> f32 {
     }
 }
 
-/// Moves the glyphs of a row to where they belong.
 struct Stacker<'a> {
     script: &'a Script<'a>,
     chars: &'a [Char],
     row: Row,
     pixels_per_point: f32,
-    /// Of the text's own font.
     baseline: f32,
     height: f32,
-    /// How far what comes next is moved.
     shift: f32,
-    /// What stands out above and below.
     out: f32,
     places: Vec<[f32; 2]>,
     bars: Vec<(Rect, Color32)>,
@@ -129,6 +115,7 @@ struct Stacker<'a> {
 impl<'a> Stacker<'a> {
     fn new(painter: &Painter, script: &'a Script<'a>, chars: &'a [Char], row: &Row) -> Self {
         let span = &script.spans[chars.first().map_or(0, |char| char.span)];
+        let places = row.glyphs.iter().map(|it| [it.pos.x, it.max_x()]);
         let digit = painter.layout_no_wrap("0".to_owned(), span.font.clone(), span.colour);
         let glyph = digit.rows.first().and_then(|row| row.glyphs.first());
         Self {
@@ -140,11 +127,7 @@ impl<'a> Stacker<'a> {
             height: digit.size().y,
             shift: 0.0,
             out: 0.0,
-            places: row
-                .glyphs
-                .iter()
-                .map(|glyph| [glyph.pos.x, glyph.max_x()])
-                .collect(),
+            places: places.collect(),
             bars: Vec::new(),
         }
     }
@@ -239,7 +222,6 @@ impl<'a> Stacker<'a> {
         self.shift = end - natural_end;
     }
 
-    /// Sets the glyphs of a half from here to the right.
     fn half(&mut self, half: &[usize], start: f32, baseline: f32) {
         let first = half.first().map_or(0.0, |&i| self.places[i][0]);
         let mut shift = start - first;
@@ -253,7 +235,6 @@ impl<'a> Stacker<'a> {
         set.map(|&i| self.row.glyphs[i].advance_width).sum()
     }
 
-    /// How far a half reaches above and below the line that its letters stand on.
     fn ink(&self, half: &[usize], em: f32) -> [f32; 2] {
         let set = half.iter().filter(|&&i| self.chars[i].form != Form::Unset);
         set.fold([CAPITAL * HALF_SIZE * em, 0.0], |[above, below], &i| {

@@ -1,66 +1,80 @@
-//! What is to be set, character by character: where each belongs, and whether a line may break before it.
+//! What is to be set, character by character: where each belongs, and where lines break.
 
-use crate::text::Piece;
+use std::ops::Range;
 
-use super::span::Span;
+use egui::{Color32, FontId};
 
-/// One character.
+use crate::text::{Catalog, Piece, Value};
+
+#[derive(Clone, Debug)]
+pub struct Span {
+    pub pieces: Vec<Piece>,
+    pub font: FontId,
+    pub colour: Color32,
+    pub italics: bool,
+}
+
+impl Span {
+    pub const fn slanted(mut self, italics: bool) -> Self {
+        self.italics = italics;
+        self
+    }
+
+    pub const fn upright(pieces: Vec<Piece>, font: FontId, colour: Color32) -> Self {
+        Self {
+            pieces,
+            font,
+            colour,
+            italics: false,
+        }
+    }
+
+    pub fn value(catalog: &Catalog, value: &Value, font: FontId, colour: Color32) -> Self {
+        Self::upright(catalog.value_pieces(value), font, colour)
+    }
+
+    pub fn text(text: &str, font: FontId, colour: Color32) -> Self {
+        Self::upright(Piece::words(text), font, colour)
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Char {
-    /// Which it is.
     pub c: char,
-    /// Index of its span.
     pub span: usize,
-    /// Is it set, and how?
     pub form: Form,
     /// Which quotient it belongs to, counted from the start, and on which side of the line it stands.
     pub quotient: Option<(usize, Half)>,
-    /// May a line begin with it?
     pub gap: Gap,
-    /// How many pieces that are kept whole it is in.
     depth: usize,
 }
 
-/// How a character is set.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// In full size.
     Full,
-    /// Lowered and smaller.
     Sub,
-    /// Not at all: it is there for those who read or copy plain text.
     Unset,
 }
 
-/// Of a quotient.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Half {
-    /// Above the line.
     Num,
-    /// Below it.
     Den,
 }
 
 /// What stands before a character: the first kinds are better places to break a line at.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Gap {
-    /// Between words of a sentence.
     Words,
-    /// Before a relation in a formula.
     Relation,
-    /// Before a term of a sum.
     Term,
     /// Any other space, and any two ideographs.
     Any,
-    /// None.
     Closed,
 }
 
-/// Spans as characters.
 pub struct Script<'a> {
-    /// Faces and colours.
     pub spans: &'a [Span],
-    /// In the order of plain text.
     pub chars: Vec<Char>,
     n_quotients: usize,
 }
@@ -118,7 +132,6 @@ impl<'a> Script<'a> {
     }
 }
 
-/// What stands between these and the next character.
 fn gap(chars: &[Char], char: &Char) -> Gap {
     let Some(before) = chars.last() else {
         return Gap::Closed;
@@ -144,9 +157,7 @@ fn gap(chars: &[Char], char: &Char) -> Gap {
 
 const TERMS: &str = "+−";
 const OPERATORS: &str = "+−·/×←";
-/// No line begins with these,
 const CLOSING: &str = "，。、；：！？）》」』”’…";
-/// and none ends with these.
 const OPENING: &str = "（《「『“‘";
 
 /// After a space, and on either side of an ideograph.
@@ -156,4 +167,61 @@ fn is_open(before: char, c: char) -> bool {
     }
     let is_wide = |c| matches!(c, '\u{2e80}'..='\u{9fff}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ffef}');
     (is_wide(before) || is_wide(c)) && !CLOSING.contains(c) && !OPENING.contains(before)
+}
+
+/// Characters in lines of at most `width`, given where on one long line each begins and ends.
+pub fn break_rows(chars: &[Char], places: &[[f32; 2]], width: f32) -> Vec<Range<usize>> {
+    let mut lines = Lines {
+        chars,
+        places,
+        width,
+        done: Vec::new(),
+        line: 0..0,
+    };
+    lines.fill(0..chars.len(), Gap::Words);
+    lines.done.push(lines.line.clone());
+    lines.done
+}
+
+struct Lines<'a> {
+    chars: &'a [Char],
+    places: &'a [[f32; 2]],
+    width: f32,
+    done: Vec<Range<usize>>,
+    line: Range<usize>,
+}
+
+impl Lines<'_> {
+    /// Goes on with these characters, breaking at no worse gaps than these unless it must.
+    fn fill(&mut self, range: Range<usize>, gap: Gap) {
+        let worse = match gap {
+            Gap::Words => Some(Gap::Relation),
+            Gap::Relation => Some(Gap::Term),
+            Gap::Term => Some(Gap::Any),
+            Gap::Any | Gap::Closed => None,
+        };
+        let mut start = range.start;
+        while start < range.end {
+            let next = (start + 1..range.end).find(|&i| self.chars[i].gap <= gap);
+            let chunk = start..next.unwrap_or(range.end);
+            start = chunk.end;
+            let fits = self.fits(self.line.start..chunk.end);
+            match worse {
+                _ if fits => self.line.end = chunk.end,
+                Some(worse) if !self.fits(chunk.clone()) => self.fill(chunk, worse),
+                _ => {
+                    if !self.line.is_empty() {
+                        self.done.push(self.line.clone());
+                    }
+                    self.line = chunk;
+                }
+            }
+        }
+    }
+
+    /// A space at the end of a line takes no room.
+    fn fits(&self, range: Range<usize>) -> bool {
+        let last = range.clone().rev().find(|&i| self.chars[i].c != ' ');
+        last.is_none_or(|last| self.places[last][1] - self.places[range.start][0] <= self.width)
+    }
 }

@@ -2,7 +2,7 @@ use egui::{Color32, FontFamily, FontId, epaint::text::PlacedRow, vec2};
 
 use crate::{
     paint::{Headless, ThemeKind, fonts::semibold},
-    text::{Lang, Message, Piece},
+    text::{Formula, Lang, Message, Piece},
 };
 
 use super::*;
@@ -10,7 +10,6 @@ use super::*;
 const FONT: FontId = FontId::proportional(20.0);
 const INK: Color32 = Color32::BLACK;
 
-/// Sets something with the shipped fonts, at two pixels a point.
 fn set<T>(mut work: impl FnMut(&Painter) -> T) -> T {
     let mut done = None;
     let mut table = Headless::new(ThemeKind::Light);
@@ -19,24 +18,29 @@ fn set<T>(mut work: impl FnMut(&Painter) -> T) -> T {
 }
 
 fn line(catalog: &Catalog, formula: &Formula) -> Typeset {
-    set(|painter| Typeset::formula(painter, catalog, formula, FONT, INK))
+    let span = Span::upright(catalog.formula_pieces(formula), FONT, INK);
+    set(|painter| Typeset::line(painter, std::slice::from_ref(&span)))
 }
 
-/// The boxes of the ink of a row's glyphs, and of its lines.
+fn text(text: &str, font: FontId) -> Typeset {
+    set(|painter| Typeset::text(painter, text, font.clone(), INK))
+}
+
+fn wrapped(spans: &[Span], width: f32) -> Typeset {
+    set(|painter| Typeset::wrapped(painter, spans, width))
+}
+
+fn lines_of(typeset: &Typeset) -> Vec<String> {
+    typeset.galley.rows.iter().map(|row| row.text()).collect()
+}
+
 fn ink(row: &PlacedRow) -> (Vec<(char, Rect)>, Vec<Rect>) {
     let mesh = &row.visuals.mesh;
     let boxes = |first: usize| {
-        Rect::from_points(
-            &mesh.vertices[first..first + 4]
-                .iter()
-                .map(|v| v.pos)
-                .collect::<Vec<_>>(),
-        )
+        let corners = mesh.vertices[first..first + 4].iter().map(|v| v.pos);
+        Rect::from_points(&corners.collect::<Vec<_>>())
     };
-    let glyphs = row
-        .glyphs
-        .iter()
-        .filter(|glyph| !glyph.uv_rect.is_nothing());
+    let glyphs = row.glyphs.iter().filter(|it| !it.uv_rect.is_nothing());
     let glyphs = glyphs.map(|glyph| (glyph.chr, boxes(glyph.first_vertex as usize)));
     let bars = (row.visuals.glyph_vertex_range.end..mesh.vertices.len()).step_by(4);
     (glyphs.collect(), bars.map(boxes).collect())
@@ -58,16 +62,12 @@ fn a_quotient_is_centred_on_its_line_and_clear_of_it() {
             let halves = glyphs
                 .iter()
                 .filter(|(c, at)| *c != '/' && *c != 'q' && (at.bottom() <= bar.top()) == above);
-            halves
-                .map(|(_, at)| *at)
-                .reduce(Rect::union)
-                .expect("both halves have ink")
+            let union = halves.map(|(_, at)| *at).reduce(Rect::union);
+            union.expect("both halves have ink")
         };
         let [num, den] = [stands(true), stands(false)];
-        assert!(
-            num.bottom() < bar.top() && den.top() > bar.bottom(),
-            "{num} {bar} {den}"
-        );
+        let is_clear = num.bottom() < bar.top() && den.top() > bar.bottom();
+        assert!(is_clear, "{num} {bar} {den}");
         for half in [num, den] {
             let off = (half.center().x - bar.center().x).abs();
             assert!(off <= 1.0, "{half} over {bar}");
@@ -79,27 +79,22 @@ fn a_quotient_is_centred_on_its_line_and_clear_of_it() {
 
 #[test]
 fn a_subscript_is_lowered_and_smaller() {
-    let typeset = set(|painter| Typeset::text(painter, "u_nun P₁", FONT, INK));
+    let typeset = text("u_nun P₁", FONT);
     let (glyphs, bars) = ink(&typeset.galley.rows[0]);
     assert_eq!(bars, []);
-    let us: Vec<Rect> = glyphs
-        .iter()
-        .filter(|(c, _)| *c == 'u')
-        .map(|(_, at)| *at)
-        .collect();
+    let us = glyphs.iter().filter(|(c, _)| *c == 'u');
+    let us: Vec<Rect> = us.map(|(_, at)| *at).collect();
     assert!(us[1].bottom() > us[0].bottom() + 2.0, "{us:?}");
     assert!(us[1].height() < 0.8 * us[0].height(), "{us:?}");
-    assert!(
-        us[1].left() - us[0].right() < 12.0,
-        "nothing where the _ was: {us:?}"
-    );
+    let gap = us[1].left() - us[0].right();
+    assert!(gap < 12.0, "nothing where the _ was: {us:?}");
     assert_eq!(typeset.galley.text(), "u_nun P₁", "copied as plain text");
 }
 
 #[test]
 fn letters_stand_on_one_line_with_and_without_a_quotient() {
     let centre = |typeset: &Typeset| typeset.baseline() - 0.5 * typeset.size().y;
-    let plain = set(|painter| Typeset::text(painter, "17", FONT, INK));
+    let plain = text("17", FONT);
     let stacked = line(Catalog::of(Lang::En), &Formula::default().num(0.375));
     assert!((centre(&plain) - centre(&stacked)).abs() <= 0.5);
     assert!(stacked.size().y < 2.4 * FONT.size, "{:?}", stacked.size());
@@ -109,30 +104,21 @@ fn letters_stand_on_one_line_with_and_without_a_quotient() {
 fn a_minus_is_as_wide_as_a_plus() {
     for family in [FontFamily::Proportional, semibold(), FontFamily::Monospace] {
         let font = FontId::new(40.0, family);
-        let typeset = set(|painter| Typeset::text(painter, "−+-", font.clone(), INK));
+        let typeset = text("−+-", font.clone());
         let (glyphs, _) = ink(&typeset.galley.rows[0]);
         let [minus, plus, hyphen] = [0, 1, 2].map(|i| glyphs[i].1.width());
-        assert!(
-            (minus - plus).abs() <= 1.5 && hyphen < 0.8 * minus,
-            "{font:?}"
-        );
+        let is_wide = (minus - plus).abs() <= 1.5 && hyphen < 0.8 * minus;
+        assert!(is_wide, "{font:?}");
     }
 }
 
 #[test]
 fn every_glyph_and_line_is_on_whole_pixels() {
-    let formula = Formula::default()
-        .sym("u_min = ")
-        .num(-0.375)
-        .sym(" in d_S");
-    let typeset = line(Catalog::of(Lang::En), &formula);
+    let formula = Formula::default().sym("u_min = ").num(-0.375);
+    let typeset = line(Catalog::of(Lang::En), &formula.sym(" in d_S"));
     let (glyphs, bars) = ink(&typeset.galley.rows[0]);
-    for at in glyphs
-        .iter()
-        .filter(|(c, _)| !"_/".contains(*c))
-        .map(|(_, at)| *at)
-        .chain(bars)
-    {
+    let seen = glyphs.iter().filter(|(c, _)| !"_/".contains(*c));
+    for at in seen.map(|(_, at)| *at).chain(bars) {
         let in_pixels = at.min * 2.0;
         assert!((in_pixels - in_pixels.round()).length() < 1e-3, "{at}");
     }
@@ -140,12 +126,8 @@ fn every_glyph_and_line_is_on_whole_pixels() {
 
 #[test]
 fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
-    let difference = Formula::default()
-        .sym("x = ")
-        .num(-1.0)
-        .sym(" − ")
-        .operand(-2.0)
-        .equals(1.0);
+    let difference = Formula::default().sym("x = ").num(-1.0).sym(" − ");
+    let difference = difference.operand(-2.0).equals(1.0);
     let message = Message::new("access-handle")
         .with("name", Value::Term("object-segment"))
         .with("point", [-1.0, 0.375]);
@@ -159,39 +141,26 @@ fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
     ];
     for lang in Lang::ALL {
         let catalog = Catalog::of(lang);
-        let mut spans = vec![Span::message(catalog, &message, FONT, INK); 3];
+        let mut spans = vec![Span::upright(catalog.message_pieces(&message), FONT, INK); 3];
         let formula = Piece::Kept(catalog.formula_pieces(&difference));
-        spans.push(Span {
-            pieces: vec![Piece::Text("。".to_owned()), formula],
-            font: FONT,
-            colour: INK,
-            italics: false,
-        });
-        let plain: String = spans
-            .iter()
-            .map(|span| Piece::plain(&span.pieces))
-            .collect();
-        let kept: Vec<&str> = terms
-            .into_iter()
-            .filter(|term| plain.contains(term))
-            .collect();
+        let pieces = vec![Piece::Text("。".to_owned()), formula];
+        spans.push(Span::upright(pieces, FONT, INK));
+        let plain = spans.iter().map(|span| Piece::plain(&span.pieces));
+        let plain: String = plain.collect();
+        let kept = terms.into_iter().filter(|term| plain.contains(term));
+        let kept: Vec<&str> = kept.collect();
         assert!(kept.len() >= 3, "{plain}");
         for width in (170..600).step_by(10) {
-            let typeset = set(|painter| Typeset::wrapped(painter, &spans, width as f32));
+            let typeset = wrapped(&spans, width as f32);
             assert_eq!(typeset.galley.text(), plain, "nothing is lost");
-            let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
+            let lines = lines_of(&typeset);
             for term in &kept {
                 let whole: usize = lines.iter().map(|line| line.matches(term).count()).sum();
-                assert_eq!(
-                    whole,
-                    plain.matches(term).count(),
-                    "{lang}, {width}: {term} in {lines:?}"
-                );
+                let n = plain.matches(term).count();
+                assert_eq!(whole, n, "{lang}, {width}: {term} in {lines:?}");
             }
-            assert!(
-                lines.iter().all(|line| !line.starts_with('。')),
-                "{lines:?}"
-            );
+            let begin_well = lines.iter().all(|line| !line.starts_with('。'));
+            assert!(begin_well, "{lines:?}");
             assert!(typeset.size().x <= width as f32 + 12.0, "{lines:?}");
         }
     }
@@ -199,35 +168,32 @@ fn no_line_breaks_within_a_coordinate_a_formula_or_a_term() {
 
 #[test]
 fn a_formula_too_long_for_any_line_goes_on_before_a_relation_or_a_term() {
-    let sum = Formula::default()
-        .sym("a = 1 + 2 + 3 + 4 = 2 + 3 + 5")
-        .equals(10.0);
-    let span = Span {
-        pieces: vec![Piece::Kept(Catalog::of(Lang::En).formula_pieces(&sum))],
-        font: FONT,
-        colour: INK,
-        italics: false,
+    let kept = |formula: Formula| {
+        let pieces = Catalog::of(Lang::En).formula_pieces(&formula);
+        Span::upright(vec![Piece::Kept(pieces)], FONT, INK)
     };
-    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&span), 190.0));
-    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
-    assert_eq!(lines, ["a = 1 + 2 + 3 + 4 ", "= 2 + 3 + 5 = 10"]);
+    let sum = Formula::default().sym("a = 1 + 2 + 3 + 4 = 2 + 3 + 5");
     let products = Formula::default().sym("d = 2 · 3 + 4 · ").operand(-5.0);
-    let products = products.sym(" + 6 · 7").equals(28.0);
-    let products = Span {
-        pieces: vec![Piece::Kept(Catalog::of(Lang::En).formula_pieces(&products))],
-        ..span
-    };
-    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&products), 150.0));
-    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
-    assert_eq!(
-        lines,
-        ["d = 2 · 3 ", "+ 4 · (−5) ", "+ 6 · 7 = 28"],
-        "no product is torn"
-    );
-    let code = Span::text("if n·D > 0: t ← max(t, n·w / n·D)", FONT, INK);
-    let typeset = set(|painter| Typeset::wrapped(painter, std::slice::from_ref(&code), 270.0));
-    let lines: Vec<String> = typeset.galley.rows.iter().map(|row| row.text()).collect();
-    assert_eq!(lines, ["if n·D > 0: t ← max(t, ", "n·w / n·D)"]);
+    for (span, width, lines) in [
+        (
+            kept(sum.equals(10.0)),
+            190.0,
+            vec!["a = 1 + 2 + 3 + 4 ", "= 2 + 3 + 5 = 10"],
+        ),
+        // No product is torn.
+        (
+            kept(products.sym(" + 6 · 7").equals(28.0)),
+            150.0,
+            vec!["d = 2 · 3 ", "+ 4 · (−5) ", "+ 6 · 7 = 28"],
+        ),
+        (
+            Span::text("if n·D > 0: t ← max(t, n·w / n·D)", FONT, INK),
+            270.0,
+            vec!["if n·D > 0: t ← max(t, ", "n·w / n·D)"],
+        ),
+    ] {
+        assert_eq!(lines_of(&wrapped(&[span], width)), lines);
+    }
 }
 
 #[test]
@@ -242,34 +208,20 @@ fn running_text_has_its_subscripts_lowered_and_is_read_as_it_is_written() {
     let galley = typeset.galley();
     assert_eq!(galley.text(), format!("{words} 0100"));
     assert!(galley.rows.len() > 2, "it is wrapped");
-    assert!(
-        galley.size().x <= 240.0,
-        "a panel as wide as its text stays as wide"
-    );
+    // A panel as wide as its text stays as wide.
+    assert!(galley.size().x <= 240.0);
     let tops: Vec<f32> = galley.rows.iter().map(|row| row.pos.y).collect();
-    assert!(
-        tops.windows(2).all(|pair| pair[1] - pair[0] >= 30.0 - 0.1),
-        "{tops:?}"
-    );
-    let ends: Vec<String> = galley.rows.iter().map(|row| row.text()).collect();
-    let first = ends
-        .iter()
-        .position(|row| row.ends_with("1/2."))
-        .expect("a line ends");
-    assert!(galley.rows[first].ends_with_newline);
+    let are_apart = tops.windows(2).all(|pair| pair[1] - pair[0] >= 30.0 - 0.1);
+    assert!(are_apart, "{tops:?}");
+    let ends = lines_of(&typeset);
+    let first = ends.iter().position(|row| row.ends_with("1/2."));
+    assert!(galley.rows[first.expect("a line ends")].ends_with_newline);
     let row = &galley.rows[0];
     let bottom = |c: char| {
         let (glyphs, _) = ink(row);
-        let of: Vec<f32> = glyphs
-            .iter()
-            .filter(|(glyph, _)| *glyph == c)
-            .map(|(_, at)| at.bottom())
-            .collect();
-        of.into_iter().fold(f32::NEG_INFINITY, f32::max)
+        let of = glyphs.into_iter().filter(|(glyph, _)| *glyph == c);
+        of.fold(f32::NEG_INFINITY, |low, (_, at)| low.max(at.bottom()))
     };
-    assert!(
-        bottom('m') > bottom('T') + 1.0,
-        "min hangs below the line: {:?}",
-        row.text()
-    );
+    let hangs = bottom('m') > bottom('T') + 1.0;
+    assert!(hangs, "min hangs below the line: {:?}", row.text());
 }

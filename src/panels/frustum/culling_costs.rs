@@ -14,27 +14,19 @@ use crate::{
 
 /// Streets of so many boxes are measured, to see where the best choice changes.
 pub const SWEEP: [usize; 9] = [1, 3, 10, 30, 100, 300, 1000, 3000, 10_000];
-/// Every street is made from this seed.
 const SEED: u64 = 1;
 /// Times that each way is taken, of which the fastest counts: what disturbs a measurement only makes it slower.
 const N_PASSES: usize = 5;
-/// What one way costs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CullingCost {
-    /// Which way.
     pub culling: Culling,
-    /// To ask every object.
     pub cull_secs: f64,
-    /// To draw what is left.
     pub draw_secs: f64,
-    /// Objects left.
     pub n_kept: usize,
-    /// Their triangles.
     pub n_triangles: usize,
 }
 
 impl CullingCost {
-    /// Both together.
     pub fn secs(&self) -> f64 {
         self.cull_secs + self.draw_secs
     }
@@ -43,16 +35,17 @@ impl CullingCost {
 /// The costs of so many objects, in the order of [`Culling::ALL`].
 pub type Costs = [CullingCost; 3];
 
-/// A measurement under way, or done.
 pub struct CullingCosts {
     scene: Scene,
-    street: Option<usize>,
-    here: Option<Costs>,
-    sweep: Vec<Costs>,
+    /// Of so many boxes; none for the scene's own objects.
+    pub street: Option<usize>,
+    /// Of the objects that were asked for, once they are known.
+    pub here: Option<Costs>,
+    /// Of the first streets of [`SWEEP`].
+    pub sweep: Vec<Costs>,
     current: Option<Current>,
 }
 
-/// What is being measured.
 struct Current {
     task: CullingTask,
     costs: Costs,
@@ -61,33 +54,15 @@ struct Current {
 }
 
 impl CullingCosts {
-    /// Of how many objects.
     pub fn n_objects(&self) -> usize {
         self.street.unwrap_or(self.scene.objects().len())
     }
 
-    /// Are the objects the scene's own?
-    pub const fn is_own(&self) -> bool {
-        self.street.is_none()
-    }
-
-    /// Measures a street of so many boxes, or the scene's own objects.
     pub fn measure(&mut self, street: Option<usize>) {
         (self.street, self.here) = (street, None);
         self.current = self.current.take().filter(|current| !current.is_here);
     }
 
-    /// Of the objects that were asked for, once they are known.
-    pub const fn here(&self) -> Option<&Costs> {
-        self.here.as_ref()
-    }
-
-    /// Of the first streets of [`SWEEP`].
-    pub fn sweep(&self) -> &[Costs] {
-        &self.sweep
-    }
-
-    /// What is measured next: what was asked for before the streets.
     fn next(&self) -> Option<Current> {
         let is_here = self.here.is_none();
         let street_of = |count| street(count, SEED);
@@ -148,7 +123,6 @@ impl bench::Measuring for CullingCosts {
         self.sweep.len() as f32 / SWEEP.len() as f32
     }
 
-    /// A scene made ready, or one way taken once.
     fn one(&mut self, clock: &dyn Fn() -> f64) {
         let Some(mut current) = self.current.take() else {
             self.current = self.next();
@@ -187,19 +161,19 @@ mod tests {
         let scene = first_scene();
         let mut costs = CullingCosts::new(&scene);
         let clock = ticking(1e-6);
-        while costs.here().is_none() {
+        while costs.here.is_none() {
             work_on(Some(&mut costs), &clock);
         }
-        let own = *costs.here().unwrap();
+        let own = costs.here.unwrap();
         assert_eq!(own[0].n_kept, scene.objects().len());
         assert!(own[1].n_kept >= own[2].n_kept && own[2].n_kept > 0);
         costs.measure(Some(40));
-        while costs.here().is_none() || costs.sweep().len() < 4 {
+        while costs.here.is_none() || costs.sweep.len() < 4 {
             work_on(Some(&mut costs), &clock);
         }
-        assert_eq!(costs.here().unwrap()[0].n_kept, 40);
-        assert_eq!(costs.sweep()[3][0].n_kept, SWEEP[3]);
-        assert!(costs.sweep().iter().flatten().all(|cost| cost.secs() > 0.0));
+        assert_eq!(costs.here.unwrap()[0].n_kept, 40);
+        assert_eq!(costs.sweep[3][0].n_kept, SWEEP[3]);
+        assert!(costs.sweep.iter().flatten().all(|cost| cost.secs() > 0.0));
         assert!(costs.are_of(&scene));
     }
 }

@@ -14,25 +14,19 @@ use crate::{
 const N_SEGMENTS: usize = 20_000;
 /// Segments whose operations are counted: counting runs are slow, and averages settle early.
 const N_COUNTED: usize = 500;
-/// Passes over the batch, of which the fastest counts: what disturbs a measurement only makes it slower.
 const N_PASSES: usize = 5;
 
-/// What is measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Subject {
-    /// A taught method, one segment at a time.
     Method(Method),
-    /// The batch clipper: what a renderer would call.
     Batch,
 }
 
 impl Subject {
-    /// Every subject, the methods first.
     pub fn all() -> impl Iterator<Item = Self> {
         Method::all().map(Self::Method).chain([Self::Batch])
     }
 
-    /// Catalogue key of its name.
     pub fn name_key(self) -> &'static str {
         match self {
             Self::Method(method) => method.card().name_key,
@@ -57,27 +51,23 @@ impl Subject {
     }
 }
 
-/// What a subject costs for one segment, on average.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MeasuredCost {
-    /// What was measured.
     pub subject: Subject,
     /// Nanoseconds.
     pub nanos: f64,
-    /// Operations of all kinds, where they can be counted.
     pub operations: Option<f64>,
 }
 
-/// A measurement under way, or done.
 pub struct Measure {
     scene: Scene,
-    batch: Vec<Segment>,
-    done: Vec<MeasuredCost>,
+    pub batch: Vec<Segment>,
+    /// What has been measured so far, in the order of [`Subject::all`].
+    pub costs: Vec<MeasuredCost>,
     waiting: Vec<Subject>,
     current: Option<Current>,
 }
 
-/// The method that is being measured.
 struct Current {
     subject: Subject,
     pass: Pass,
@@ -88,27 +78,16 @@ struct Current {
 }
 
 impl Measure {
-    /// Ready to measure every method on segments around the scene's window.
     pub fn new(scene: &Scene, seed: u64) -> Self {
         let mut waiting: Vec<Subject> = Subject::all().collect();
         waiting.reverse();
         Self {
             scene: scene.clone(),
             batch: random_segments(&scene.window, N_SEGMENTS, seed),
-            done: Vec::new(),
+            costs: Vec::new(),
             waiting,
             current: None,
         }
-    }
-
-    /// What has been measured so far, in the order of `Subject::all`.
-    pub fn costs(&self) -> &[MeasuredCost] {
-        &self.done
-    }
-
-    /// Segments in the batch.
-    pub fn n_segments(&self) -> usize {
-        self.batch.len()
     }
 }
 
@@ -118,15 +97,14 @@ impl Measuring for Measure {
             0.5 * current.n_done as f32 / N_PASSES as f32
                 + 0.5 * current.n_counted as f32 / N_COUNTED as f32
         });
-        let all = self.done.len() + self.waiting.len() + usize::from(self.current.is_some());
-        (self.done.len() as f32 + current) / all.max(1) as f32
+        let all = self.costs.len() + self.waiting.len() + usize::from(self.current.is_some());
+        (self.costs.len() as f32 + current) / all.max(1) as f32
     }
 
     fn is_done(&self) -> bool {
         self.current.is_none() && self.waiting.is_empty()
     }
 
-    /// One pass over the batch, or one counted run.
     fn one(&mut self, clock: &dyn Fn() -> f64) {
         let Some(current) = &mut self.current else {
             self.current = self.waiting.pop().map(|subject| Current {
@@ -154,7 +132,7 @@ impl Measuring for Measure {
         } else {
             let Counts { add, mul, div, cmp } = current.counted;
             let all = (add + mul + div + cmp) as f64;
-            self.done.push(MeasuredCost {
+            self.costs.push(MeasuredCost {
                 subject: current.subject,
                 nanos: current.best_secs * 1e9 / self.batch.len().max(1) as f64,
                 operations: (current.n_counted > 0).then(|| all / current.n_counted as f64),
@@ -181,8 +159,8 @@ mod tests {
         let mut measure = Measure::new(&scene, 1);
         measure.batch.truncate(50);
         while work_on(Some(&mut measure), &ticking(1e-6)) {}
-        assert_eq!(measure.costs().len(), Subject::all().count());
-        for cost in measure.costs() {
+        assert_eq!(measure.costs.len(), Subject::all().count());
+        for cost in &measure.costs {
             assert!(cost.nanos > 0.0, "{:?} takes time", cost.subject);
             let is_counted = cost.operations.is_some_and(|all| all > 0.0);
             assert_eq!(is_counted, cost.subject != Subject::Batch);

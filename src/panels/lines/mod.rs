@@ -1,9 +1,9 @@
 //! What the lines lab adds to the window: its segments, and the measured costs of its methods.
 
 mod measure;
-mod measure_view;
 
-use egui::{Button, Ui};
+use egui::{Align2, Button, RichText, Ui};
+use egui_plot::{Bar, BarChart, PlotBounds, PlotPoint, Text};
 
 use crate::{
     algo::line::BitOrder,
@@ -11,18 +11,19 @@ use crate::{
         self, Edit, Lab,
         lines::{self, LinesChange, MAX_SEGMENTS, Scene},
     },
+    paint::theme,
     panels::{
         bench::{self, Bench, Measuring},
         fields::Seeded,
         lab_panel::{LabPanel, PanelAsk},
+        plots::still_plot,
     },
+    text::Message,
     widgets::{Look, form_button, menu_button},
 };
 
-use measure::Measure;
-use measure_view::measured;
+use measure::{Measure, Subject};
 
-/// The lab's part of the window.
 #[derive(Default)]
 pub struct LinesPanel {
     batch: Seeded,
@@ -30,7 +31,7 @@ pub struct LinesPanel {
 }
 
 impl LabPanel for LinesPanel {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         lines::LAB
     }
 
@@ -78,14 +79,13 @@ impl Bench for LinesPanel {
     }
 }
 
-/// Segments, the random batch and the order of the bits; the change that was asked for.
 fn scene_menu(ui: &mut Ui, look: Look<'_>, scene: &Scene, batch: &mut Seeded) -> Option<Edit> {
     let mut asked = None;
     if ui.button(look.say("action-add-segment")).clicked() {
         asked = Some(Edit::Add(None));
     }
     let can_remove = scene.segments().len() > 1;
-    let remove = egui::Button::new(look.say("action-remove-segment"));
+    let remove = Button::new(look.say("action-remove-segment"));
     if ui.add_enabled(can_remove, remove).clicked() {
         asked = Some(Edit::Remove(None));
     }
@@ -107,4 +107,61 @@ fn scene_menu(ui: &mut Ui, look: Look<'_>, scene: &Scene, batch: &mut Seeded) ->
         }
     });
     asked
+}
+
+fn measured(ui: &mut Ui, look: Look<'_>, measure: &Measure) {
+    let costs = &measure.costs;
+    let height = (ui.ctx().content_rect().height() - 260.0).clamp(80.0, 320.0);
+    let nanos = costs.iter().map(|cost| (cost.subject, Some(cost.nanos)));
+    let operations = costs.iter().map(|cost| (cost.subject, cost.operations));
+    ui.columns(2, |columns| {
+        chart(&mut columns[0], look, "measure-nanos", height, nanos);
+        chart(
+            &mut columns[1],
+            look,
+            "measure-operations",
+            height,
+            operations,
+        );
+    });
+    let message = Message::new("measure-note").with("count", measure.batch.len());
+    bench::note(ui, look, look.catalog.message(&message));
+}
+
+/// One horizontal bar a subject, its name and value over it.
+fn chart(
+    ui: &mut Ui,
+    look: Look<'_>,
+    key: &str,
+    height: f32,
+    values: impl Iterator<Item = (Subject, Option<f64>)>,
+) {
+    ui.label(RichText::new(look.say(key)).text_style(theme::strong()));
+    let n_rows = Subject::all().count();
+    let row = |i: usize| (n_rows - i) as f64;
+    let known = values.enumerate();
+    let known: Vec<_> = known
+        .filter_map(|(i, (subject, value))| Some((row(i), subject, value?)))
+        .collect();
+    let most = known.iter().map(|known| known.2).fold(1e-9, f64::max);
+    let bar = |&(row, _, value): &_| {
+        Bar::new(row - 0.2, value)
+            .width(0.3)
+            .fill(look.theme.accent)
+    };
+    let bars = known.iter().map(bar).collect();
+    let chart = BarChart::new(key, bars).horizontal().allow_hover(false);
+    still_plot(key).height(height).show(ui, |plot| {
+        let top = n_rows as f64 + 0.6;
+        plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.4], [most * 1.02, top]));
+        plot.bar_chart(chart);
+        for (row, subject, value) in known {
+            let name = look.say(subject.name_key());
+            let value = look.catalog.number((value * 10.0).round() / 10.0);
+            let text = RichText::new(format!("{name}  {value}")).small();
+            let at = PlotPoint::new(0.0, row + 0.02);
+            let text = Text::new("name", at, text.color(look.theme.ink));
+            plot.text(text.anchor(Align2::LEFT_BOTTOM).allow_hover(false));
+        }
+    });
 }

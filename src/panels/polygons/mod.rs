@@ -11,14 +11,13 @@ use crate::{
     widgets::{Look, form_button, menu_button},
 };
 
-/// The lab's part of the window.
 #[derive(Default)]
 pub struct PolygonsPanel {
     random: Seeded,
 }
 
 impl LabPanel for PolygonsPanel {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         polygons::LAB
     }
 
@@ -33,7 +32,6 @@ const MAX_RANDOM: usize = 10_000;
 /// The keys that draw, in the order of the lab's outlines.
 const DRAW_KEYS: [&str; 3] = ["D", "C", "H"];
 
-/// Outlines to draw, presets, the clip region, the texture; what was asked for.
 fn scene_menu(
     ui: &mut Ui,
     look: Look<'_>,

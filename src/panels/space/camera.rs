@@ -13,7 +13,6 @@ use super::{own, tuned};
 /// As near and as far as dragging takes a plane.
 const DEPTHS: [f64; 2] = [0.01, 1000.0];
 
-/// How sight lines run, and the numbers of the volume; what was asked for.
 pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let form = form_button(ui, look.say("camera-title"), |ui| {
         let asked = sight(ui, look, scene).or(numbers(ui, look, scene));
@@ -23,27 +22,19 @@ pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
 }
 
 fn sight(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-    let is_parallel = match scene.camera.opening() {
-        Opening::FovY(_) => false,
-        Opening::Height(_) => true,
-    };
-    let mut asked = None;
-    for (key, parallel) in [("camera-perspective", false), ("camera-parallel", true)] {
-        let is_so = is_parallel == parallel;
-        if ui.radio(is_so, look.say(key)).clicked() && !is_so {
-            asked = Some(own(SpaceChange::Parallel(parallel)));
-        }
+    let is_parallel = matches!(scene.camera.opening(), Opening::Height(_));
+    let mut parallel = is_parallel;
+    for (key, is_it) in [("camera-perspective", false), ("camera-parallel", true)] {
+        ui.radio_value(&mut parallel, is_it, look.say(key));
     }
-    asked
+    (parallel != is_parallel).then(|| own(SpaceChange::Parallel(parallel)))
 }
 
-/// Goes on culling from here, and lets the camera fly.
 fn freeze(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let mut is_frozen = scene.frozen.is_some();
     let button = ui.checkbox(&mut is_frozen, look.say("camera-frozen"));
     let button = button.on_hover_text(look.say("camera-frozen-about"));
-    let is_asked = button.changed();
-    is_asked.then(|| own(SpaceChange::Freeze(is_frozen)))
+    (button.changed()).then(|| own(SpaceChange::Freeze(is_frozen)))
 }
 
 fn numbers(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
@@ -56,32 +47,26 @@ fn numbers(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     };
     // As near to each other as they may be dragged.
     let gap = 0.01 * (far - near).abs().min(1.0);
-    let fields = [
-        (CameraNumber::Opening, name, opening, range),
-        (
-            CameraNumber::Aspect,
-            ("camera-aspect", ""),
-            camera.aspect(),
-            0.1..=10.0,
-        ),
-        (
-            CameraNumber::Near,
-            ("camera-near", ""),
-            near,
-            nearest.min(near)..=far - gap,
-        ),
-        (
-            CameraNumber::Far,
-            ("camera-far", ""),
-            far,
-            near + gap..=farthest.max(far),
-        ),
-    ];
+    let (nears, fars) = (
+        nearest.min(near)..=far - gap,
+        near + gap..=farthest.max(far),
+    );
     let mut asked = None;
-    for (place, (number, name, value, range)) in fields.into_iter().enumerate() {
+    let mut field = |place, number, name, value, range| {
         if let Some(value) = number_field(ui, look, name, value, &range) {
             asked = Some(tuned(SpaceChange::Camera(number, value), place));
         }
-    }
+    };
+    let aspect = camera.aspect();
+    field(0, CameraNumber::Opening, name, opening, range);
+    field(
+        1,
+        CameraNumber::Aspect,
+        ("camera-aspect", ""),
+        aspect,
+        0.1..=10.0,
+    );
+    field(2, CameraNumber::Near, ("camera-near", ""), near, nears);
+    field(3, CameraNumber::Far, ("camera-far", ""), far, fars);
     asked
 }

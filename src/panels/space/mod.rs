@@ -1,8 +1,8 @@
-//! What the labs in three dimensions add to the window: a camera, objects, a street of many.
+//! What the labs in three dimensions add to the window: a camera, objects, a street of many; and what something costs on
+//! streets of more and more boxes, in a window of its own.
 
 mod camera;
 mod objects;
-mod street_bench;
 
 use std::sync::Arc;
 
@@ -15,47 +15,60 @@ use crate::{
         space::{Model, NamedMesh, Picture, Scene, SpaceChange},
     },
     panels::{
-        bench::Bench,
+        bench::{self, Bench, Measuring},
         fields::Seeded,
         lab_panel::{LabPanel, PanelAsk},
     },
+    text::Message,
     widgets::Look,
 };
 
-pub use street_bench::StreetCosts;
+/// Costs that are found on one street after the other.
+pub trait StreetCosts: Measuring {
+    const TITLE_KEY: &'static str;
+    const NOTE_KEY: &'static str;
 
-use street_bench::{CostsView, StreetBench};
+    /// Nothing is known yet.
+    fn new(scene: &Scene) -> Self;
 
-/// The first part of a lab's menu, where it has one of its own; what was asked for.
-type MenuPart = fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>;
+    fn are_of(&self, scene: &Scene) -> bool;
 
-/// The part of the window of a lab in three dimensions, whose costs are `C`.
+    fn about(&self) -> Message;
+}
+
+/// The part of the window of a lab in three dimensions.
 pub struct SpacePanel<C> {
-    lab: &'static dyn Lab,
-    form: MenuPart,
-    /// The street that is asked for next.
+    lab: &'static Lab,
+    /// The first part of its menu.
+    form: fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>,
     street: Seeded,
-    costs: StreetBench<C>,
+    /// Those of the scene that was last shown, if they were asked for.
+    costs: Option<C>,
+    /// Shows the costs; its plots share the height.
+    view: fn(&mut Ui, Look<'_>, &mut C, f32),
 }
 
 impl<C> SpacePanel<C> {
-    /// Of a lab whose menu begins with this form, and whose costs are shown in this way.
-    pub fn new(lab: &'static dyn Lab, form: MenuPart, view: CostsView<C>) -> Self {
-        let street = Seeded {
-            count: 100,
-            seed: 1,
-        };
+    pub fn new(
+        lab: &'static Lab,
+        form: fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>,
+        view: fn(&mut Ui, Look<'_>, &mut C, f32),
+    ) -> Self {
         Self {
             lab,
             form,
-            street,
-            costs: StreetBench::new(view),
+            street: Seeded {
+                count: 100,
+                seed: 1,
+            },
+            costs: None,
+            view,
         }
     }
 }
 
 impl<C: StreetCosts> LabPanel for SpacePanel<C> {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         self.lab
     }
 
@@ -82,7 +95,28 @@ impl<C: StreetCosts> LabPanel for SpacePanel<C> {
     }
 
     fn bench(&mut self) -> Option<&mut dyn Bench> {
-        Some(&mut self.costs)
+        Some(self)
+    }
+}
+
+impl<C: StreetCosts> Bench for SpacePanel<C> {
+    fn show(&mut self, ui: &mut Ui, look: Look<'_>, scene: &labs::Scene) -> bool {
+        let Some(scene) = scene.get() else {
+            return false;
+        };
+        let fits = self.costs.take().filter(|costs| costs.are_of(scene));
+        let costs = self.costs.insert(fits.unwrap_or_else(|| C::new(scene)));
+        ui.set_max_width(600.0_f32.min(ui.ctx().content_rect().width() - 48.0));
+        let about = look.catalog.message(&costs.about());
+        bench::head(ui, look, C::TITLE_KEY, about, Some(&*costs));
+        let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
+        (self.view)(ui, look, costs, height);
+        bench::note(ui, look, look.say(C::NOTE_KEY));
+        !ui.button(look.say("action-close")).clicked()
+    }
+
+    fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
+        bench::work_on(self.costs.as_mut(), clock)
     }
 }
 

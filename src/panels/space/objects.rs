@@ -18,7 +18,6 @@ use super::{own, tuned};
 /// Numbers of this form come after the camera's.
 const FIRST_NUMBER: usize = 4;
 
-/// One more object, one less, and the numbers of the one in focus; what was asked for.
 pub fn rows(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let added = menu_button(ui, look.say("object-add"), |ui| kinds(ui, look));
     let can_remove = scene.objects().len() > 1;
@@ -33,7 +32,6 @@ pub fn rows(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         .or(form.inner.flatten())
 }
 
-/// Everything that can be put into a scene.
 fn kinds(ui: &mut Ui, look: Look<'_>) -> Option<Model> {
     let mut asked = None;
     for solid in Solid::ALL {
@@ -82,32 +80,25 @@ fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
         .or(vertex.map(|idx| tuned(SpaceChange::Vertex(idx), FIRST_NUMBER + 6)))
 }
 
-/// How the object in focus is turned, and how large it is.
 fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let object: &Object = scene.focused();
     let mut asked = None;
     let keys = ["object-turn-x", "object-turn-y", "object-turn-z"];
     for (axis, key) in keys.into_iter().enumerate() {
         let mut turn_deg = object.turn_deg();
-        if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &(-360.0..=360.0))
-        {
+        let range = -360.0..=360.0;
+        if let Some(degrees) = number_field(ui, look, (key, "°"), turn_deg[axis], &range) {
             turn_deg[axis] = degrees;
             asked = Some(tuned(SpaceChange::Turn(turn_deg), FIRST_NUMBER + 2 + axis));
         }
     }
-    if let Some(size) = number_field(
-        ui,
-        look,
-        ("object-size", ""),
-        object.size(),
-        &(0.01..=100.0),
-    ) {
+    let size = ("object-size", "");
+    if let Some(size) = number_field(ui, look, size, object.size(), &(0.01..=100.0)) {
         asked = Some(tuned(SpaceChange::Size(size), FIRST_NUMBER + 5));
     }
     asked
 }
 
-/// As many boxes as are asked for, on both sides of a street.
 pub fn street(ui: &mut Ui, look: Look<'_>, street: &mut Seeded) -> Option<PanelAsk> {
     let mut is_asked = false;
     form_button(ui, look.say("street-title"), |ui| {

@@ -17,123 +17,81 @@ const FIRST_NUMBER: usize = 16;
 /// Depths of so many bits can be chosen, besides f64 and f32.
 const BITS: [u32; 6] = [8, 10, 12, 16, 24, 32];
 
-/// What was asked for.
 pub fn form(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-    let plan = scene.raster;
     let form = form_button(ui, look.say("raster-title"), |ui| {
-        let rows = f64::from(plan.rows());
-        let range = f64::from(*RasterPlan::ROWS.start())..=f64::from(*RasterPlan::ROWS.end());
-        let tuned = number_field(ui, look, ("raster-rows", ""), rows, &range)
-            .map(|rows| (plan.with_rows(rows.round() as u32), 0));
-        let seed = plan.shuffle.unwrap_or_default() as f64;
-        let shuffled = number_field(ui, look, ("raster-shuffle", ""), seed, &(0.0..=9999.0));
-        let shuffled = shuffled.map(|seed| {
-            let shuffle = (seed.round() >= 1.0).then_some(seed.round() as u64);
-            let mut new = plan;
-            new.shuffle = shuffle;
-            (new, 1)
-        });
-        let looked_at = pixel(ui, look, plan).map(|plan| (plan, 2));
-        let chosen = steps(ui, look, plan)
-            .or(tones(ui, look, plan))
-            .or(number(ui, look, plan))
-            .or(checks(ui, look, plan));
-        let ask = |(plan, place)| PanelAsk::Tune(change(plan), FIRST_NUMBER + place);
-        let tuned = tuned.or(shuffled).or(looked_at).map(ask);
-        tuned.or(chosen.map(|plan| PanelAsk::Edit(change(plan))))
+        let mut plan = scene.raster;
+        let tuned = numbers(ui, look, &mut plan);
+        choices(ui, look, &mut plan);
+        let change = Edit::own(SpaceChange::Raster(plan));
+        (plan != scene.raster).then(|| match tuned {
+            Some(place) => PanelAsk::Tune(change, FIRST_NUMBER + place),
+            None => PanelAsk::Edit(change),
+        })
     });
     form.inner.flatten()
 }
 
-/// Column and row of the pixel that is looked at alone; −1 for none.
-fn pixel(ui: &mut Ui, look: Look<'_>, plan: RasterPlan) -> Option<RasterPlan> {
-    let most = 160.0;
+/// Which of the numbers was changed?
+fn numbers(ui: &mut Ui, look: Look<'_>, plan: &mut RasterPlan) -> Option<usize> {
+    let mut field = |key, value, range| number_field(ui, look, (key, ""), value, &range);
+    let mut tuned = None;
+    let range = f64::from(*RasterPlan::ROWS.start())..=f64::from(*RasterPlan::ROWS.end());
+    if let Some(rows) = field("raster-rows", f64::from(plan.rows()), range) {
+        *plan = plan.with_rows(rows.round() as u32);
+        tuned = Some(0);
+    }
+    let seed = plan.shuffle.unwrap_or_default() as f64;
+    if let Some(seed) = field("raster-shuffle", seed, 0.0..=9999.0) {
+        plan.shuffle = (seed.round() >= 1.0).then_some(seed.round() as u64);
+        tuned = Some(1);
+    }
+    // Column and row of the pixel that is looked at alone; −1 for none.
     let shown = plan.pixel.map_or([-1.0; 2], |pixel| pixel.map(f64::from));
-    let keys = ["raster-column", "raster-row"];
-    let mut asked = None;
-    for (i, key) in keys.into_iter().enumerate() {
-        if let Some(value) = number_field(ui, look, (key, ""), shown[i], &(-1.0..=most)) {
+    for (i, key) in ["raster-column", "raster-row"].into_iter().enumerate() {
+        if let Some(value) = field(key, shown[i], -1.0..=160.0) {
             let mut pixel = shown.map(|x| x.max(0.0) as u32);
             pixel[i] = value.max(0.0).round() as u32;
-            let mut new = plan;
-            new.pixel = (value >= 0.0).then_some(pixel);
-            asked = Some(new);
+            plan.pixel = (value >= 0.0).then_some(pixel);
+            tuned = Some(2);
         }
     }
-    asked
+    tuned
 }
 
-fn change(plan: RasterPlan) -> Edit {
-    Edit::own(SpaceChange::Raster(plan))
-}
-
-fn steps(ui: &mut Ui, look: Look<'_>, mut plan: RasterPlan) -> Option<RasterPlan> {
-    let kinds = [
+fn choices(ui: &mut Ui, look: Look<'_>, plan: &mut RasterPlan) {
+    ui.label(look.say("raster-steps"));
+    for (steps, key) in [
         (DepthSteps::Fragments, "raster-steps-fragments"),
         (DepthSteps::Spans, "raster-steps-spans"),
         (DepthSteps::Triangles, "raster-steps-triangles"),
-    ];
-    plan.steps = one_of(ui, look, "raster-steps", (plan.steps, kinds))?;
-    Some(plan)
-}
-
-fn tones(ui: &mut Ui, look: Look<'_>, mut plan: RasterPlan) -> Option<RasterPlan> {
-    let kinds = [
+    ] {
+        ui.radio_value(&mut plan.steps, steps, look.say(key));
+    }
+    ui.label(look.say("raster-tones"));
+    for (tones, key) in [
         (Tones::Triangles, "raster-tones-triangles"),
         (Tones::Stored, "raster-tones-stored"),
         (Tones::Distance, "raster-tones-distance"),
-    ];
-    plan.tones = one_of(ui, look, "raster-tones", (plan.tones, kinds))?;
-    Some(plan)
-}
-
-/// Radio buttons under a heading: the one that was chosen and is not so now.
-fn one_of<T: Copy + PartialEq>(
-    ui: &mut Ui,
-    look: Look<'_>,
-    heading: &'static str,
-    (now, kinds): (T, [(T, &'static str); 3]),
-) -> Option<T> {
-    ui.label(look.say(heading));
-    let mut asked = None;
-    for (kind, key) in kinds {
-        let is_so = now == kind;
-        if ui.radio(is_so, look.say(key)).clicked() && !is_so {
-            asked = Some(kind);
-        }
+    ] {
+        ui.radio_value(&mut plan.tones, tones, look.say(key));
     }
-    asked
+    let format = &mut plan.format;
+    let combo = ComboBox::from_label(look.say("raster-number")).selected_text(name(format.number));
+    combo.show_ui(ui, |ui| {
+        let fixed = BITS.into_iter().filter_map(DepthBits::new);
+        let floats = [DepthNumber::Double, DepthNumber::Single].into_iter();
+        for number in floats.chain(fixed.map(DepthNumber::Fixed)) {
+            ui.selectable_value(&mut format.number, number, name(number));
+        }
+    });
+    ui.checkbox(&mut format.is_reversed, look.say("raster-reversed"));
+    ui.checkbox(&mut plan.culls_backs, look.say("raster-cull"));
 }
 
-fn number(ui: &mut Ui, look: Look<'_>, plan: RasterPlan) -> Option<RasterPlan> {
-    let fixed = BITS.into_iter().filter_map(DepthBits::new);
-    let numbers = [DepthNumber::Double, DepthNumber::Single].into_iter();
-    let numbers = numbers.chain(fixed.map(DepthNumber::Fixed));
-    let name = |number: DepthNumber| match number {
+fn name(number: DepthNumber) -> String {
+    match number {
         DepthNumber::Double => "f64".to_owned(),
         DepthNumber::Single => "f32".to_owned(),
         DepthNumber::Fixed(bits) => format!("{} bit", bits.get()),
-    };
-    let mut asked = None;
-    let shown =
-        ComboBox::from_label(look.say("raster-number")).selected_text(name(plan.format.number));
-    shown.show_ui(ui, |ui| {
-        for number in numbers {
-            let is_so = plan.format.number == number;
-            if ui.selectable_label(is_so, name(number)).clicked() {
-                let mut new = plan;
-                new.format.number = number;
-                asked = Some(new);
-            }
-        }
-    });
-    asked
-}
-
-fn checks(ui: &mut Ui, look: Look<'_>, plan: RasterPlan) -> Option<RasterPlan> {
-    let mut new = plan;
-    let mut check = |is_on: &mut bool, key| ui.checkbox(is_on, look.say(key)).changed();
-    let reversed = check(&mut new.format.is_reversed, "raster-reversed");
-    let culled = check(&mut new.culls_backs, "raster-cull");
-    (reversed || culled).then_some(new)
+    }
 }

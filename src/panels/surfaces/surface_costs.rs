@@ -11,23 +11,16 @@ use crate::{
 
 /// Streets of so many boxes are counted: of 12 triangles each, from about 10 to about 10,000.
 pub const SWEEP: [usize; 7] = [1, 3, 8, 25, 83, 250, 833];
-/// Counts under way, or done.
 pub struct SurfaceCosts {
     scene: Scene,
-    sweep: Vec<SurfaceCounts>,
+    /// Of the first streets of [`SWEEP`].
+    pub sweep: Vec<SurfaceCounts>,
     current: Option<SurfaceCounting>,
 }
 
-impl SurfaceCosts {
-    /// Columns and rows.
-    pub fn size(&self) -> [u32; 2] {
-        self.scene.raster.size(self.scene.camera.aspect())
-    }
-
-    /// Of the first streets of [`SWEEP`].
-    pub fn sweep(&self) -> &[SurfaceCounts] {
-        &self.sweep
-    }
+/// Columns and rows.
+fn size(scene: &Scene) -> [u32; 2] {
+    scene.raster.size(scene.camera.aspect())
 }
 
 impl StreetCosts for SurfaceCosts {
@@ -44,15 +37,12 @@ impl StreetCosts for SurfaceCosts {
 
     /// Of this scene's raster, whatever is in it.
     fn are_of(&self, scene: &Scene) -> bool {
-        let raster = |scene: &Scene| {
-            let size = scene.raster.size(scene.camera.aspect());
-            (size, scene.raster.culls_backs)
-        };
+        let raster = |scene: &Scene| (size(scene), scene.raster.culls_backs);
         raster(&self.scene) == raster(scene)
     }
 
     fn about(&self) -> Message {
-        let [columns, rows] = self.size().map(|side| side as usize);
+        let [columns, rows] = size(&self.scene).map(|side| side as usize);
         Message::new("surface-costs-about")
             .with("columns", columns)
             .with("rows", rows)
@@ -68,7 +58,6 @@ impl Measuring for SurfaceCosts {
         self.sweep.len() as f32 / SWEEP.len() as f32
     }
 
-    /// A street made ready, or a part of its counts.
     fn one(&mut self, _: &dyn Fn() -> f64) {
         let n_boxes = SWEEP[self.sweep.len()];
         let Some(current) = &mut self.current else {
@@ -101,11 +90,11 @@ mod tests {
             n_frames += 1;
         }
         assert!(n_frames > 1, "spread over frames: {n_frames}");
-        let counted: Vec<usize> = costs.sweep().iter().map(|it| it.n_triangles).collect();
+        let counted: Vec<usize> = costs.sweep.iter().map(|it| it.n_triangles).collect();
         assert_eq!(counted, SWEEP.map(|n| 12 * n));
-        let sorted = costs.sweep().iter().filter(|it| it.pairs.is_some());
+        let sorted = costs.sweep.iter().filter(|it| it.pairs.is_some());
         assert!(sorted.count() >= 3);
-        assert!(costs.sweep()[6].pairs.is_none());
+        assert!(costs.sweep[6].pairs.is_none());
         assert!(costs.are_of(&scene));
         scene.raster = scene.raster.with_rows(5);
         assert!(!costs.are_of(&scene));

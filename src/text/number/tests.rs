@@ -1,3 +1,5 @@
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
 use super::*;
 
 const ON_THE_BOARD: &[(&str, f64, &str)] = &[
@@ -40,13 +42,9 @@ const ON_THE_BOARD: &[(&str, f64, &str)] = &[
     ("a large numerator is no fraction", 1000.0 / 3.0, "333.3"),
     ("two decimals", 123.45, "123.45"),
     ("the middle of a pixel far away", 1000.5, "1000.5"),
-    ("four significant digits", std::f64::consts::PI, "3.142"),
+    ("four significant digits", PI, "3.142"),
     ("rounded below one", 0.382_683_432_365_089_8, "0.3827"),
-    (
-        "rounded below zero",
-        -std::f64::consts::FRAC_1_SQRT_2,
-        "−0.7071",
-    ),
+    ("rounded below zero", -FRAC_1_SQRT_2, "−0.7071"),
     (
         "leading zeros are not significant",
         0.001_234_56,
@@ -90,47 +88,20 @@ fn the_decimal_separator_is_the_reader_s() {
         (Lang::Es, ["1,5", "−0,7071", "1,235×10¹²", "3/8"]),
         (Lang::PtBr, ["1,5", "−0,7071", "1,235×10¹²", "3/8"]),
     ] {
-        let written = [
-            1.5,
-            -std::f64::consts::FRAC_1_SQRT_2,
-            1.234_567_89e12,
-            0.375,
-        ]
-        .map(|x| number(lang, x));
-        assert_eq!(written, expected, "{lang}");
+        let numbers = [1.5, -FRAC_1_SQRT_2, 1.234_567_89e12, 0.375];
+        assert_eq!(numbers.map(|x| number(lang, x)), expected, "{lang}");
     }
 }
 
 #[test]
 fn only_what_is_not_rounded_is_exact() {
-    for x in [
-        0.0,
-        1.0,
-        -0.375,
-        1.0 / 3.0,
-        1.375,
-        123.45,
-        1e300,
-        1.2e-5,
-        f64::INFINITY,
-        f64::NAN,
-    ] {
-        assert!(
-            Quantity::Number(x).is_exact(Notation::Own),
-            "{x} is shown exactly"
-        );
-    }
-    for x in [
-        0.1 + 0.2,
-        1.0 / 33.0,
-        9.999_96,
-        1.234_56e-7,
-        std::f64::consts::PI,
-    ] {
-        assert!(
-            !Quantity::Number(x).is_exact(Notation::Own),
-            "{x} is shown rounded"
-        );
+    let third = 1.0 / 3.0;
+    let shown = [0.0, 1.0, -0.375, third, 1.375, 123.45, 1e300, 1.2e-5];
+    let odd = [f64::INFINITY, f64::NAN].map(|x| (x, true));
+    let rounded = [0.1 + 0.2, 1.0 / 33.0, 9.999_96, 1.234_56e-7, PI].map(|x| (x, false));
+    for (x, is_exact) in [&shown.map(|x| (x, true))[..], &odd, &rounded].concat() {
+        let found = Quantity::Number(x).is_exact(Notation::Own);
+        assert_eq!(found, is_exact, "{x}");
     }
 }
 
@@ -191,10 +162,8 @@ fn numbers_beside_each_other_are_of_one_kind() {
     ] {
         let numbers: Vec<Quantity> = numbers.into_iter().map(Quantity::Number).collect();
         let kind = Notation::of_quantities(&numbers);
-        let written: Vec<String> = numbers
-            .iter()
-            .map(|x| x.written(Lang::En, kind).to_string())
-            .collect();
+        let written = |x: &Quantity| x.written(Lang::En, kind).to_string();
+        let written: Vec<String> = numbers.iter().map(written).collect();
         assert_eq!(written.join(" "), expected, "{what}");
     }
     assert!(Quantity::Ratio(1.0, 3.0).is_exact(Notation::Fractions));

@@ -2,14 +2,12 @@
 
 use std::ops::Range;
 
-/// Which of `n` rows are shown in `room` rows, and how many are folded before and after them.
+use crate::text::Message;
+
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fold {
-    /// Before those shown.
     pub before: usize,
-    /// The rows that are shown.
     pub shown: Range<usize>,
-    /// After those shown.
     pub after: usize,
 }
 
@@ -41,29 +39,29 @@ impl Fold {
     }
 
     const fn of(n: usize, shown: Range<usize>) -> Self {
-        let (before, after) = (shown.start, n - shown.end);
         Self {
-            before,
+            before: shown.start,
+            after: n - shown.end,
             shown,
-            after,
         }
     }
 
-    /// Rows it takes, with those that say what is folded.
     pub fn n_rows(&self) -> usize {
         self.shown.len() + usize::from(self.before > 0) + usize::from(self.after > 0)
     }
 
-    /// In which row the first one shown stands.
     pub fn first_row(&self) -> usize {
         usize::from(self.before > 0)
     }
 
-    /// The row of an entry, if it is shown.
     pub fn row_of(&self, idx: usize) -> Option<usize> {
         let row = || idx - self.shown.start + self.first_row();
         self.shown.contains(&idx).then(row)
     }
+}
+
+pub fn more(count: usize) -> Message {
+    Message::new("view-more").with("count", count)
 }
 
 #[cfg(test)]
@@ -78,29 +76,21 @@ mod tests {
 
     #[test]
     fn all_are_shown_or_counted_and_the_focus_is_seen() {
-        for n in 0..60 {
-            for room in 3..20 {
-                for focus in 0..n {
-                    let fold = Fold::about(n, Some(focus), room);
+        for (n, room) in (0..60).flat_map(|n| (1..20).map(move |room| (n, room))) {
+            for focus in 0..n {
+                let check = |fold: &Fold| {
                     assert_eq!(fold.before + fold.shown.len() + fold.after, n);
                     assert!(fold.shown.contains(&focus), "{n} {focus} {room}: {fold:?}");
-                    assert!(fold.n_rows() <= room.max(3), "{n} {focus} {room}: {fold:?}");
+                };
+                if room >= 3 {
+                    let fold = Fold::about(n, Some(focus), room);
+                    check(&fold);
+                    assert!(fold.n_rows() <= room, "{n} {focus} {room}: {fold:?}");
                     assert!(n > room || fold.shown == (0..n));
                 }
-            }
-        }
-    }
-
-    #[test]
-    fn about_the_middle_there_are_as_many_as_there_is_room_for() {
-        for n in 1..20 {
-            for room in 1..=n {
-                for focus in 0..n {
-                    let fold = Fold::about_middle(n, focus, room);
-                    assert_eq!(fold.shown.len(), room);
-                    assert_eq!(fold.before + room + fold.after, n);
-                    assert!(fold.shown.contains(&focus), "{n} {focus} {room}: {fold:?}");
-                }
+                let fold = Fold::about_middle(n, focus, room);
+                check(&fold);
+                assert_eq!(fold.shown.len(), room.min(n));
             }
         }
     }

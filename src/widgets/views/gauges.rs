@@ -8,49 +8,31 @@
 //!          out    −r r        in
 //! ```
 
-use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use crate::figure::{Gauge, Gauges};
 
-use crate::{
-    figure::{Gauge, Gauges, Role},
-    paint::Typeset,
-    text::{Notation, Value},
-};
-
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{Face, Slate, Style, colour, text_colour},
-};
+use super::prelude::*;
 
 const TITLE_PTS: f32 = 13.0;
 const TEXT_PTS: f32 = 13.0;
 const NUMBER_PTS: f32 = 12.5;
 const SMALL_PTS: f32 = 11.5;
-/// From one axis to the next, at most.
 const ROW: f32 = 22.0;
-/// Height of the title with the white space under it, and of what stands under the axes.
 const OVER: f32 = 27.0;
 const UNDER: f32 = 20.0;
-/// Between a column and the axes.
 const ASIDE: f32 = 14.0;
-/// The least that axes are worth drawing with.
 const LEAST_AXIS: f32 = 90.0;
 const DOT: f32 = 3.6;
 const DIAMOND: f32 = 5.4;
 const BAR: f32 = 9.0;
-/// So many times the band an axis reaches at least.
 const BANDS: f64 = 3.0;
 
 impl OnSlate for Gauges {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        let slate = Slate::with_numbers(painter, look, notation(self));
-        slate.fitted_in(rect.size(), |slate| {
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        natural.writing(notation(self)).fitted_in(room, |slate| {
             let [left, right] = columns(slate, self);
             let rows = self.rows.len() as f32 * 0.8 * ROW;
-            vec2(
-                left + right + slate.pts(LEAST_AXIS),
-                slate.pts(OVER + rows + UNDER),
-            )
+            let width = left + right + slate.pts(LEAST_AXIS);
+            vec2(width, slate.pts(OVER + rows + UNDER))
         })
     }
 
@@ -73,32 +55,28 @@ impl OnSlate for Gauges {
             let name = look.catalog.value(&row.name);
             let value = row.value.map(Value::Number);
             let value = value.map(|value| look.catalog.value_as(&value, notation));
-            let arrow = if row.role == Role::Signal { "→ " } else { "" };
-            let said = format!("{arrow}{name}: {}", value.as_deref().unwrap_or(UNKNOWN));
+            let value = value.as_deref().unwrap_or(UNKNOWN);
+            let said = format!("{}{name}: {value}", now(row.role == Role::Signal));
             match &row.verdict {
                 Some(verdict) => format!("{said}, {}", look.catalog.message(verdict)),
                 None => said,
             }
         };
-        let rows: Vec<String> = self.rows.iter().map(row).collect();
-        format!("{}: {}", look.catalog.message(&self.title), rows.join("; "))
+        let rows = joined(self.rows.iter().map(row), "; ");
+        format!("{}: {rows}", look.catalog.message(&self.title))
     }
 }
 
-/// A number that has not been asked for yet.
 const UNKNOWN: &str = "–";
 
-/// They stand over each other.
 fn notation(gauges: &Gauges) -> Notation {
     let values = gauges.rows.iter().filter_map(|row| row.value);
     let values: Vec<Value> = values.chain(gauges.band).map(Value::Number).collect();
     Notation::of(&values)
 }
 
-/// Where the axes stand.
 struct Axes {
     rect: Rect,
-    /// All of them, with names and numbers.
     whole: Rect,
     row: f32,
     reach: f64,
@@ -108,19 +86,14 @@ impl Axes {
     fn new(slate: &Slate<'_>, gauges: &Gauges, rect: Rect, top: f32) -> Self {
         let [left, right] = columns(slate, gauges);
         let n = gauges.rows.len().max(1) as f32;
-        let under = if has_bars(gauges) {
-            0.0
-        } else {
-            slate.pts(UNDER)
-        };
+        let under = slate.pts(if has_bars(gauges) { 0.0 } else { UNDER });
         let top = top + slate.pts(8.0);
         let row = ((rect.bottom() - top - under) / n).min(slate.pts(ROW));
         let whole = Rect::from_x_y_ranges(rect.x_range(), top..=top + n * row);
+        let left = rect.left() + left;
+        let x = left..=(rect.right() - right).max(left + 1.0);
         Self {
-            rect: Rect::from_x_y_ranges(
-                rect.left() + left..=(rect.right() - right).max(rect.left() + left + 1.0),
-                whole.y_range(),
-            ),
+            rect: Rect::from_x_y_ranges(x, whole.y_range()),
             whole,
             row,
             reach: reach(gauges),
@@ -132,7 +105,6 @@ impl Axes {
         self.rect.center().x + part * self.rect.width()
     }
 
-    /// What is the same for all rows: the band, and where 0 is.
     fn ground(&self, slate: &mut Slate<'_>, gauges: &Gauges) {
         let theme = slate.theme();
         if let Some(band) = gauges.band {
@@ -140,23 +112,17 @@ impl Axes {
             let place = Rect::from_x_y_ranges(x, self.rect.y_range());
             slate.painter.rect_filled(place, 0.0, theme.hover);
         }
-        let zero = slate.stroke(
-            if gauges.band.is_some() { 2.0 } else { 1.0 },
-            theme.hairline,
-        );
-        let zero = Stroke::new(zero.width, theme.hairline.lerp_to_gamma(theme.faint, 0.4));
-        slate
-            .painter
-            .vline(self.rect.center().x, self.rect.y_range(), zero);
+        let width = if gauges.band.is_some() { 2.0 } else { 1.0 };
+        let zero = slate.stroke(width, theme.hairline.lerp_to_gamma(theme.faint, 0.4));
+        let (x, y) = (self.rect.center().x, self.rect.y_range());
+        slate.painter.vline(x, y, zero);
     }
 
     fn row(&self, slate: &mut Slate<'_>, nth: usize, row: &Gauge, links: &mut Links) {
         let theme = slate.theme();
         let y = self.whole.top() + (nth as f32 + 0.5) * self.row;
-        let place = Rect::from_x_y_ranges(
-            self.whole.x_range(),
-            y - 0.5 * self.row..=y + 0.5 * self.row,
-        );
+        let half = 0.5 * self.row;
+        let place = Rect::from_x_y_ranges(self.whole.x_range(), y - half..=y + half);
         if links.touch(place, row.link) {
             let around = place.expand2(vec2(slate.pts(4.0), 0.0));
             slate.painter.rect_filled(around, 4.0, theme.accent_wash);
@@ -165,8 +131,15 @@ impl Axes {
             let axis = slate.stroke(1.0, theme.hairline);
             slate.painter.hline(self.rect.x_range(), y, axis);
         }
-        let face = strength(row);
-        let name = slate.value(&row.name, (face, TEXT_PTS, name_colour(slate, row)));
+        let ink = match row.role {
+            Role::Signal => theme.signal_text,
+            _ if row.value.is_none() => theme.faint,
+            _ => theme.soft,
+        };
+        let name = slate.value(
+            &row.name,
+            (Face::strong_if(row.role == Role::Signal), TEXT_PTS, ink),
+        );
         slate.put(&name, pos2(self.whole.left(), y), Align2::LEFT_CENTER);
         if row.is_bar {
             self.bar(slate, y, row);
@@ -184,9 +157,9 @@ impl Axes {
         let ink = colour(theme, row.role);
         match row.role {
             Role::Signal => {
-                let diamond = diamond(at, slate.pts(DIAMOND));
-                let shape = Shape::convex_polygon(diamond, ink, Stroke::NONE);
-                slate.painter.add(shape);
+                let corners = [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)];
+                let corners = corners.map(|(x, y)| at + vec2(x, y) * slate.pts(DIAMOND));
+                slate.area(corners.to_vec(), ink);
             }
             // What is culled is hollow.
             Role::Discarded => {
@@ -203,7 +176,11 @@ impl Axes {
     fn bar(&self, slate: &mut Slate<'_>, y: f32, row: &Gauge) {
         let theme = slate.theme();
         if let Some(verdict) = &row.verdict {
-            let style = (strength(row), SMALL_PTS, text_colour(theme, row.role));
+            let style = (
+                Face::strong_if(row.role == Role::Signal),
+                SMALL_PTS,
+                text_colour(theme, row.role),
+            );
             let verdict = slate.sentence(verdict, self.whole.width(), style);
             slate.put(&verdict, pos2(self.whole.right(), y), Align2::RIGHT_CENTER);
         }
@@ -213,24 +190,18 @@ impl Axes {
         let place = Rect::from_x_y_ranges(zero.min(end)..=zero.max(end), y - half..=y + half);
         let fill = match row.role {
             Role::Discarded => theme.background.lerp_to_gamma(theme.discarded, 0.55),
-            role @ (Role::Ink
-            | Role::Soft
-            | Role::Faint
-            | Role::Accent
-            | Role::Signal
-            | Role::Accepted) => colour(theme, role),
+            role => colour(theme, role),
         };
         slate.painter.rect_filled(place, 0.0, fill);
         let number = number(slate, row);
         let gap = slate.pts(7.0);
-        if value < 0.0 {
-            slate.put(&number, pos2(end - gap, y), Align2::RIGHT_CENTER);
-        } else {
-            slate.put(&number, pos2(end + gap, y), Align2::LEFT_CENTER);
-        }
+        let (x, align) = match value {
+            ..0.0 => (end - gap, Align2::RIGHT_CENTER),
+            _ => (end + gap, Align2::LEFT_CENTER),
+        };
+        slate.put(&number, pos2(x, y), align);
     }
 
-    /// What either side means: over the bars, on their sides; under the axes, at their ends.
     fn sides(&self, slate: &mut Slate<'_>, gauges: &Gauges, title: Rect) {
         let theme = slate.theme();
         let [left, right] = &gauges.sides;
@@ -239,10 +210,8 @@ impl Axes {
         };
         if has_bars(gauges) {
             let (zero, gap) = (self.x(0.0), slate.pts(8.0));
-            let [left, right] = [
-                set(slate, left, theme.soft),
-                set(slate, right, theme.accent),
-            ];
+            let left = set(slate, left, theme.soft);
+            let right = set(slate, right, theme.accent);
             // Beside the title, if there is room.
             let is_free = zero - gap - left.size().x > title.right() + gap
                 && zero + gap + right.size().x < self.whole.right();
@@ -261,8 +230,7 @@ impl Axes {
             return;
         };
         for (sign, name) in [(-1.0, "−r"), (1.0, "r")] {
-            let style = (Face::Plain, SMALL_PTS, theme.ink);
-            let name = slate.words(name, style);
+            let name = slate.words(name, (Face::Plain, SMALL_PTS, theme.ink));
             let at = pos2(self.x(sign * band), y);
             let place = Align2::CENTER_TOP.anchor_size(at, name.size());
             if slate.is_free(place) {
@@ -276,20 +244,16 @@ fn has_bars(gauges: &Gauges) -> bool {
     gauges.rows.iter().any(|row| row.is_bar)
 }
 
-/// Widths of names on the left, and of numbers or verdicts on the right.
 fn columns(slate: &Slate<'_>, gauges: &Gauges) -> [f32; 2] {
-    let widest = |texts: &mut dyn Iterator<Item = Typeset>| {
-        texts.map(|text| text.size().x).fold(0.0, f32::max)
-    };
-    let ink = slate.theme().ink;
-    let names = gauges.rows.iter();
-    let mut names = names.map(|row| slate.value(&row.name, (Face::Strong, TEXT_PTS, ink)));
-    let mut numbers = gauges.rows.iter().map(|row| number(slate, row));
-    let number = widest(&mut numbers);
-    let mut verdicts = gauges.rows.iter().filter_map(|row| {
-        let style = (Face::Strong, SMALL_PTS, ink);
-        let verdict = row.verdict.as_ref();
-        verdict.map(|verdict| slate.sentence(verdict, f32::INFINITY, style))
+    let widest = |widths: &mut dyn Iterator<Item = f32>| widths.fold(0.0, f32::max);
+    let rows = gauges.rows.iter();
+    let names = rows.clone();
+    let mut names = names.map(|row| slate.width(&row.name, Face::Strong, TEXT_PTS));
+    let number = widest(&mut rows.clone().map(|row| number(slate, row).size().x));
+    let mut verdicts = rows.filter_map(|row| {
+        let style = (Face::Strong, SMALL_PTS, slate.theme().ink);
+        let verdict = row.verdict.as_ref()?;
+        Some(slate.sentence(verdict, f32::INFINITY, style).size().x)
     });
     let aside = slate.pts(ASIDE);
     let (left, right) = (widest(&mut names) + aside, widest(&mut verdicts) + aside);
@@ -305,43 +269,15 @@ fn columns(slate: &Slate<'_>, gauges: &Gauges) -> [f32; 2] {
 
 fn number(slate: &Slate<'_>, row: &Gauge) -> Typeset {
     let theme = slate.theme();
-    match row.value {
-        Some(value) => {
-            let ink = match row.role {
-                Role::Signal => theme.signal_text,
-                Role::Discarded | Role::Faint | Role::Soft => theme.soft,
-                Role::Ink | Role::Accent | Role::Accepted => theme.ink,
-            };
-            let style: Style = (Face::Mono, NUMBER_PTS, ink);
-            slate.low(&Value::Number(value), style)
-        }
-        None => slate.words(UNKNOWN, (Face::Mono, NUMBER_PTS, theme.faint)),
-    }
-}
-
-fn strength(row: &Gauge) -> Face {
-    if row.role == Role::Signal {
-        Face::Strong
-    } else {
-        Face::Plain
-    }
-}
-
-fn name_colour(slate: &Slate<'_>, row: &Gauge) -> egui::Color32 {
-    let theme = slate.theme();
-    if row.role == Role::Signal {
-        theme.signal_text
-    } else if row.value.is_none() {
-        theme.faint
-    } else {
-        theme.soft
-    }
-}
-
-fn diamond(at: Pos2, radius: f32) -> Vec<Pos2> {
-    [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)]
-        .map(|(x, y)| at + vec2(x, y) * radius)
-        .to_vec()
+    let Some(value) = row.value else {
+        return slate.words(UNKNOWN, (Face::Mono, NUMBER_PTS, theme.faint));
+    };
+    let ink = match row.role {
+        Role::Signal => theme.signal_text,
+        Role::Discarded | Role::Faint | Role::Soft => theme.soft,
+        Role::Ink | Role::Accent | Role::Accepted => theme.ink,
+    };
+    slate.low(&Value::Number(value), (Face::Mono, NUMBER_PTS, ink))
 }
 
 /// As far as axes reach on either side: round, so that it seldom changes while numbers come.
@@ -361,7 +297,6 @@ fn reach(gauges: &Gauges) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Message;
 
     #[test]
     fn axes_reach_as_far_as_the_largest_number_and_the_band() {
@@ -374,9 +309,10 @@ mod tests {
                 is_bar: false,
                 link: None,
             };
+            let title = Message::new("view-empty");
             reach(&Gauges {
-                title: Message::new("view-empty"),
-                sides: [Message::new("view-empty"), Message::new("view-empty")],
+                sides: [title.clone(), title.clone()],
+                title,
                 band,
                 rows: values.iter().map(row).collect(),
             })

@@ -13,21 +13,12 @@
 mod arrows;
 mod plan;
 
-use egui::{Align2, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
-
 use crate::{
-    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Role},
-    paint::{Typeset, crosses},
-    text::{Notation, Value},
+    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage},
+    paint::crosses,
 };
 
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    raster::tone,
-    slate::{Face, Slate, text_colour},
-    table::more,
-};
+use super::prelude::*;
 
 use arrows::Route;
 use plan::{Chip, NAME_PTS, Plan};
@@ -35,15 +26,12 @@ use plan::{Chip, NAME_PTS, Plan};
 const RING_PTS: f32 = 13.0;
 const NUMBER_PTS: f32 = 10.5;
 const NOTE_PTS: f32 = 11.0;
-/// Places for the name of a cycle are looked for in so many columns and rows.
 const STEPS: i32 = 12;
-/// Between a thing and what is written beside it.
 const ASIDE: f32 = 6.0;
 
 impl OnSlate for Graph {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        let slate = Slate::with_numbers(painter, look, Notation::Decimals);
-        plan::fitted(slate, self, rect.size())
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        plan::fitted(natural.writing(Notation::Decimals), self, room)
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
@@ -71,8 +59,7 @@ impl OnSlate for Graph {
             name_ring(slate, rect, ring, &plan, &routes);
         }
         if plan.n_left_out > 0 {
-            let words = slate.look.catalog.message(&more(plan.n_left_out));
-            let words = slate.words(words, (Face::Plain, NOTE_PTS, slate.theme().soft));
+            let words = slate.more(plan.n_left_out, NOTE_PTS);
             slate.put(&words, rect.right_top(), Align2::RIGHT_TOP);
         }
     }
@@ -81,22 +68,12 @@ impl OnSlate for Graph {
         let said = |value: &Value| look.catalog.value_as(value, Notation::Decimals);
         let is_seen = |node: &&GraphNode| node.stage != NodeStage::ToCome;
         let node = |node: &GraphNode| {
-            let arrow = if node.role == Role::Signal {
-                "→ "
-            } else {
-                ""
-            };
             let beside = node.number.iter().chain(&node.note).map(said);
-            let beside: Vec<String> = beside.collect();
-            let name = said(&node.name);
-            if beside.is_empty() {
-                format!("{arrow}{name}")
-            } else {
-                format!("{arrow}{name} ({})", beside.join(", "))
-            }
+            let name = bracketed(&said(&node.name), beside);
+            format!("{}{name}", now(node.role == Role::Signal))
         };
-        let nodes: Vec<String> = self.nodes.iter().filter(is_seen).map(node).collect();
-        let mut parts = vec![format!("{}: {}", said(&self.title), nodes.join(", "))];
+        let nodes = joined(self.nodes.iter().filter(is_seen).map(node), ", ");
+        let title = format!("{}: {nodes}", said(&self.title));
         let arrow = |arrow: &GraphArrow| {
             let name = |idx: usize| self.nodes.get(idx).map(|node| said(&node.name));
             let sign = match arrow.kind {
@@ -105,77 +82,59 @@ impl OnSlate for Graph {
                 ArrowKind::Refused => "×→",
             };
             let ends = format!("{} {sign} {}", name(arrow.from)?, name(arrow.to)?);
-            Some(match &arrow.reason {
-                Some(reason) => format!("{ends} ({})", said(reason)),
-                None => ends,
-            })
+            Some(bracketed(&ends, arrow.reason.iter().map(said)))
         };
-        parts.extend(self.arrows.iter().filter_map(arrow));
-        parts.extend(self.ring.iter().map(said));
-        parts.join("; ")
+        let arrows = self.arrows.iter().filter_map(arrow);
+        let parts = std::iter::once(title).chain(arrows);
+        joined(parts.chain(self.ring.iter().map(said)), "; ")
     }
 }
 
-/// A node as in the picture, or how many are folded.
 fn draw_chip(slate: &mut Slate<'_>, chip: &Chip, graph: &Graph, links: &mut Links) {
     let theme = slate.theme();
-    let round = 0.5 * chip.place.height();
+    let place = chip.place;
+    let round = 0.5 * place.height();
     let Some(node) = chip.node(graph) else {
         let words = slate.words(chip.words(), (Face::Plain, NOTE_PTS, theme.soft));
-        outline(slate, chip.place, slate.stroke(1.0, theme.discarded), true);
-        slate.put(&words, chip.place.center(), Align2::CENTER_CENTER);
+        outline(slate, place, slate.stroke(1.0, theme.discarded), true);
+        slate.put(&words, place.center(), Align2::CENTER_CENTER);
         return;
     };
     if node.stage == NodeStage::ToCome {
         return;
     }
-    let (border, ink) = match node.role {
-        Role::Signal => (slate.stroke(2.5, theme.signal), theme.ink),
-        Role::Accent => (slate.stroke(2.0, theme.accent), theme.ink),
-        Role::Faint | Role::Discarded => (slate.stroke(1.0, theme.discarded), theme.soft),
-        Role::Ink | Role::Soft | Role::Accepted => (slate.stroke(1.0, theme.ink), theme.ink),
-    };
-    slate
-        .painter
-        .rect_filled(chip.place, round, theme.background);
-    if links.touch(chip.place, node.link) {
-        let ring = slate.stroke(1.25, theme.accent);
-        let around = chip.place.expand(slate.pts(3.5));
-        let corner = 0.5 * around.height();
-        slate
-            .painter
-            .rect_stroke(around, corner, ring, StrokeKind::Middle);
-    }
     let is_asked = node.stage == NodeStage::Asked;
+    let (width, border, ink) = match node.role {
+        Role::Signal if is_asked => (2.5, theme.signal, theme.signal_text),
+        Role::Signal => (2.5, theme.signal, theme.ink),
+        Role::Accent => (2.0, theme.accent, theme.ink),
+        Role::Faint | Role::Discarded => (1.0, theme.discarded, theme.soft),
+        Role::Ink | Role::Soft | Role::Accepted => (1.0, theme.ink, theme.ink),
+    };
+    let painter = slate.painter;
+    painter.rect_filled(place, round, theme.background);
+    if links.touch(place, node.link) {
+        let around = place.expand(slate.pts(3.5));
+        slate.ring(around, 0.5 * around.height(), 1.25);
+    }
     if !is_asked && node.role != Role::Faint {
         let (of, shade) = node.tone;
-        let fill = tone(theme, of, shade);
-        slate.painter.rect_filled(chip.place, round, fill);
+        painter.rect_filled(place, round, tone(theme, of, shade));
     }
-    outline(slate, chip.place, border, is_asked);
-    let ink = if node.role == Role::Signal && is_asked {
-        theme.signal_text
-    } else {
-        ink
-    };
+    outline(slate, place, slate.stroke(width, border), is_asked);
     let name = slate.value(&node.name, (Face::Strong, NAME_PTS, ink));
-    slate.put(&name, chip.place.center(), Align2::CENTER_CENTER);
+    slate.put(&name, place.center(), Align2::CENTER_CENTER);
 }
 
-/// The outline of a chip, whole or dashed.
 fn outline(slate: &Slate<'_>, place: Rect, stroke: Stroke, is_dashed: bool) {
-    let round = 0.5 * place.height();
-    if !is_dashed {
-        slate
-            .painter
-            .rect_stroke(place, round, stroke, StrokeKind::Inside);
-        return;
+    if is_dashed {
+        let mut path: Vec<_> = plan::rim(place.shrink(0.5 * stroke.width)).collect();
+        path.extend(path.first().copied());
+        slate.dashes(&path, stroke, 3.0, 0.8);
+    } else {
+        let round = 0.5 * place.height();
+        slate.rim(place, round, stroke, StrokeKind::Inside);
     }
-    let mut path: Vec<_> = plan::rim(place.shrink(0.5 * stroke.width)).collect();
-    path.extend(path.first().copied());
-    let dash = slate.pts(3.0);
-    let dashes = egui::Shape::dashed_line(&path, stroke, dash, 0.8 * dash);
-    slate.painter.extend(dashes);
 }
 
 /// Its place in the order, on a disc at that corner of the chip which no arrow runs through.
@@ -192,13 +151,11 @@ fn draw_number(slate: &mut Slate<'_>, place: Rect, number: &Value, plan: &Plan) 
     let disc = corners.into_iter().find(is_clear).unwrap_or(corners[0]);
     let round = 0.5 * disc.height();
     let border = slate.stroke(1.25, theme.accent);
-    slate
-        .painter
-        .rect(disc, round, theme.background, border, StrokeKind::Inside);
+    let painter = slate.painter;
+    painter.rect(disc, round, theme.background, border, StrokeKind::Inside);
     slate.put(&number, disc.center(), Align2::CENTER_CENTER);
 }
 
-/// Why the arrows are there, each beside its own; first this step's.
 fn reasons(slate: &mut Slate<'_>, rect: Rect, plan: &Plan, routes: &[Route<'_>]) {
     let is_now = |route: &&Route<'_>| route.arrow.role == Role::Signal;
     let now = routes.iter().filter(is_now);
@@ -208,31 +165,24 @@ fn reasons(slate: &mut Slate<'_>, rect: Rect, plan: &Plan, routes: &[Route<'_>])
             continue;
         };
         let colour = text_colour(slate.theme(), route.arrow.role);
-        let face = if route.arrow.role == Role::Signal {
-            Face::Strong
-        } else {
-            Face::Plain
-        };
+        let face = Face::strong_if(is_now(&route));
         let words = slate.low(reason, (face, NOTE_PTS, colour));
         let at = route.beside(words.size(), slate.pts(ASIDE));
         put_clear(slate, rect, plan, &words, at);
     }
 }
 
-/// What is said of nodes, to their right or left, else under them.
 fn notes(slate: &mut Slate<'_>, rect: Rect, graph: &Graph, plan: &Plan) {
     for chip in &plan.chips {
         let node = chip.node(graph);
         let Some((node, note)) = node.and_then(|node| Some((node, node.note.as_ref()?))) else {
             continue;
         };
-        let role = if node.role == Role::Signal {
-            Role::Signal
-        } else {
-            Role::Soft
+        let ink = match node.role {
+            Role::Signal => slate.theme().signal_text,
+            _ => slate.theme().soft,
         };
-        let colour = text_colour(slate.theme(), role);
-        let words = slate.low(note, (Face::Plain, NOTE_PTS, colour));
+        let words = slate.low(note, (Face::Plain, NOTE_PTS, ink));
         let off = 0.5 * (chip.place.size() + words.size()) + Vec2::splat(slate.pts(ASIDE));
         let past = plan::number_size(slate, 0.0).x;
         let at = [
@@ -248,33 +198,24 @@ fn notes(slate: &mut Slate<'_>, rect: Rect, graph: &Graph, plan: &Plan) {
     }
 }
 
-/// The name of a cycle, as near to its middle as there is room.
 fn name_ring(slate: &mut Slate<'_>, rect: Rect, ring: &Value, plan: &Plan, routes: &[Route<'_>]) {
-    let of_ring = routes
-        .iter()
-        .filter(|route| route.arrow.kind == ArrowKind::Ring);
-    let middles: Vec<Vec2> = of_ring.map(|route| route.middle().to_vec2()).collect();
-    if middles.is_empty() {
+    let of_ring = |route: &&Route<'_>| route.arrow.kind == ArrowKind::Ring;
+    let middles = routes.iter().filter(of_ring).map(Route::middle);
+    let Some(middle) = arrows::centre(middles) else {
         return;
-    }
-    let sum = middles.iter().fold(Vec2::ZERO, |sum, middle| sum + *middle);
-    let middle = (sum / middles.len() as f32).to_pos2();
+    };
     let style = (Face::Strong, RING_PTS, slate.theme().signal_text);
     let words = slate.value(ring, style);
     let grid = (0..=STEPS).flat_map(|i| (0..=STEPS).map(move |j| [i, j]));
     let grid = grid.map(|place| {
         let [u, v] = place.map(|i| i as f32 / STEPS as f32);
-        pos2(
-            rect.left() + u * rect.width(),
-            rect.top() + v * rect.height(),
-        )
+        rect.min + vec2(u * rect.width(), v * rect.height())
     });
     let mut at: Vec<_> = std::iter::once(middle).chain(grid).collect();
     at.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     put_clear(slate, rect, plan, &words, at);
 }
 
-/// Paints it at the first of these places that is free of text, strokes and chips, if there is one.
 fn put_clear(
     slate: &mut Slate<'_>,
     rect: Rect,

@@ -9,7 +9,7 @@ mod lists;
 mod matrix;
 mod multiples;
 mod number_line;
-mod on_slate;
+mod prelude;
 mod products;
 mod raster;
 mod ribbon;
@@ -22,23 +22,17 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-use egui::{Rect, Role, Sense, Ui, WidgetInfo};
+use egui::Role as Access;
 
-use crate::figure::{Body, Link, View};
+use crate::figure::{Body, View};
 
-use super::look::Look;
+use prelude::*;
 
 pub use space::{
     covered, picture_viewport, projected, space, title as title_of_space, title_ground, under_title,
 };
 
-use on_slate::{Links, OnSlate};
-
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
-#[expect(
-    clippy::must_use_candidate,
-    reason = "drawing is what it is called for"
-)]
 pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>) -> Option<Link> {
     if let Body::Space(body) = &shown.body {
         return space(ui, look, rect, (shown.id, body), &[], lit);
@@ -47,7 +41,7 @@ pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>
     // Two columns may stand side by side, each with views of its own.
     let id = ui.scope_id().with((shown.id, rect.left() as i32));
     let response = ui.interact(rect, id, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, body.spoken(look)));
+    response.widget_info(|| WidgetInfo::labeled(Access::Canvas, true, body.spoken(look)));
     let mut links = Links {
         lit,
         pointer: response.hover_pos(),
@@ -55,12 +49,11 @@ pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>
     };
     // Boxes and rings may reach a little beyond what they go round.
     let painter = ui.painter().with_clip_rect(rect.expand(6.0));
-    let mut slate = body.slate(&painter, look, rect);
+    let mut slate = body.slate(Slate::new(&painter, look), rect.size());
     body.draw(&mut slate, rect, &mut links);
     links.pointed
 }
 
-/// What is drawn on a slate: everything but drawings.
 fn body_of(shown: &View) -> Option<&dyn OnSlate> {
     Some(match &shown.body {
         Body::Plane(_) | Body::Space(_) => return None,

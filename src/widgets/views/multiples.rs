@@ -8,39 +8,29 @@
 //!                                                       └───────────────┘
 //! ```
 
-use egui::{Align2, Painter, Rect, StrokeKind, vec2};
+use crate::figure::{Multiples, SmallDrawing};
 
-use crate::{
-    figure::{Multiples, SmallDrawing},
-    paint::{Around, Viewport, stage},
-};
-
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{Face, Slate},
-};
+use super::prelude::*;
 
 const TITLE_PTS: f32 = 12.5;
+const HEADING: f32 = 1.3 * TITLE_PTS;
 const NOTE_PTS: f32 = 11.5;
-/// White space within a frame, and between two.
 const PAD: f32 = 7.0;
 const GAP: f32 = 8.0;
-/// Between a drawing's outline and its frame.
 const MARGIN: f32 = 5.0;
-/// A drawing is at least so high.
 const LEAST_DRAWING: f32 = 34.0;
 
 impl OnSlate for Multiples {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let n = self.drawings.len().max(1) as f32;
-        Slate::new(painter, look).fitted_in(rect.size(), |slate| {
+        natural.fitted_in(room, |slate| {
             let widths = self.drawings.iter().map(|drawing| {
-                let [title, note] = heading_widths(slate, drawing);
-                title + note
+                let note = drawing.note.as_ref();
+                let note = note.map_or(0.0, |note| slate.width(note, Face::Mono, NOTE_PTS));
+                slate.width(&drawing.title, Face::Strong, TITLE_PTS) + note
             });
             let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
-            let high = heading_height(slate) + slate.pts(2.0 * PAD + LEAST_DRAWING);
+            let high = slate.pts(HEADING) + slate.pts(2.0 * PAD + LEAST_DRAWING);
             vec2(n * (widest + slate.pts(GAP)), high)
         })
     }
@@ -59,18 +49,16 @@ impl OnSlate for Multiples {
 
     fn spoken(&self, look: Look<'_>) -> String {
         let drawing = |drawing: &SmallDrawing| {
-            let arrow = if drawing.is_current { "→ " } else { "" };
+            let arrow = now(drawing.is_current);
             let title = look.catalog.value(&drawing.title);
             let note = drawing.note.as_ref().map(|note| look.catalog.value(note));
             format!("{arrow}{title}: {}", note.unwrap_or_default())
         };
-        let drawings: Vec<String> = self.drawings.iter().map(drawing).collect();
-        drawings.join("; ")
+        joined(self.drawings.iter().map(drawing), "; ")
     }
 }
 
 impl Multiples {
-    /// All of the bounds, with room for markers on their border.
     fn viewport(&self, rect: Rect, margin: f32) -> Viewport {
         let [min, max] = self.bounds;
         let room = rect.shrink(margin).size().max(vec2(1.0, 1.0));
@@ -88,15 +76,13 @@ impl Multiples {
     fn draw_one(&self, slate: &mut Slate<'_>, drawing: &SmallDrawing, place: Rect, is_lit: bool) {
         let theme = slate.theme();
         let frame = match (drawing.is_current, is_lit) {
-            (true, _) => Some(slate.stroke(1.75, theme.signal)),
-            (false, true) => Some(slate.stroke(1.5, theme.accent)),
+            (true, _) => Some((1.75, theme.signal)),
+            (false, true) => Some((1.5, theme.accent)),
             (false, false) => None,
         };
-        if let Some(stroke) = frame {
-            let corner = slate.pts(4.0);
-            slate
-                .painter
-                .rect_stroke(place, corner, stroke, StrokeKind::Inside);
+        if let Some((width, colour)) = frame {
+            let stroke = slate.stroke(width, colour);
+            slate.rim(place, slate.pts(4.0), stroke, StrokeKind::Inside);
         }
         let inner = place.shrink(slate.pts(PAD));
         let (face, title, note) = match (drawing.is_current, drawing.is_to_come) {
@@ -110,34 +96,10 @@ impl Multiples {
             let note = slate.value(value, (Face::Mono, NOTE_PTS, note));
             slate.put(&note, inner.right_top(), Align2::RIGHT_TOP);
         }
-        let top = inner.top() + heading_height(slate);
+        let top = inner.top() + slate.pts(HEADING);
         let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
         let viewport = self.viewport(room, slate.pts(MARGIN));
-        let around = Around {
-            before: &[],
-            covered: &[],
-        };
-        let catalog = slate.look.catalog;
-        stage(
-            slate.painter,
-            &viewport,
-            theme,
-            catalog,
-            &drawing.marks,
-            None,
-            around,
-        );
+        let (look, around) = (slate.look, Around::default());
+        look.stage(slate.painter, &viewport, &drawing.marks, None, around);
     }
-}
-
-fn heading_widths(slate: &Slate<'_>, drawing: &SmallDrawing) -> [f32; 2] {
-    let ink = slate.theme().ink;
-    let title = slate.value(&drawing.title, (Face::Strong, TITLE_PTS, ink));
-    let note = drawing.note.as_ref();
-    let note = note.map(|note| slate.value(note, (Face::Mono, NOTE_PTS, ink)).size().x);
-    [title.size().x, note.unwrap_or(0.0)]
-}
-
-fn heading_height(slate: &Slate<'_>) -> f32 {
-    slate.pts(1.3 * TITLE_PTS)
 }

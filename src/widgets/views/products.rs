@@ -11,50 +11,48 @@
 //!   −9      0                  18
 //! ```
 
-mod measured;
 mod vectors;
 
-use egui::{Align2, Painter, Rect, Vec2, pos2, vec2};
+use crate::figure::{Measured, Product, Products};
 
-use crate::{
-    figure::{Product, Products},
-    paint::Typeset,
-    text::{Notation, Value},
-};
+use super::prelude::*;
 
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{Face, Slate},
-};
-
-/// A drawing's width; its arithmetic stands beside it.
 const WIDTH: f32 = 136.0;
-/// Its height: the least, and the most.
 const HEIGHTS: [f32; 2] = [62.0, 104.0];
-/// Between a drawing and its arithmetic.
 const ASIDE: f32 = 20.0;
-/// A decision is broken into lines when it is wider than this.
 const MOST_WORDS: f32 = 210.0;
-/// It has this width at least.
 const LEAST_WORDS: f32 = 90.0;
-/// Between one product and the next.
 const GAP: f32 = 8.0;
 const DECISION_SIZE: f32 = 14.0;
 const ARITHMETIC_SIZE: f32 = 13.0;
 const AIR: f32 = 4.0;
+// Distances along the normal, from the border: outside to the left of 0, inside to its right.
+const TITLE_SIZE: f32 = 13.5;
+const NAME_SIZE: f32 = 13.0;
+const NUMBER_SIZE: f32 = 13.0;
+const TITLE_GAPS: [f32; 2] = [10.0, 6.0];
+const ROW: f32 = 22.0;
+const BAR: f32 = 30.0;
+const SPAN: f32 = 23.0;
+const PAD: f32 = 24.0;
+const MOST_WIDTH: f32 = 380.0;
 
 impl OnSlate for Products {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        let slate = Slate::with_numbers(painter, look, notation(self));
-        slate.fitted_in(rect.size(), |slate| wanted(slate, self, rect.width()))
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        natural.writing(notation(self)).fitted_in(room, |slate| {
+            let aside = slate.pts(WIDTH + ASIDE);
+            let widths = self.products.iter().map(|product| {
+                let [decision, arithmetic] = words(slate, product, room.x - aside, false);
+                decision.size().x.max(arithmetic.size().x)
+            });
+            let told = widths.fold(0.0, f32::max);
+            let height = n_kept(self) * (least_height(slate, self, room.x) + slate.pts(GAP));
+            vec2(aside + told, height + under(slate, self, room.x))
+        })
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
-        let measured = self.measured.as_ref();
-        let under = measured.map_or(0.0, |measured| {
-            measured::height(slate, measured, rect.width())
-        });
+        let under = under(slate, self, rect.width());
         let room = (rect.height() - under) / n_kept(self) - slate.pts(GAP);
         let least = least_height(slate, self, rect.width());
         let height = room.min(slate.pts(HEIGHTS[1])).max(least);
@@ -66,30 +64,32 @@ impl OnSlate for Products {
             let place = Rect::from_min_size(pos2(rect.left(), top), drawing);
             vectors::draw(slate, place, product, scale);
             let left = place.right() + slate.pts(ASIDE);
-            let words = Rect::from_x_y_ranges(left..=rect.right().max(left + 1.0), place.y_range());
+            let room = Rect::from_x_y_ranges(left..=rect.right().max(left + 1.0), place.y_range());
             // While one is worked out, the other steps back.
-            told(slate, words, product, one_is_current && !product.is_current);
+            let is_soft = one_is_current && !product.is_current;
+            let [decision, arithmetic] = words(slate, product, room.width(), is_soft);
+            let height = decision.size().y + slate.pts(AIR) + arithmetic.size().y;
+            let at = pos2(left, room.center().y - 0.5 * height);
+            let put = slate.put(&decision, at, Align2::LEFT_TOP);
+            let at = pos2(left, put.bottom() + slate.pts(AIR));
+            slate.put(&arithmetic, at, Align2::LEFT_TOP);
             top = place.bottom() + slate.pts(GAP);
         }
-        if let Some(measured) = measured {
-            measured::draw(slate, rect.with_min_y(top), measured);
+        if let Some(measured) = &self.measured {
+            draw_measured(slate, rect.with_min_y(top), measured);
         }
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
         let notation = notation(self);
         let product = |product: &Product| {
-            let arrow = if product.is_current { "→ " } else { "" };
             let decision = look.catalog.message(&product.decision);
-            format!(
-                "{arrow}{decision} {}",
-                look.catalog.formula_as(&product.arithmetic, notation)
-            )
+            let arithmetic = look.catalog.formula_as(&product.arithmetic, notation);
+            format!("{}{decision} {arithmetic}", now(product.is_current))
         };
         let measured = self.measured.iter();
-        let measured = measured.map(|measured| measured::spoken(look, measured, notation));
-        let parts: Vec<String> = self.products.iter().map(product).chain(measured).collect();
-        parts.join("; ")
+        let measured = measured.map(|measured| spoken(look, measured, notation));
+        joined(self.products.iter().map(product).chain(measured), "; ")
     }
 }
 
@@ -104,26 +104,16 @@ fn notation(products: &Products) -> Notation {
     Notation::of(&values)
 }
 
-/// Room for two from the start: nothing moves when the second comes.
 fn n_kept(products: &Products) -> f32 {
     products.products.len().max(2) as f32
 }
 
-fn wanted(slate: &Slate<'_>, products: &Products, room: f32) -> Vec2 {
-    let aside = slate.pts(WIDTH + ASIDE);
-    let widths = products.products.iter().map(|product| {
-        let [decision, arithmetic] = words(slate, product, (room - aside, false));
-        decision.size().x.max(arithmetic.size().x)
-    });
-    let told = widths.fold(0.0, f32::max);
-    let height = n_kept(products) * (least_height(slate, products, room) + slate.pts(GAP));
+fn under(slate: &Slate<'_>, products: &Products, room: f32) -> f32 {
     let measured = products.measured.as_ref();
-    let measured = measured.map_or(0.0, |measured| measured::height(slate, measured, room));
-    vec2(aside + told, height + measured)
+    measured.map_or(0.0, |measured| height(slate, measured, room))
 }
 
-/// What is said of a product: its decision, and the arithmetic under it.
-fn words(slate: &Slate<'_>, product: &Product, (width, is_soft): (f32, bool)) -> [Typeset; 2] {
+fn words(slate: &Slate<'_>, product: &Product, width: f32, is_soft: bool) -> [Typeset; 2] {
     let theme = slate.theme();
     let ink = if is_soft { theme.soft } else { theme.ink };
     let width = width.min(slate.pts(MOST_WORDS)).max(slate.pts(LEAST_WORDS));
@@ -134,21 +124,174 @@ fn words(slate: &Slate<'_>, product: &Product, (width, is_soft): (f32, bool)) ->
     ]
 }
 
-/// So high is a drawing at least that what is said beside it has room.
 fn least_height(slate: &Slate<'_>, products: &Products, room: f32) -> f32 {
     let width = room - slate.pts(WIDTH + ASIDE);
     let heights = products.products.iter().map(|product| {
-        let [decision, arithmetic] = words(slate, product, (width, false));
+        let [decision, arithmetic] = words(slate, product, width, false);
         decision.size().y + slate.pts(AIR) + arithmetic.size().y
     });
     heights.fold(slate.pts(HEIGHTS[0]), f32::max)
 }
 
-fn told(slate: &mut Slate<'_>, place: Rect, product: &Product, is_soft: bool) {
-    let [decision, arithmetic] = words(slate, product, (place.width(), is_soft));
-    let height = decision.size().y + slate.pts(AIR) + arithmetic.size().y;
-    let top = place.center().y - 0.5 * height;
-    let put = slate.put(&decision, pos2(place.left(), top), Align2::LEFT_TOP);
-    let at = pos2(place.left(), put.bottom() + slate.pts(AIR));
-    slate.put(&arithmetic, at, Align2::LEFT_TOP);
+fn height(slate: &Slate<'_>, measured: &Measured, room: f32) -> f32 {
+    let spans = measured.spans.len() as f32 * SPAN;
+    let under = slate.pts(TITLE_GAPS[0] + TITLE_GAPS[1] + 2.0 * ROW + BAR + spans);
+    title(slate, measured, width(slate, room)).size().y + under
+}
+
+fn width(slate: &Slate<'_>, room: f32) -> f32 {
+    room.min(slate.pts(MOST_WIDTH))
+}
+
+fn title(slate: &Slate<'_>, measured: &Measured, width: f32) -> Typeset {
+    let style = (Face::Strong, TITLE_SIZE, slate.theme().ink);
+    slate.sentence(&measured.title, width, style)
+}
+
+fn draw_measured(slate: &mut Slate<'_>, rect: Rect, measured: &Measured) {
+    let width = width(slate, rect.width());
+    let title = title(slate, measured, width);
+    let at = rect.left_top() + vec2(0.0, slate.pts(TITLE_GAPS[0]));
+    let bottom = slate.put(&title, at, Align2::LEFT_TOP).bottom();
+    let top = bottom + slate.pts(TITLE_GAPS[1] + ROW);
+    let bar = Rect::from_min_size(pos2(rect.left(), top), vec2(width, slate.pts(BAR)));
+    let scale = Scale::of(slate, bar, measured);
+    // Outside, inside, and the border between them.
+    let theme = slate.theme();
+    let zero = scale.x(0.0);
+    let outside = wash(theme, Role::Signal);
+    let sides = [bar.with_max_x(zero), bar.with_min_x(zero)];
+    for (side, fill) in sides.into_iter().zip([outside, theme.accent_wash]) {
+        slate.painter.rect_filled(side, 0.0, fill);
+    }
+    let over = slate.pts(4.0);
+    let ends = [bar.top() - over, bar.bottom() + over].map(|y| pos2(zero, y));
+    let stroke = slate.stroke(2.25, theme.signal);
+    slate.painter.line_segment(ends, stroke);
+    segment(slate, bar, &scale, measured);
+    names(slate, bar, &scale, measured);
+    for (nth, span) in measured.spans.iter().enumerate() {
+        let y = bar.bottom() + slate.pts(ROW + (nth as f32 + 0.5) * SPAN);
+        length(slate, y.round() + 0.5, &scale, bar.right(), span);
+    }
+}
+
+struct Scale {
+    left: f32,
+    low: f64,
+    per_unit: f64,
+}
+
+impl Scale {
+    fn of(slate: &Slate<'_>, bar: Rect, measured: &Measured) -> Self {
+        let ends = measured.ends.iter().map(|(_, at)| *at);
+        let low = ends.clone().fold(0.0, f64::min);
+        let high = ends.fold(0.0, f64::max);
+        let pad = slate.pts(PAD);
+        let room = f64::from(bar.width() - 2.0 * pad);
+        Self {
+            left: bar.left() + pad,
+            low,
+            per_unit: room / (high - low).max(1e-12),
+        }
+    }
+
+    fn x(&self, at: f64) -> f32 {
+        self.left + ((at - self.low) * self.per_unit) as f32
+    }
+}
+
+fn segment(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured) {
+    let theme = slate.theme();
+    let y = bar.center().y;
+    let at = |distance: f64| pos2(scale.x(distance), y);
+    let [a, b] = [measured.ends[0].1, measured.ends[1].1];
+    let [low, high] = [a.min(b), a.max(b)];
+    let stroke = slate.stroke(2.25, theme.accent);
+    if low < 0.0 {
+        slate.dashed([at(low), at(high.min(0.0))], stroke, 6.0);
+    }
+    if high > 0.0 {
+        slate.line([at(low.max(0.0)), at(high)], stroke);
+    }
+    let r = slate.pts(5.0);
+    for (_, distance) in &measured.ends {
+        let painter = slate.painter;
+        painter.circle(at(*distance), r, theme.background, stroke);
+    }
+    if low < 0.0 && high > 0.0 {
+        let halo = slate.stroke(1.5, theme.background);
+        slate.painter.circle(at(0.0), r, theme.signal, halo);
+    }
+}
+
+fn names(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured) {
+    let theme = slate.theme();
+    let room = bar.expand2(vec2(slate.pts(4.0), slate.pts(2.0 * ROW)));
+    let above = bar.top() - 0.6 * slate.pts(ROW);
+    let below = bar.bottom() + 0.6 * slate.pts(ROW);
+    let [(first, from), (second, to)] = &measured.ends;
+    let zero = (Face::Strong, NAME_SIZE, theme.signal_text);
+    let end = (Face::Strong, NAME_SIZE, theme.accent);
+    let number = (Face::Plain, NUMBER_SIZE, theme.ink);
+    let numbers = [*from, *to, 0.0].map(|at| (Value::Number(at), at, below, number));
+    let names = [
+        (measured.zero.clone(), 0.0, above, zero),
+        (first.clone(), *from, above, end),
+        (second.clone(), *to, above, end),
+    ];
+    let labels = names.into_iter().chain(numbers);
+    for (value, distance, y, style) in labels {
+        let text = slate.value(&value, style);
+        let outward = if distance <= from.min(*to) { -1.0 } else { 1.0 };
+        let centres = (0..16).flat_map(|nth| {
+            let aside = outward * slate.pts(4.0 * nth as f32);
+            [aside, -aside].map(|aside| pos2(scale.x(distance) + aside, y))
+        });
+        let centres: Vec<Pos2> = centres.collect();
+        // The same distance twice, or 0 where an end stands there: once is enough.
+        slate.put_free(&text, room, centres);
+    }
+}
+
+fn length(
+    slate: &mut Slate<'_>,
+    y: f32,
+    scale: &Scale,
+    most: f32,
+    ([from, to], value, role): &([f64; 2], Value, Role),
+) {
+    let stroke = slate.stroke(1.5, colour(slate.theme(), *role));
+    let [from, to] = [scale.x(from.min(*to)), scale.x(from.max(*to))];
+    let tick = slate.pts(4.5);
+    for x in [from, to] {
+        slate.line([pos2(x, y - tick), pos2(x, y + tick)], stroke);
+    }
+    let ink = text_colour(slate.theme(), *role);
+    let text = slate.value(value, (Face::Strong, NAME_SIZE, ink));
+    let half = 0.5 * text.size().x + slate.pts(6.0);
+    let middle = 0.5 * (from + to);
+    if to - from > 2.0 * half + slate.pts(12.0) {
+        slate.line([pos2(from, y), pos2(middle - half, y)], stroke);
+        slate.line([pos2(middle + half, y), pos2(to, y)], stroke);
+        slate.put(&text, pos2(middle, y), Align2::CENTER_CENTER);
+        return;
+    }
+    slate.line([pos2(from, y), pos2(to, y)], stroke);
+    let aside = slate.pts(6.0) + tick;
+    if to + aside + text.size().x <= most {
+        slate.put(&text, pos2(to + aside, y), Align2::LEFT_CENTER);
+    } else {
+        slate.put(&text, pos2(from - aside, y), Align2::RIGHT_CENTER);
+    }
+}
+
+/// `Measured along n, from the edge: P₁ −9, P₂ 18; 9; n·D = 27`.
+fn spoken(look: Look<'_>, measured: &Measured, notation: Notation) -> String {
+    let said = |value: &Value| look.catalog.value_as(value, notation);
+    let ends = measured.ends.iter();
+    let ends = ends.map(|(name, at)| format!("{} {}", said(name), said(&Value::Number(*at))));
+    let spans = measured.spans.iter().map(|(_, value, _)| said(value));
+    let title = look.catalog.message(&measured.title);
+    format!("{title}: {}; {}", joined(ends, ", "), joined(spans, "; "))
 }

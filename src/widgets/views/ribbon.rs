@@ -8,46 +8,28 @@
 //!   ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒┃▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒│░░░░░░░░░░░░░░░░░░░
 //! ```
 
-use egui::{Align2, Painter, Rect, pos2, vec2};
+use crate::figure::{Ribbon, RibbonStage};
 
-use crate::{
-    figure::{Ribbon, RibbonStage},
-    paint::Typeset,
-    text::Value,
-};
-
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{Face, Slate},
-};
+use super::prelude::*;
 
 const TITLE_PTS: f32 = 11.5;
 const COUNTS_PTS: f32 = 13.0;
 const CHANGE_PTS: f32 = 11.5;
-/// Between a gate and what is written beside it.
 const ASIDE: f32 = 8.0;
-/// From the words to the highest band.
 const UNDER_WORDS: f32 = 5.0;
-/// The band's height, at least.
 const LEAST_BAND: f32 = 24.0;
-/// What a gate has taken away reaches so far into its stage, at most.
 const STUB: f32 = 34.0;
 
 impl OnSlate for Ribbon {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let n = self.stages.len().max(1) as f32;
-        Slate::new(painter, look).fitted_in(rect.size(), |slate| {
-            let widths = self.stages.iter().map(|stage| {
-                let words = words(slate, stage, f32::INFINITY);
-                words
-                    .map(|words| words.size().x)
-                    .into_iter()
-                    .fold(0.0, f32::max)
-            });
-            let widest = widths.fold(0.0, f32::max) + slate.pts(1.5 * ASIDE);
+        natural.fitted_in(room, |slate| {
+            let all = self.stages.iter();
+            let all = all.flat_map(|stage| words(slate, stage, f32::INFINITY));
+            let widest = all.map(|words| words.size().x).fold(0.0, f32::max);
             let high = words_height(slate, self, f32::INFINITY);
-            vec2(n * widest, high + slate.pts(UNDER_WORDS + LEAST_BAND))
+            let high = high + slate.pts(UNDER_WORDS + LEAST_BAND);
+            vec2(n * (widest + slate.pts(1.5 * ASIDE)), high)
         })
     }
 
@@ -66,13 +48,16 @@ impl OnSlate for Ribbon {
             fill(slate, stage, place);
         }
         for (i, stage) in self.stages.iter().enumerate() {
-            let before = i.checked_sub(1).map(|before| places[before].top());
-            if let Some(before) = before {
-                change(slate, stage, places[i], (before, top));
+            if let Some(before) = i.checked_sub(1) {
+                change(slate, stage, places[i], (places[before].top(), top));
             }
             let is_at_work = self.at_work == Some(i);
             if i > 0 || is_at_work {
-                gate(slate, rect, places[i].left(), is_at_work);
+                let theme = slate.theme();
+                let quiet = theme.hairline.lerp_to_gamma(theme.faint, 0.4);
+                let colour = if is_at_work { theme.signal } else { quiet };
+                let line = slate.stroke(if is_at_work { 2.5 } else { 1.0 }, colour);
+                slate.painter.vline(places[i].left(), rect.y_range(), line);
             }
             let aside = if i == 0 { 0.0 } else { slate.pts(ASIDE) };
             let mut at = pos2(places[i].left() + aside, rect.top());
@@ -85,7 +70,7 @@ impl OnSlate for Ribbon {
 
     fn spoken(&self, look: Look<'_>) -> String {
         let stage = |(i, stage): (usize, &RibbonStage)| {
-            let arrow = if self.at_work == Some(i) { "→ " } else { "" };
+            let arrow = now(self.at_work == Some(i));
             let title = look.catalog.message(&stage.title);
             if stage.is_to_come {
                 return format!("{arrow}{title}");
@@ -93,8 +78,7 @@ impl OnSlate for Ribbon {
             let counts = look.catalog.message(&stage.counts);
             format!("{arrow}{title}: {counts}")
         };
-        let stages: Vec<String> = self.stages.iter().enumerate().map(stage).collect();
-        stages.join("; ")
+        joined(self.stages.iter().enumerate().map(stage), "; ")
     }
 }
 
@@ -109,27 +93,28 @@ impl Ribbon {
 
 fn fill(slate: &Slate<'_>, stage: &RibbonStage, place: Rect) {
     let theme = slate.theme();
-    let strength = if stage.is_to_come { 0.09 } else { 0.27 };
-    let tint = theme.background.lerp_to_gamma(theme.accent, strength);
-    slate.painter.rect_filled(place, 0.0, tint);
-    let (edge, width) = if stage.is_to_come {
-        (theme.background.lerp_to_gamma(theme.accent, 0.4), 1.0)
+    let tint = |strength| theme.background.lerp_to_gamma(theme.accent, strength);
+    let (fill, edge, width) = if stage.is_to_come {
+        (tint(0.09), tint(0.4), 1.0)
     } else {
-        (theme.accent, 2.0)
+        (tint(0.27), theme.accent, 2.0)
     };
+    slate.painter.rect_filled(place, 0.0, fill);
     if stage.amount > 0 {
         let edge = slate.stroke(width, edge);
         slate.painter.hline(place.x_range(), place.top(), edge);
     }
 }
 
-/// What a gate took away, from the height before; what it added is within the band.
 fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, (before, top): (f32, f32)) {
     let theme = slate.theme();
     let Some(by) = stage.change.filter(|&by| by != 0) else {
         return;
     };
-    let text = signed(slate, by);
+    let number = slate.look.catalog.value(&Value::Number(by as f64));
+    let sign = if by > 0 { "+" } else { "" };
+    let style = (Face::Mono, CHANGE_PTS, theme.soft);
+    let text = slate.words(format!("{sign}{number}"), style);
     let stub = slate.pts(STUB).min(0.4 * place.width());
     let end = place.left() + stub;
     let is_loss = before < place.top();
@@ -148,24 +133,6 @@ fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, (before, top)
     slate.put(&text, pos2(end + gap, y), Align2::LEFT_TOP);
 }
 
-fn signed(slate: &Slate<'_>, by: i64) -> Typeset {
-    let number = slate.look.catalog.value(&Value::Number(by as f64));
-    let sign = if by > 0 { "+" } else { "" };
-    let style = (Face::Mono, CHANGE_PTS, slate.theme().soft);
-    slate.words(format!("{sign}{number}"), style)
-}
-
-fn gate(slate: &Slate<'_>, rect: Rect, x: f32, is_at_work: bool) {
-    let theme = slate.theme();
-    let line = if is_at_work {
-        slate.stroke(2.5, theme.signal)
-    } else {
-        slate.stroke(1.0, theme.hairline.lerp_to_gamma(theme.faint, 0.4))
-    };
-    slate.painter.vline(x, rect.y_range(), line);
-}
-
-/// A stage's title, and its counts, which stand under it once they are known.
 fn words(slate: &Slate<'_>, stage: &RibbonStage, width: f32) -> [Typeset; 2] {
     let theme = slate.theme();
     [

@@ -7,29 +7,18 @@
 //!            └──────┘                            └──────┘
 //! ```
 
-use egui::{Align2, Painter, Rect, vec2};
+use crate::figure::{Screen, Screens};
 
-use crate::{
-    figure::{Screen, Screens},
-    paint::{self, Around, Viewport},
-};
-
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{Face, Slate, text_colour},
-};
+use super::{super::hit, prelude::*};
 
 const TITLE_PTS: f32 = 13.0;
 const NOTE_PTS: f32 = 12.0;
-/// Between a title and its note, and between one screen and the next.
 const GAP: f32 = 10.0;
-/// Under a title.
 const UNDER: f32 = 3.0;
 
 impl OnSlate for Screens {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        Slate::new(painter, look).fitted_in(rect.size(), |slate| {
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        natural.fitted_in(room, |slate| {
             let widths = self.screens.iter().map(|screen| {
                 let [title, note] = words(slate, screen);
                 title.size().x + slate.pts(GAP) + note.size().x
@@ -42,42 +31,33 @@ impl OnSlate for Screens {
         let n = self.screens.len().max(1) as f32;
         let gap = slate.pts(GAP);
         let height = ((rect.height() - (n - 1.0) * gap) / n).floor();
+        let place = Rect::from_min_size(rect.left_top(), vec2(rect.width(), height));
         for (nth, screen) in self.screens.iter().enumerate() {
             let top = rect.top() + (nth as f32 * (height + gap)).round();
-            let place = Rect::from_min_size(rect.left_top(), vec2(rect.width(), height));
-            draw_screen(
-                slate,
-                place.translate(vec2(0.0, top - rect.top())),
-                screen,
-                links,
-            );
+            let place = place.translate(vec2(0.0, top - rect.top()));
+            draw_screen(slate, place, screen, links);
         }
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
         let spoken = |screen: &Screen| {
             let labels = screen.marks.iter().filter_map(|mark| mark.label.as_ref());
-            let labels: Vec<String> = labels.map(|l| look.catalog.value(&l.text)).collect();
-            let [title, note] = [
-                look.catalog.value(&screen.title),
-                look.catalog.message(&screen.note),
-            ];
-            format!("{title}: {note} ({})", labels.join("; "))
+            let labels = joined(labels.map(|l| look.catalog.value(&l.text)), "; ");
+            let title = look.catalog.value(&screen.title);
+            let note = look.catalog.message(&screen.note);
+            format!("{title}: {note} ({labels})")
         };
-        let screens: Vec<String> = self.screens.iter().map(spoken).collect();
-        screens.join("\n")
+        joined(self.screens.iter().map(spoken), "\n")
     }
 }
 
-fn words(slate: &Slate<'_>, screen: &Screen) -> [paint::Typeset; 2] {
+fn words(slate: &Slate<'_>, screen: &Screen) -> [Typeset; 2] {
     let theme = slate.theme();
-    let title = slate.value(&screen.title, (Face::Strong, TITLE_PTS, theme.ink));
-    let colour = text_colour(theme, screen.role);
-    let note = slate.words(
-        slate.look.catalog.message(&screen.note),
-        (Face::Plain, NOTE_PTS, colour),
-    );
-    [title, note]
+    let style = (Face::Plain, NOTE_PTS, text_colour(theme, screen.role));
+    [
+        slate.value(&screen.title, (Face::Strong, TITLE_PTS, theme.ink)),
+        slate.words(slate.look.catalog.message(&screen.note), style),
+    ]
 }
 
 fn draw_screen(slate: &mut Slate<'_>, place: Rect, screen: &Screen, links: &mut Links) {
@@ -97,19 +77,10 @@ fn draw_screen(slate: &mut Slate<'_>, place: Rect, screen: &Screen, links: &mut 
         centre: [0.0; 2],
         scale: fits[0].min(fits[1]).max(1.0),
     };
-    let Look { theme, catalog } = slate.look;
     let painter = slate.painter.with_clip_rect(picture);
-    paint::stage(
-        &painter,
-        &viewport,
-        theme,
-        catalog,
-        &screen.marks,
-        links.lit,
-        Around::default(),
-    );
+    let (look, marks) = (slate.look, &screen.marks);
+    look.stage(&painter, &viewport, marks, links.lit, Around::default());
     if let Some(pointer) = links.pointer.filter(|at| picture.contains(*at)) {
-        links.pointed =
-            super::super::hit::link_at(&viewport, &screen.marks, pointer).or(links.pointed);
+        links.pointed = hit::link_at(&viewport, marks, pointer).or(links.pointed);
     }
 }

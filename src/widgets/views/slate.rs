@@ -1,57 +1,49 @@
 //! What a view is drawn on: faces, colours and strokes at one scale. It remembers where everything stands, so that
 //! a label finds a free place, and a test sees what overlaps.
 
-use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
+use egui::FontFamily;
 
 use crate::{
     figure::Role,
-    paint::{Span, Theme, Typeset, crosses, fonts::semibold},
-    text::{Formula, Message, Notation, Piece, Value},
+    paint::{crosses, fonts::semibold},
+    text::Piece,
 };
 
-use super::super::look::Look;
+use super::{super::prelude::*, fold::more};
 
 /// Text is not set smaller than this part of its natural size: what has still no room is folded, or left out.
 pub const LEAST_SCALE: f32 = 0.6;
-
 /// Text is set in few sizes: glyphs of each are drawn once, and a run has many steps.
 const STEP: f32 = 1.0 / 64.0;
-
-/// The size of a view's title, in points.
 const TITLE_PTS: f32 = 13.0;
 
-/// The faces that views are set in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Face {
-    /// Words and symbols.
     Plain,
-    /// The one that matters in its row.
     Strong,
-    /// Codes and numbers that stand in columns.
     Mono,
 }
 
-/// How something is set: face, size in points before any scale, colour.
+impl Face {
+    pub const fn strong_if(is_strong: bool) -> Self {
+        if is_strong { Self::Strong } else { Self::Plain }
+    }
+}
+
 pub type Style = (Face, f32, Color32);
 
 /// A painter with a scale and a memory.
 pub struct Slate<'a> {
-    /// Paints.
     pub painter: &'a Painter,
-    /// Colours and language.
     pub look: Look<'a>,
-    /// Factor on every length, text included.
     pub scale: f32,
     /// How the numbers of the view are written; else those of a value suit each other.
     notation: Option<Notation>,
-    /// Where text stands.
     pub texts: Vec<Rect>,
-    /// What text keeps clear of.
     pub strokes: Vec<[Pos2; 2]>,
 }
 
 impl<'a> Slate<'a> {
-    /// At natural size.
     pub const fn new(painter: &'a Painter, look: Look<'a>) -> Self {
         Self {
             painter,
@@ -63,62 +55,40 @@ impl<'a> Slate<'a> {
         }
     }
 
-    /// As large as `room` lets it be, and at most so many times its natural size; `wanted` says how much a slate of some
-    /// scale needs.
-    pub fn grown(
-        painter: &'a Painter,
-        look: Look<'a>,
-        room: Vec2,
-        most: f32,
-        wanted: impl Fn(&Self) -> Vec2,
-    ) -> Self {
-        let slate = Self::new(painter, look);
-        let least = LEAST_SCALE * slate.scale;
-        let scale = slate.scale * most;
-        Self { scale, ..slate }.shrunk_to(least, room, wanted)
-    }
-
-    /// The same where numbers stand beside each other.
-    pub fn with_numbers(painter: &'a Painter, look: Look<'a>, notation: Notation) -> Self {
-        Self::new(painter, look).writing(notation)
-    }
-
-    /// The same slate where numbers stand beside each other.
     pub fn writing(self, notation: Notation) -> Self {
-        Self {
-            notation: Some(notation),
-            ..self
-        }
+        let notation = Some(notation);
+        Self { notation, ..self }
     }
 
-    /// As large as `room` lets it be, and at most of natural size.
-    pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
+    /// As large as `room` lets it be, and at most so many times its size; `wanted` is what a slate of some scale needs.
+    pub fn grown_in(self, room: Vec2, most: f32, wanted: impl Fn(&Self) -> Vec2) -> Self {
         let least = LEAST_SCALE * self.scale;
-        self.shrunk_to(least, room, wanted)
+        let scale = self.scale * most;
+        Self { scale, ..self }.shrunk_to(least, room, wanted)
     }
 
-    /// As large as `room` lets it be, down to this scale.
-    pub fn shrunk_to(self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
-        let mut slate = self;
+    pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
+        self.grown_in(room, 1.0, wanted)
+    }
+
+    pub fn shrunk_to(mut self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
         // Text does not shrink evenly, as glyphs stand on whole pixels: what comes out is measured again.
         for _ in 0..8 {
-            let wanted = wanted(&slate);
+            let wanted = wanted(&self);
             let part = (room.x / wanted.x).min(room.y / wanted.y);
-            if part >= 1.0 || slate.scale <= least {
+            if part >= 1.0 || self.scale <= least {
                 break;
             }
-            let scale = (slate.scale * part / STEP).ceil() - 1.0;
-            slate.scale = (scale * STEP).max(least);
+            let scale = (self.scale * part / STEP).ceil() - 1.0;
+            self.scale = (scale * STEP).max(least);
         }
-        slate
+        self
     }
 
-    /// The theme.
     pub const fn theme(&self) -> &'a Theme {
         self.look.theme
     }
 
-    /// A length in points at this scale.
     pub fn pts(&self, natural: f32) -> f32 {
         natural * self.scale
     }
@@ -132,81 +102,74 @@ impl<'a> Slate<'a> {
         FontId::new(self.pts(size), family)
     }
 
-    /// A value, set.
-    pub fn value(&self, value: &Value, (face, size, colour): Style) -> Typeset {
-        let font = self.font(face, size);
-        let catalog = self.look.catalog;
-        let pieces = match self.notation {
-            Some(notation) => catalog.value_pieces_as(value, notation),
-            None => catalog.value_pieces(value),
-        };
-        self.set(pieces, font, colour)
+    fn pieces(&self, value: &Value) -> Vec<Piece> {
+        let notation = self.notation.unwrap_or_else(|| Notation::of([value]));
+        self.look.catalog.value_pieces_as(value, notation)
     }
 
-    /// A formula, set.
-    pub fn formula(&self, formula: &Formula, (face, size, colour): Style) -> Typeset {
-        let font = self.font(face, size);
+    fn set(&self, pieces: Vec<Piece>, (face, size, colour): Style) -> Typeset {
+        let span = Span::upright(pieces, self.font(face, size), colour);
+        Typeset::line(self.painter, &[span])
+    }
+
+    pub fn value(&self, value: &Value, style: Style) -> Typeset {
+        self.set(self.pieces(value), style)
+    }
+
+    pub fn formula(&self, formula: &Formula, style: Style) -> Typeset {
         let catalog = self.look.catalog;
         let pieces = match self.notation {
             Some(notation) => catalog.formula_pieces_as(formula, notation),
             None => catalog.formula_pieces(formula),
         };
-        self.set(pieces, font, colour)
+        self.set(pieces, style)
     }
 
-    fn set(&self, pieces: Vec<Piece>, font: FontId, colour: Color32) -> Typeset {
-        let span = Span::upright(pieces, font, colour);
-        Typeset::line(self.painter, &[span])
+    pub fn words(&self, words: impl AsRef<str>, (face, size, colour): Style) -> Typeset {
+        Typeset::text(self.painter, words, self.font(face, size), colour)
     }
 
-    /// Words, set.
-    pub fn words(&self, words: impl Into<String>, (face, size, colour): Style) -> Typeset {
-        let font = self.font(face, size);
-        Typeset::text(self.painter, words.into(), font, colour)
-    }
-
-    /// A value on one plain line, its quotients not stacked: where rows are low.
     pub fn low(&self, value: &Value, style: Style) -> Typeset {
-        let catalog = self.look.catalog;
-        let words = match self.notation {
-            Some(notation) => catalog.value_as(value, notation),
-            None => catalog.value(value),
-        };
-        self.words(words, style)
+        self.words(Piece::plain(&self.pieces(value)), style)
     }
 
-    /// A sentence, on as many lines as it takes.
+    pub fn width(&self, value: &Value, face: Face, size: f32) -> f32 {
+        self.value(value, (face, size, Color32::PLACEHOLDER))
+            .size()
+            .x
+    }
+
     pub fn sentence(&self, message: &Message, width: f32, (face, size, colour): Style) -> Typeset {
-        let font = self.font(face, size);
         let catalog = self.look.catalog;
         let pieces = match self.notation {
             Some(notation) => catalog.message_pieces_as(message, notation),
             None => catalog.message_pieces(message),
         };
-        Typeset::wrapped(self.painter, &[Span::upright(pieces, font, colour)], width)
+        let span = Span::upright(pieces, self.font(face, size), colour);
+        Typeset::wrapped(self.painter, &[span], width)
     }
 
-    /// Paints it with this corner, edge or middle of its box at `at`; the box.
+    pub fn more(&self, count: usize, size: f32) -> Typeset {
+        let words = self.look.catalog.message(&more(count));
+        self.words(words, (Face::Plain, size, self.theme().soft))
+    }
+
     pub fn put(&mut self, text: &Typeset, at: Pos2, align: Align2) -> Rect {
         let rect = text.paint(self.painter, at, align);
         self.texts.push(rect);
         rect
     }
 
-    /// A view's title in its upper left corner, smaller where there is little room.
     pub fn title(&mut self, title: &Value, room: Rect) {
         let style = |pts: f32| (Face::Strong, pts, self.theme().ink);
-        let set = self.value(title, style(TITLE_PTS));
+        let mut set = self.value(title, style(TITLE_PTS));
         let part = room.width() / set.size().x;
-        let set = if part < 1.0 {
-            self.value(title, style(0.97 * part * TITLE_PTS))
-        } else {
-            set
-        };
+        if part < 1.0 {
+            set = self.value(title, style(0.97 * part * TITLE_PTS));
+        }
         self.put(&set, room.min, Align2::LEFT_TOP);
     }
 
-    /// Is there nothing within this rectangle and beside it?
     pub fn is_free(&self, place: Rect) -> bool {
         let around = place.expand2(vec2(self.pts(5.0), self.pts(1.0)));
         self.texts.iter().all(|text| !text.intersects(around))
@@ -227,37 +190,54 @@ impl<'a> Slate<'a> {
         Some(self.put(text, centre, Align2::CENTER_CENTER))
     }
 
-    /// A stroke of this theme.
     pub fn stroke(&self, width: f32, colour: Color32) -> Stroke {
         self.theme().stroke(width, colour)
     }
 
-    /// A line that text keeps clear of.
     pub fn line(&mut self, ends: [Pos2; 2], stroke: Stroke) {
         self.painter.line_segment(ends, stroke);
         self.strokes.push(ends);
     }
 
-    /// A dashed line that text keeps clear of.
     pub fn dashed(&mut self, ends: [Pos2; 2], stroke: Stroke, dash: f32) {
-        let dash = self.pts(dash);
-        let shapes = Shape::dashed_line(&ends, stroke, dash, 0.75 * dash);
-        self.painter.extend(shapes);
+        self.dashes(&ends, stroke, dash, 0.75);
         self.strokes.push(ends);
     }
 
-    /// An arrowhead with its tip here, as long as this, pointing along `along`.
+    pub fn dashes(&self, path: &[Pos2], stroke: Stroke, dash: f32, gap: f32) {
+        let dash = self.pts(dash);
+        let shapes = Shape::dashed_line(path, stroke, dash, gap * dash);
+        self.painter.extend(shapes);
+    }
+
+    pub fn dashed_box(&self, place: Rect, stroke: Stroke, gap: f32) {
+        let [a, c] = [place.min, place.max];
+        let [b, d] = [place.right_top(), place.left_bottom()];
+        self.dashes(&[a, b, c, d, a], stroke, 3.5, gap);
+    }
+
+    pub fn rim(&self, place: Rect, corner: f32, stroke: Stroke, kind: StrokeKind) {
+        self.painter.rect_stroke(place, corner, stroke, kind);
+    }
+
+    pub fn area(&self, corners: Vec<Pos2>, colour: Color32) {
+        let area = Shape::convex_polygon(corners, colour, Stroke::NONE);
+        self.painter.add(area);
+    }
+
+    pub fn ring(&self, place: Rect, corner: f32, width: f32) {
+        let stroke = self.stroke(width, self.theme().accent);
+        self.rim(place, corner, stroke, StrokeKind::Middle);
+    }
+
     pub fn head(&mut self, tip: Pos2, along: Vec2, length: f32, colour: Color32) {
         let along = along.normalized() * length;
         let across = along.rot90() * 0.48;
         let foot = tip - along;
-        let corners = vec![tip, foot + across, foot - across];
-        let head = Shape::convex_polygon(corners, colour, Stroke::NONE);
-        self.painter.add(head);
+        self.area(vec![tip, foot + across, foot - across], colour);
         self.strokes.push([tip, foot]);
     }
 
-    /// A line with a head at its second end.
     pub fn arrow(&mut self, [from, to]: [Pos2; 2], stroke: Stroke) {
         let length = self.head_length(stroke.width);
         let along = to - from;
@@ -270,13 +250,15 @@ impl<'a> Slate<'a> {
         self.head(to, along, length, stroke.color);
     }
 
-    /// How long the head of an arrow of this width is.
     pub fn head_length(&self, width: f32) -> f32 {
         self.pts(6.0) + 2.0 * width
     }
 }
 
-/// The colour of marks of a role.
+pub fn cross(at: Pos2, arm: f32) -> [[Pos2; 2]; 2] {
+    [-arm, arm].map(|y| [at + vec2(-arm, -y), at + vec2(arm, y)])
+}
+
 pub const fn colour(theme: &Theme, role: Role) -> Color32 {
     match role {
         Role::Ink => theme.ink,
@@ -289,17 +271,15 @@ pub const fn colour(theme: &Theme, role: Role) -> Color32 {
     }
 }
 
-/// The colour of text of a role: thinner than strokes, so darker where those are light.
+/// Of text: thinner than strokes, so darker where those are light.
 pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
     match role {
         Role::Signal => theme.signal_text,
-        Role::Accepted => theme.accepted,
         Role::Faint | Role::Discarded => theme.soft,
-        Role::Ink | Role::Soft | Role::Accent => colour(theme, role),
+        Role::Ink | Role::Soft | Role::Accent | Role::Accepted => colour(theme, role),
     }
 }
 
-/// The colour of a surface that belongs to a role.
 pub fn wash(theme: &Theme, role: Role) -> Color32 {
     let tint = |colour| theme.background.lerp_to_gamma(colour, 0.1);
     match role {
@@ -308,5 +288,65 @@ pub fn wash(theme: &Theme, role: Role) -> Color32 {
         Role::Accepted => tint(theme.accepted),
         Role::Ink | Role::Soft | Role::Faint => theme.panel,
         Role::Discarded => theme.background,
+    }
+}
+
+pub const DARKEST: f32 = 0.45;
+
+/// Of what is seen in a picture, the darker the larger the shade, light enough for ink.
+pub fn tone(theme: &Theme, role: Role, shade: f64) -> Color32 {
+    shaded(theme, role, shade, DARKEST)
+}
+
+pub fn shaded(theme: &Theme, role: Role, shade: f64, darkest: f32) -> Color32 {
+    let colour = match role {
+        Role::Ink | Role::Soft | Role::Faint | Role::Discarded => theme.soft,
+        Role::Accent | Role::Signal | Role::Accepted => colour(theme, role),
+    };
+    let strength = 0.1 + (darkest - 0.1) * shade.clamp(0.0, 1.0) as f32;
+    colour.gamma_multiply(strength)
+}
+
+/// What a kind of view has to say so that it is drawn.
+pub trait OnSlate {
+    /// A slate on which it is as large as the room lets it be, from one of natural size.
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a>;
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links);
+    fn spoken(&self, look: Look<'_>) -> String;
+}
+
+/// The pointer, what stands out, and what was found.
+#[derive(Default)]
+pub struct Links {
+    pub lit: Option<Link>,
+    pub pointer: Option<Pos2>,
+    pub pointed: Option<Link>,
+}
+
+impl Links {
+    /// A part with this link takes this place: does it stand out?
+    pub fn touch(&mut self, place: Rect, link: Option<Link>) -> bool {
+        let is_near = self.pointer.is_some_and(|pointer| place.contains(pointer));
+        if is_near && link.is_some() {
+            self.pointed = link;
+        }
+        link.is_some() && (is_near || link == self.lit)
+    }
+}
+
+/// What is said before the part that this step is about.
+pub const fn now(is_now: bool) -> &'static str {
+    if is_now { "→ " } else { "" }
+}
+
+pub fn joined(parts: impl Iterator<Item = String>, between: &str) -> String {
+    parts.collect::<Vec<_>>().join(between)
+}
+
+/// `name (one, two)`.
+pub fn bracketed(name: &str, details: impl Iterator<Item = String>) -> String {
+    match joined(details, ", ") {
+        details if details.is_empty() => name.to_owned(),
+        details => format!("{name} ({details})"),
     }
 }

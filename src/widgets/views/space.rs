@@ -2,24 +2,19 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Context, Id, Pos2, Rect, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2};
+use egui::{Context, Role as Access};
 
-use crate::{
-    figure::{ColumnLayout, Lens, Link, Mark, Projected, Space, ViewId},
-    paint::{self, Around, Typeset, Viewport},
+use crate::figure::{ColumnLayout, Lens, Mark, Projected, Space, ViewId};
+
+use super::{
+    super::{composed::rect_of, hit},
+    prelude::*,
 };
 
-use super::super::{composed::rect_of, hit, look::Look};
-use super::slate::{Face, Slate};
-
-/// Of a camera's picture: its frame, and the size of its title.
 const FRAME: f32 = 1.5;
 const TITLE_PTS: f32 = 13.0;
-
 /// A title that takes more of the height of a space by itself stands over it, not in it.
 const CROWDED: f32 = 0.12;
-
-/// Width over height that what an eye sees has room for, at least.
 const ASPECT: f32 = 1.4;
 
 /// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
@@ -27,8 +22,8 @@ const ASPECT: f32 = 1.4;
 pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
     let aspect = lens.aspect().map(|aspect| aspect as f32);
     let height = rect.height().min(rect.width() / aspect.unwrap_or(ASPECT));
-    let seen =
-        aspect.map(|aspect| Rect::from_center_size(rect.center(), vec2(aspect, 1.0) * height));
+    let size = aspect.map(|aspect| vec2(aspect, 1.0) * height);
+    let seen = size.map(|size| Rect::from_center_size(rect.center(), size));
     Viewport {
         rect: seen.unwrap_or(rect),
         centre: [0.0; 2],
@@ -62,19 +57,13 @@ pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark
     marks
 }
 
-/// Where other views stand on a drawing, with their titles.
 pub fn covered(places: &ColumnLayout, drawing: ViewId, look: Look<'_>) -> Vec<Rect> {
-    let over = places.over(drawing).map(rect_of);
     let title = 1.7 * TITLE_PTS * look.theme.text_scale;
-    over.map(|rect| rect.with_min_y(rect.top() - title))
-        .collect()
+    let over = places.over(drawing).map(rect_of);
+    let over = over.map(|rect| rect.with_min_y(rect.top() - title));
+    over.collect()
 }
 
-/// Draws what is seen, but for labels where something else stands; what is under the pointer.
-#[expect(
-    clippy::must_use_candidate,
-    reason = "drawing is what it is called for"
-)]
 pub fn space(
     ui: &Ui,
     look: Look<'_>,
@@ -85,87 +74,79 @@ pub fn space(
 ) -> Option<Link> {
     let id = ui.scope_id().with((id, rect.left() as i32));
     let response = ui.interact(rect, id, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken(look, shown)));
+    response.widget_info(|| WidgetInfo::labeled(Access::Canvas, true, spoken(look, shown)));
     let lens = shown.seer.into();
     let viewport = picture_viewport(under_title(ui, rect, look, shown), &lens);
     let marks = projected(ui.ctx(), id, shown, &lens);
     let painter = ui.painter_at(viewport.rect);
     painter.rect_filled(viewport.rect, 0.0, look.theme.background);
-    let Look { theme, catalog } = look;
     let is_camera = lens.aspect().is_some();
     let corner = if is_camera { viewport.rect } else { rect };
     let mut covered = covered.to_vec();
     covered.extend(title_ground(ui, look, corner, shown));
     let around = Around {
-        before: &[],
         covered: &covered,
+        ..Around::default()
     };
-    paint::stage(&painter, &viewport, theme, catalog, &marks, lit, around);
+    look.stage(&painter, &viewport, &marks, lit, around);
     if is_camera {
-        let frame = theme.stroke(FRAME, theme.accent);
-        ui.painter()
-            .rect_stroke(viewport.rect, 0.0, frame, StrokeKind::Middle);
+        let frame = look.theme.stroke(FRAME, look.theme.accent);
+        let painter = ui.painter();
+        painter.rect_stroke(viewport.rect, 0.0, frame, StrokeKind::Middle);
     }
     title(ui, look, corner, shown);
     hit::link_at(&viewport, &marks, response.hover_pos()?)
 }
 
-/// Its title, and what stands in it.
 fn spoken(look: Look<'_>, shown: &Space) -> String {
     let title = shown.title.as_ref().map(|title| look.catalog.value(title));
     let title = title.unwrap_or_else(|| look.say("panel-stage"));
     let labels = shown.marks.iter().filter_map(|mark| mark.label.as_ref());
-    let labels: Vec<String> = labels
-        .map(|label| look.catalog.value(&label.text))
-        .collect();
+    let labels = joined(labels.map(|label| look.catalog.value(&label.text)), ", ");
     if labels.is_empty() {
         title
     } else {
-        format!("{title}: {}", labels.join(", "))
+        format!("{title}: {labels}")
     }
 }
 
-/// A title's words and their place.
+/// Over a camera's picture or in the corner of what an eye sees, on a ground: it is read on whatever is drawn there.
 struct Title {
     words: Typeset,
     at: Pos2,
     align: Align2,
+    ground: Rect,
 }
 
 impl Title {
-    /// Over a camera's picture; in the corner of what an eye sees.
-    fn new(slate: &mut Slate<'_>, rect: Rect, shown: &Space) -> Option<Self> {
-        let face = (Face::Strong, TITLE_PTS, slate.look.theme.ink);
-        let words = slate.value(shown.title.as_ref()?, face);
+    fn new(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Self> {
+        let slate = Slate::new(ui.painter(), look);
+        let style = (Face::Strong, TITLE_PTS, look.theme.ink);
+        let words = slate.value(shown.title.as_ref()?, style);
         let gap = slate.pts(5.0);
         let (at, align) = if Lens::from(shown.seer).aspect().is_some() {
             (rect.left_top() - vec2(0.0, gap), Align2::LEFT_BOTTOM)
         } else {
             (rect.left_top() + vec2(0.0, 2.0 * gap), Align2::LEFT_TOP)
         };
-        Some(Self { words, at, align })
-    }
-
-    /// Readable on whatever is drawn there.
-    fn ground(&self) -> Rect {
-        let ground = self.align.anchor_size(self.at, self.words.size());
-        ground.expand(2.0).with_min_x(self.at.x)
+        let ground = align.anchor_size(at, words.size()).expand(2.0);
+        Some(Self {
+            words,
+            at,
+            align,
+            ground: ground.with_min_x(at.x),
+        })
     }
 }
 
-/// Where the title of a space stands, in whose corner `rect` has its own: no label should.
 pub fn title_ground(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Rect> {
-    let mut slate = Slate::new(ui.painter(), look);
-    Some(Title::new(&mut slate, rect, shown)?.ground())
+    Some(Title::new(ui, look, rect, shown)?.ground)
 }
 
-/// The title of a space.
 pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
-    let mut slate = Slate::new(ui.painter(), look);
-    let Some(title) = Title::new(&mut slate, rect, shown) else {
-        return;
-    };
-    let background = look.theme.background;
-    slate.painter.rect_filled(title.ground(), 0.0, background);
-    slate.put(&title.words, title.at, title.align);
+    if let Some(title) = Title::new(ui, look, rect, shown) {
+        let painter = ui.painter();
+        painter.rect_filled(title.ground, 0.0, look.theme.background);
+        title.words.paint(painter, title.at, title.align);
+    }
 }

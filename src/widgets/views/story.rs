@@ -12,43 +12,31 @@
 //!                    ●───────────────
 //! ```
 
-mod card;
 mod plan;
 mod stairs;
 
-use egui::{Painter, Rect, vec2};
+use crate::figure::{Story, StoryCard};
 
-use crate::{
-    figure::{CellStage, Story, StoryCard},
-    text::{Notation, Value},
-};
+use super::prelude::*;
 
-use super::super::look::Look;
-use super::{
-    on_slate::{Links, OnSlate},
-    slate::{LEAST_SCALE, Slate},
-    table::more,
-};
+use plan::{GAP, MOST_CARDS, Plan, STAIRS, TITLE, card_size, draw_card};
 
-use plan::{GAP, MOST_CARDS, Plan, STAIRS, TITLE};
-
-/// Below this scale text does not shrink for the sake of more cards.
 const FOLD_BELOW: f32 = 0.8;
 
 impl OnSlate for Story {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        let slate = Slate::with_numbers(painter, look, Notation::Decimals);
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        let slate = natural.writing(Notation::Decimals);
         let wanted = |slate: &Slate<'_>, most: usize| {
             let n = self.cards.len().clamp(1, most) as f32;
-            let card = card::size(slate, self);
+            let card = card_size(slate, self);
             let wide = n * card.x + (n - 1.0) * slate.pts(GAP) + plan::margin(slate, self);
             let titles = 2.0 * slate.pts(TITLE);
             vec2(wide, titles + card.y + slate.pts(GAP + STAIRS[0]))
         };
         // Cards are folded before their text becomes too small.
         let least = FOLD_BELOW.max(LEAST_SCALE * slate.scale);
-        let slate = slate.shrunk_to(least, rect.size(), |slate| wanted(slate, MOST_CARDS));
-        slate.fitted_in(rect.size(), |slate| wanted(slate, 2))
+        let slate = slate.shrunk_to(least, room, |slate| wanted(slate, MOST_CARDS));
+        slate.fitted_in(room, |slate| wanted(slate, 2))
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
@@ -58,7 +46,7 @@ impl OnSlate for Story {
         }
         let plan = Plan::new(slate, rect, self);
         for (nth, idx) in plan.fold.shown.clone().enumerate() {
-            card::draw(slate, plan.card(nth), &self.cards[idx], links);
+            draw_card(slate, plan.card(nth), &self.cards[idx], links);
         }
         let ends = [
             (plan.fold.before, plan.before),
@@ -66,7 +54,7 @@ impl OnSlate for Story {
         ];
         for (count, place) in ends {
             if count > 0 {
-                card::folded(slate, place, count);
+                plan::folded(slate, place, count);
             }
         }
         let top = plan.stairs.top() - slate.pts(TITLE);
@@ -78,19 +66,14 @@ impl OnSlate for Story {
         let said = |value: &Value| look.catalog.value_as(value, Notation::Decimals);
         let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
         let card = |card: &StoryCard| {
-            let arrow = if card.stage == CellStage::Current {
-                "→ "
-            } else {
-                ""
-            };
+            let arrow = now(card.stage == CellStage::Current);
             let [name, new, against, word] =
                 [&card.name, &card.new.1, &card.against, &card.word].map(said);
             format!("{arrow}{name}: {new} {against}, {word}")
         };
-        let cards: Vec<String> = self.cards.iter().filter(has_come).map(card).collect();
-        let n_to_come = self.cards.len() - cards.len();
+        let n_to_come = self.cards.iter().filter(|card| !has_come(card)).count();
         let rest = (n_to_come > 0).then(|| look.catalog.message(&more(n_to_come)));
-        let parts: Vec<String> = cards.into_iter().chain(rest).collect();
-        format!("{}: {}", said(&self.title), parts.join("; "))
+        let cards = self.cards.iter().filter(has_come).map(card);
+        format!("{}: {}", said(&self.title), joined(cards.chain(rest), "; "))
     }
 }

@@ -2,34 +2,21 @@
 //!
 //! Numbers stand to the right of their column, under a symbol; words to the left, under a word or nothing.
 
-use egui::{Align2, Painter, Rect, Stroke, pos2, vec2};
-
 use crate::{
-    figure::{Cell, Role, Table, TableRow},
-    text::{Formula, Message, Notation, Piece, Token, Value},
+    figure::{Table, TableRow},
+    text::{Piece, Token},
 };
 
-use super::super::look::Look;
-use super::{
-    fold::Fold,
-    on_slate::{Links, OnSlate},
-    slate::{Face, LEAST_SCALE, Slate, Style, text_colour, wash},
-};
+use super::prelude::*;
 
 const SIZE: f32 = 14.0;
 const NOTE_SIZE: f32 = 13.0;
 const FOLD_SIZE: f32 = 12.0;
-/// White space left of the names and right of the last column.
 const PAD: f32 = 12.0;
-/// White space between two columns: the least, and the most.
 const GAPS: [f32; 2] = [14.0, 40.0];
-/// White space above and below what stands in a row: the least, and the most.
 const AIR: [f32; 2] = [1.0, 6.0];
-/// Between rows and notes.
 const NOTE_GAP: f32 = 14.0;
-/// Fewer rows than this are not shown, however little room there is.
 const LEAST_ROWS: usize = 3;
-/// Above this scale text shrinks; below it rows are folded.
 const FOLD_BELOW: f32 = 0.8;
 
 /// Numbers in a column, and in its neighbours, are compared: all of them are fractions, or all decimals.
@@ -40,7 +27,6 @@ fn notation(table: &Table) -> Notation {
     Notation::of(cells.chain(notes.map(|(_, value)| value)))
 }
 
-/// A column: its width at a slate's scale, and to which side things stand in it.
 struct Column {
     width: f32,
     is_words: bool,
@@ -56,12 +42,20 @@ struct Plan {
 impl Plan {
     fn of(slate: &Slate<'_>, table: &Table, width: f32) -> Self {
         let columns = table.header.iter().enumerate();
+        let style = (Face::Plain, NOTE_SIZE, slate.theme().ink);
+        let height = |text: &Message| slate.sentence(text, width, style).size().y;
+        let notes: f32 = table.notes.iter().map(|note| height(&note.text)).sum();
+        let is_bare = table.notes.is_empty();
         Self {
             columns: columns
                 .map(|(i, title)| column(slate, table, i, title))
                 .collect(),
             row: row_height(slate, table),
-            notes: notes_height(slate, table, width),
+            notes: if is_bare {
+                0.0
+            } else {
+                slate.pts(NOTE_GAP) + notes
+            },
         }
     }
 
@@ -71,7 +65,6 @@ impl Plan {
         text + n_gaps * slate.pts(gap) + 2.0 * slate.pts(PAD)
     }
 
-    /// The edges at which the columns' text stands: the left one of words, the right one of numbers.
     fn edges(&self, slate: &Slate<'_>, rect: Rect) -> Vec<f32> {
         let n_gaps = self.columns.len().saturating_sub(1).max(1) as f32;
         let spare = rect.width() - self.width(slate, 0.0);
@@ -87,65 +80,51 @@ impl Plan {
     }
 }
 
+fn is_word(title: &Formula) -> bool {
+    title.0.iter().all(|token| matches!(token, Token::Term(_)))
+}
+
 /// As wide as what stands in it; one of numbers as a short one at least, so that it stays where it is when one comes.
 fn column(slate: &Slate<'_>, table: &Table, idx: usize, title: &Formula) -> Column {
     let ink = slate.theme().ink;
-    let is_words = idx == 0 || title.0.iter().all(|token| matches!(token, Token::Term(_)));
-    let width = |value: &Value| slate.value(value, (Face::Strong, SIZE, ink)).size().x;
     let least = match title.0[..] {
         [] => 0.0,
         _ => slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x,
     };
-    let title = slate.formula(title, (Face::Strong, SIZE, ink)).size().x;
+    let width = slate.formula(title, (Face::Strong, SIZE, ink)).size().x;
     let values = table.rows.iter().filter_map(|row| match idx {
         0 => Some(&row.name),
         _ => row.cells.get(idx - 1)?.value.as_ref(),
     });
+    let widths = values.map(|value| slate.width(value, Face::Strong, SIZE));
     Column {
-        width: values.map(width).fold(least.max(title), f32::max),
-        is_words,
+        width: widths.fold(least.max(width), f32::max),
+        is_words: idx == 0 || is_word(title),
     }
 }
 
-/// Room for a stacked fraction in every row, for the titles above them.
 fn row_height(slate: &Slate<'_>, table: &Table) -> f32 {
-    let fraction =
-        Formula::default().over(Formula::default().num(3.0), Formula::default().num(8.0));
+    let number = |x: f64| Formula::default().num(x);
+    let fraction = Formula::default().over(number(3.0), number(8.0));
     let style = (Face::Strong, SIZE, slate.theme().ink);
     let height = |formula: &Formula| slate.formula(formula, style).size().y;
     let titles = table.header.iter().map(height);
     titles.fold(height(&fraction).max(slate.pts(1.9 * SIZE)), f32::max)
 }
 
-fn notes_height(slate: &Slate<'_>, table: &Table, width: f32) -> f32 {
-    if table.notes.is_empty() {
-        return 0.0;
-    }
-    let heights = table.notes.iter().map(|note| {
-        let style = (Face::Plain, NOTE_SIZE, slate.theme().ink);
-        slate.sentence(&note.text, width, style).size().y
-    });
-    slate.pts(NOTE_GAP) + heights.sum::<f32>()
-}
-
 impl OnSlate for Table {
-    fn slate<'a>(&self, painter: &'a Painter, look: Look<'a>, rect: Rect) -> Slate<'a> {
-        let room = rect.size();
-        let n_rows = self.rows.len();
-        let slate = Slate::with_numbers(painter, look, notation(self));
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        let fold_below = FOLD_BELOW * natural.scale;
         let plan_of = |slate: &Slate<'_>| Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
-        let slate = slate.fitted_in(room, |slate| {
+        let slate = natural.writing(notation(self)).fitted_in(room, |slate| {
             let plan = plan_of(slate);
             let row = plan.row + 2.0 * slate.pts(AIR[0]);
             let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
             // Rows are folded before their text becomes too small.
-            let would_be = room.y / height(n_rows) * slate.scale;
-            let folds = would_be < FOLD_BELOW * look.theme.text_scale;
-            let n_rows = if folds {
-                n_rows.min(LEAST_ROWS)
-            } else {
-                n_rows
-            };
+            let mut n_rows = self.rows.len();
+            if room.y / height(n_rows) * slate.scale < fold_below {
+                n_rows = n_rows.min(LEAST_ROWS);
+            }
             vec2(plan.width(slate, GAPS[0]), height(n_rows))
         });
         // Rows that have no room are folded; a column that had none would be cut.
@@ -155,68 +134,80 @@ impl OnSlate for Table {
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        draw(slate, rect, self, links);
+        let text_width = rect.width() - 2.0 * slate.pts(PAD);
+        let plan = Plan::of(slate, self, text_width);
+        let width = rect.width().min(plan.width(slate, GAPS[1]));
+        let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
+        let edges = plan.edges(slate, rect);
+        let room = rect.height() - plan.notes;
+        let [least, most] = AIR.map(|air| plan.row + 2.0 * slate.pts(air));
+        let n_fit = ((room / least + 0.01) as usize).saturating_sub(1);
+        let focus = self.rows.iter().position(|row| row.is_current);
+        let fold = Fold::about(self.rows.len(), focus, n_fit.max(LEAST_ROWS));
+        let step = (room / (fold.n_rows() + 1) as f32)
+            .clamp(least, most)
+            .floor();
+        let place = |nth: usize| {
+            let top = rect.top() + nth as f32 * step;
+            Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
+        };
+        header(slate, place(0), self, &edges);
+        for idx in fold.shown.clone() {
+            let nth = idx - fold.shown.start + fold.first_row() + 1;
+            row(slate, place(nth), &self.rows[idx], (&plan, &edges), links);
+        }
+        for (count, nth) in [(fold.before, 1), (fold.after, fold.n_rows())] {
+            if count > 0 {
+                let words = slate.more(count, FOLD_SIZE);
+                let at = place(nth).left_center() + vec2(slate.pts(PAD), 0.0);
+                slate.put(&words, at, Align2::LEFT_CENTER);
+            }
+        }
+        let mut y = place(fold.n_rows()).bottom() + slate.pts(NOTE_GAP);
+        for note in &self.notes {
+            let theme = slate.theme();
+            let ink = if note.applies { theme.ink } else { theme.soft };
+            let lines = slate.sentence(&note.text, text_width, (Face::Plain, NOTE_SIZE, ink));
+            let at = pos2(rect.left() + slate.pts(PAD), y);
+            y = slate.put(&lines, at, Align2::LEFT_TOP).bottom();
+        }
     }
 
+    /// `edge, p, q; → left: p = −8, q = −3; …`.
     fn spoken(&self, look: Look<'_>) -> String {
-        spoken(look, self)
-    }
-}
-
-fn draw(slate: &mut Slate<'_>, rect: Rect, table: &Table, links: &mut Links) {
-    let text_width = rect.width() - 2.0 * slate.pts(PAD);
-    let plan = Plan::of(slate, table, text_width);
-    let width = rect.width().min(plan.width(slate, GAPS[1]));
-    let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
-    let edges = plan.edges(slate, rect);
-    let room = rect.height() - plan.notes;
-    let least = plan.row + 2.0 * slate.pts(AIR[0]);
-    let n_fit = ((room / least + 0.01) as usize)
-        .saturating_sub(1)
-        .max(LEAST_ROWS);
-    let focus = table.rows.iter().position(|row| row.is_current);
-    let fold = Fold::about(table.rows.len(), focus, n_fit);
-    let most = plan.row + 2.0 * slate.pts(AIR[1]);
-    let step = (room / (fold.n_rows() + 1) as f32)
-        .clamp(least, most)
-        .floor();
-    let place = |nth: usize| {
-        let top = rect.top() + nth as f32 * step;
-        Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
-    };
-    header(slate, place(0), table, &edges);
-    if fold.before > 0 {
-        folded(slate, place(1), fold.before);
-    }
-    for idx in fold.shown.clone() {
-        let nth = idx - fold.shown.start + fold.first_row() + 1;
-        row(slate, place(nth), &table.rows[idx], (&plan, &edges), links);
-    }
-    if fold.after > 0 {
-        folded(slate, place(fold.n_rows()), fold.after);
-    }
-    let mut y = place(fold.n_rows()).bottom() + slate.pts(NOTE_GAP);
-    for note in &table.notes {
-        let theme = slate.theme();
-        let ink = if note.applies { theme.ink } else { theme.soft };
-        let lines = slate.sentence(&note.text, text_width, (Face::Plain, NOTE_SIZE, ink));
-        let at = pos2(rect.left() + slate.pts(PAD), y);
-        y = slate.put(&lines, at, Align2::LEFT_TOP).bottom();
+        let notation = notation(self);
+        let said = |value: &Value| look.catalog.value_as(value, notation);
+        let titles = self.header.iter().map(|title| look.catalog.formula(title));
+        let titles: Vec<String> = titles.collect();
+        let row = |row: &TableRow| {
+            let cells = row.cells.iter().zip(titles.iter().skip(1));
+            let cells = cells.filter_map(|(cell, title)| {
+                let value = said(cell.value.as_ref()?);
+                let is_bare = title.is_empty();
+                Some(if is_bare {
+                    value
+                } else {
+                    format!("{title}: {value}")
+                })
+            });
+            let (arrow, name) = (now(row.is_current), said(&row.name));
+            format!("{arrow}{name} {}", joined(cells, ", "))
+        };
+        let notes = self.notes.iter().filter(|note| note.applies);
+        let notes = notes.map(|note| look.catalog.message_pieces_as(&note.text, notation));
+        let notes = notes.map(|pieces| Piece::plain(&pieces));
+        joined(self.rows.iter().map(row).chain(notes), "; ")
     }
 }
 
 fn header(slate: &mut Slate<'_>, place: Rect, table: &Table, edges: &[f32]) {
     let theme = slate.theme();
     for (idx, (title, &edge)) in table.header.iter().zip(edges).enumerate() {
-        let is_word = title.0.iter().all(|token| matches!(token, Token::Term(_)));
-        let style: Style = if is_word {
-            (Face::Plain, SIZE, theme.soft)
-        } else {
-            (Face::Strong, SIZE, theme.ink)
-        };
-        let title = slate.formula(title, style);
-        let align = align(idx == 0 || is_word);
-        slate.put(&title, pos2(edge, place.center().y), align);
+        let is_word = is_word(title);
+        let ink = if is_word { theme.soft } else { theme.ink };
+        let title = slate.formula(title, (Face::strong_if(!is_word), SIZE, ink));
+        let at = pos2(edge, place.center().y);
+        slate.put(&title, at, align(idx == 0 || is_word));
     }
     let y = place.bottom().round() - 0.5;
     let stroke = Stroke::new(1.0, theme.hairline);
@@ -240,84 +231,30 @@ fn row(
 ) {
     let theme = slate.theme();
     let is_lit = links.touch(place, row.link);
+    let corner = slate.pts(2.0);
     if row.is_current {
         let bar = place.with_max_x(place.left() + slate.pts(3.0));
         let tint = wash(theme, Role::Signal);
-        slate.painter.rect_filled(place, slate.pts(2.0), tint);
+        slate.painter.rect_filled(place, corner, tint);
         slate.painter.rect_filled(bar, 0.0, theme.signal);
     } else if is_lit {
-        slate
-            .painter
-            .rect_filled(place, slate.pts(2.0), theme.accent_wash);
+        let tint = theme.accent_wash;
+        slate.painter.rect_filled(place, corner, tint);
     }
     let at = |edge: f32| pos2(edge, place.center().y);
-    let face = if row.is_current {
-        Face::Strong
-    } else {
-        Face::Plain
-    };
-    let name = slate.value(&row.name, (face, SIZE, theme.ink));
+    let name = (Face::strong_if(row.is_current), SIZE, theme.ink);
+    let name = slate.value(&row.name, name);
     if let Some(&edge) = edges.first() {
         slate.put(&name, at(edge), Align2::LEFT_CENTER);
     }
-    for (nth, cell) in row.cells.iter().enumerate() {
-        let (Some(&edge), Some(column)) = (edges.get(nth + 1), plan.columns.get(nth + 1)) else {
-            break;
-        };
+    let columns = edges.iter().zip(&plan.columns).skip(1);
+    for (cell, (&edge, column)) in row.cells.iter().zip(columns) {
         if let Some(value) = &cell.value {
-            let value = slate.value(value, (face_of(cell), SIZE, text_colour(theme, cell.role)));
+            // What was worked out at this step, or has changed, also weighs more.
+            let face = Face::strong_if(cell.strong || cell.role == Role::Signal);
+            let style = (face, SIZE, text_colour(theme, cell.role));
+            let value = slate.value(value, style);
             slate.put(&value, at(edge), align(column.is_words));
         }
     }
-}
-
-/// What was worked out at this step, or has changed, also weighs more.
-const fn face_of(cell: &Cell) -> Face {
-    if cell.strong || matches!(cell.role, Role::Signal) {
-        Face::Strong
-    } else {
-        Face::Plain
-    }
-}
-
-fn folded(slate: &mut Slate<'_>, place: Rect, count: usize) {
-    let words = slate.look.catalog.message(&more(count));
-    let words = slate.words(words, (Face::Plain, FOLD_SIZE, slate.theme().soft));
-    let at = place.left_center() + vec2(slate.pts(PAD), 0.0);
-    slate.put(&words, at, Align2::LEFT_CENTER);
-}
-
-/// `… 37 more`.
-pub fn more(count: usize) -> Message {
-    Message::new("view-more").with("count", count)
-}
-
-/// `edge, p, q; → left: p = −8, q = −3; …`.
-fn spoken(look: Look<'_>, table: &Table) -> String {
-    let notation = notation(table);
-    let said = |value: &Value| look.catalog.value_as(value, notation);
-    let titles: Vec<String> = table
-        .header
-        .iter()
-        .map(|title| look.catalog.formula(title))
-        .collect();
-    let row = |row: &TableRow| {
-        let arrow = if row.is_current { "→ " } else { "" };
-        let cells = row.cells.iter().zip(titles.iter().skip(1));
-        let cells = cells.filter_map(|(cell, title)| {
-            let value = said(cell.value.as_ref()?);
-            Some(if title.is_empty() {
-                value
-            } else {
-                format!("{title}: {value}")
-            })
-        });
-        let cells: Vec<String> = cells.collect();
-        format!("{arrow}{} {}", said(&row.name), cells.join(", "))
-    };
-    let notes = table.notes.iter().filter(|note| note.applies);
-    let notes =
-        notes.map(|note| Piece::plain(&look.catalog.message_pieces_as(&note.text, notation)));
-    let parts: Vec<String> = table.rows.iter().map(row).chain(notes).collect();
-    parts.join("; ")
 }

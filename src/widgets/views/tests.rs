@@ -4,98 +4,77 @@
 
 mod data;
 
-use egui::{Rect, Vec2, pos2, vec2};
-
-use super::super::look::Look;
-use super::{
-    body_of,
-    on_slate::{Links, OnSlate},
-    slate::Slate,
-};
+use super::{body_of, prelude::*};
 use crate::{
-    figure::{Body, NumberLine, View},
-    lesson::Course,
+    figure::{Body, Run, View},
+    lesson::{Course, Lesson, LessonStep},
     paint::{Headless, ThemeKind, crosses},
     text::{Catalog, Lang},
 };
 
-/// Draws a view in a room of this size; where its text stands, and the lines it keeps clear of.
-fn drawn(table: &mut Headless, name: &str, lang: Lang, room: Vec2, view: &dyn OnSlate) -> Placed {
+fn look() -> Look<'static> {
+    Look {
+        theme: Headless::new(ThemeKind::Light).theme(),
+        catalog: Catalog::of(Lang::En),
+    }
+}
+
+/// Draws a view in a room of this size; what is wrong with it.
+fn drawn(
+    table: &mut Headless,
+    name: &str,
+    lang: Lang,
+    room: Vec2,
+    view: &dyn OnSlate,
+) -> Option<String> {
     let look = Look {
         theme: table.theme(),
         catalog: Catalog::of(lang),
     };
     let rect = Rect::from_min_size(pos2(16.0, 16.0), room);
-    let mut placed = Placed::default();
+    let mut found = None;
     let image = table.draw(room + vec2(32.0, 32.0), 4.0 / 3.0, |ui| {
-        let mut slate = view.slate(ui.painter(), look, rect);
-        let mut links = Links {
-            lit: None,
-            pointer: None,
-            pointed: None,
-        };
-        view.draw(&mut slate, rect, &mut links);
-        placed = Placed::of(slate, rect);
+        let mut slate = view.slate(Slate::new(ui.painter(), look), room);
+        view.draw(&mut slate, rect, &mut Links::default());
+        found = fault(&slate, rect.expand(1.0));
     });
     if let Ok(folder) = std::env::var("CLIPSCOPE_SAMPLES") {
         let (kind, Vec2 { x, y }) = (look.theme.kind, room);
         let path = format!("{folder}/view-{name}-{kind}-{lang}-{x}x{y}.png");
         std::fs::write(path, image.to_png()).expect("a folder that can be written");
     }
-    placed
+    found
 }
 
-#[derive(Default)]
-struct Placed {
-    room: Option<Rect>,
-    texts: Vec<Rect>,
-    strokes: Vec<[egui::Pos2; 2]>,
-}
-
-impl Placed {
-    fn of(slate: Slate<'_>, room: Rect) -> Self {
-        Self {
-            room: Some(room),
-            texts: slate.texts,
-            strokes: slate.strokes,
+/// Text that covers another, is struck by a line, or stands out of the room.
+fn fault(slate: &Slate<'_>, room: Rect) -> Option<String> {
+    for (i, text) in slate.texts.iter().enumerate() {
+        if !room.contains_rect(*text) {
+            return Some(format!("{text:?} leaves {room:?}"));
         }
-    }
-
-    /// Text that covers another, is struck by a line, or stands out of the room.
-    fn fault(&self) -> Option<String> {
-        let room = self.room?.expand(1.0);
-        for (i, text) in self.texts.iter().enumerate() {
-            if !room.contains_rect(*text) {
-                return Some(format!("{text:?} leaves {room:?}"));
-            }
-            for other in &self.texts[..i] {
-                let both = text.intersect(*other);
-                if both.width() > 0.5 && both.height() > 0.5 {
-                    return Some(format!("{text:?} covers {other:?}"));
-                }
-            }
-            // Boxes of text have white space at their top and bottom.
-            let core = text.shrink2(vec2(0.5, 0.15 * text.height()));
-            if let Some(stroke) = self.strokes.iter().find(|&&stroke| crosses(stroke, core)) {
-                return Some(format!("{stroke:?} strikes {text:?}"));
+        for other in &slate.texts[..i] {
+            let both = text.intersect(*other);
+            if both.width() > 0.5 && both.height() > 0.5 {
+                return Some(format!("{text:?} covers {other:?}"));
             }
         }
-        self.texts.is_empty().then(|| "nothing is said".to_owned())
+        // Boxes of text have white space at their top and bottom.
+        let core = text.shrink2(vec2(0.5, 0.15 * text.height()));
+        if let Some(stroke) = slate.strokes.iter().find(|&&stroke| crosses(stroke, core)) {
+            return Some(format!("{stroke:?} strikes {text:?}"));
+        }
     }
-
-    fn check(&self, what: &str) {
-        assert_eq!(self.fault(), None, "{what}");
-    }
+    slate.texts.is_empty().then(|| "nothing is said".to_owned())
 }
 
-/// A view in every theme and language, with as much room as beside a drawing and with less.
 fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
     for kind in ThemeKind::ALL {
         let mut table = Headless::new(kind);
         for lang in Lang::ALL {
             for &room in rooms {
                 let what = format!("{name}, {kind}, {lang}, {room:?}");
-                drawn(&mut table, name, lang, room, view).check(&what);
+                let fault = drawn(&mut table, name, lang, room, view);
+                assert_eq!(fault, None, "{what}");
             }
         }
     }
@@ -104,36 +83,24 @@ fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
 const ROOMS: [Vec2; 2] = [vec2(400.0, 360.0), vec2(300.0, 260.0)];
 
 #[test]
-fn codes_are_read_bit_by_bit() {
+fn values_are_read() {
     check("c1", &ROOMS, &data::and_of_codes());
     check("c1-codes", &ROOMS, &data::codes_found());
-}
-
-#[test]
-fn a_table_keeps_every_row() {
     check("c2-table", &ROOMS, &data::empty_interval());
-}
-
-#[test]
-fn a_long_table_says_how_much_it_folds() {
     check("table-200", &ROOMS, &data::many_edges(200, 77));
-}
-
-#[test]
-fn lists_are_linked() {
-    check("c3", &ROOMS, &data::polygons::two_lists());
-    check("lists-in-out", &ROOMS, &data::polygons::in_and_out());
-}
-
-#[test]
-fn a_long_list_says_how_much_it_folds() {
-    check("lists-40", &ROOMS, &data::polygons::long_lists());
-}
-
-#[test]
-fn products_are_seen() {
     check("c4", &ROOMS, &data::normal());
     check("c4-parallel", &ROOMS, &data::parallel());
+    check("a1-distances", &ROOMS, &data::frustum::distances());
+    check("a6-products", &ROOMS, &data::frustum::products());
+}
+
+#[test]
+fn lists_are_linked_and_say_how_much_they_fold_and_pipelines_are_whole() {
+    check("c3", &ROOMS, &data::polygons::two_lists());
+    check("lists-in-out", &ROOMS, &data::polygons::in_and_out());
+    check("lists-40", &ROOMS, &data::polygons::long_lists());
+    let rooms = [vec2(900.0, 100.0), vec2(560.0, 120.0), vec2(420.0, 120.0)];
+    check("clippers", &rooms, &data::polygons::pipeline());
 }
 
 #[test]
@@ -149,16 +116,10 @@ fn an_empty_interval_is_crossed_over() {
 
 #[test]
 fn an_interval_that_is_empty_for_another_reason_is_not_said_to_be_crossed_over() {
-    let look = Look {
-        theme: Headless::new(ThemeKind::Light).theme(),
-        catalog: Catalog::of(Lang::En),
-    };
     let said = |bounds: [f64; 2]| {
-        let line = NumberLine {
-            empty: true,
-            ..data::axis(bounds, 0)
-        };
-        line.spoken(look)
+        let mut line = data::axis(bounds, 0);
+        line.empty = true;
+        line.spoken(look())
     };
     assert!(said([0.375, 0.25]).contains("u_min > u_max"));
     assert!(!said([0.0, 1.0]).contains('>'));
@@ -166,28 +127,12 @@ fn an_interval_that_is_empty_for_another_reason_is_not_said_to_be_crossed_over()
 }
 
 #[test]
-fn coordinates_of_a_pipeline_are_whole() {
-    let rooms = [vec2(900.0, 100.0), vec2(560.0, 120.0), vec2(420.0, 120.0)];
-    check("clippers", &rooms, &data::polygons::pipeline());
-}
-
-#[test]
-fn numbers_stand_beside_their_axes() {
-    check("a1-distances", &ROOMS, &data::frustum::distances());
-    check("a6-products", &ROOMS, &data::frustum::products());
-}
-
-#[test]
-fn a_ribbon_says_what_each_gate_took_and_added() {
+fn what_each_gate_and_each_plane_took_and_left_is_said() {
     let rooms = [vec2(744.0, 84.0), vec2(1100.0, 110.0)];
     let narrows = [322, 156, 151, 163, 85];
     check("a1-ribbon", &rooms, &data::frustum::ribbon(narrows));
     let widens = [150, 150, 0, 340, 339];
     check("ribbon-widens", &rooms, &data::frustum::ribbon(widens));
-}
-
-#[test]
-fn small_drawings_say_what_each_plane_took_and_left() {
     let rooms = [vec2(744.0, 130.0), vec2(1100.0, 160.0)];
     for current in [None, Some(0), Some(5)] {
         check("a4-small", &rooms, &data::frustum::small_drawings(current));
@@ -195,44 +140,28 @@ fn small_drawings_say_what_each_plane_took_and_left() {
 }
 
 #[test]
-fn a_cycle_is_seen_and_named() {
+fn of_many_triangles_and_a_large_tree_what_is_about_the_step_is_seen() {
+    let rooms = [vec2(520.0, 220.0), vec2(300.0, 200.0)];
+    check("graph-9", &rooms, &data::surfaces::many(9));
+    check("graph-60", &rooms, &data::surfaces::many(60));
+    let rooms = [vec2(520.0, 220.0), vec2(300.0, 150.0)];
+    check("tree-7", &rooms, &data::surfaces::tree(7, 2));
+    check("tree-200", &rooms, &data::surfaces::tree(200, 130));
+}
+
+#[test]
+fn a_cycle_is_named_and_a_story_shows_what_won_and_what_lost() {
     let rooms = [vec2(520.0, 180.0), vec2(300.0, 150.0)];
-    check("b2-cycle", &rooms, &data::graph::cycle());
-    let look = Look {
-        theme: Headless::new(ThemeKind::Light).theme(),
-        catalog: Catalog::of(Lang::En),
-    };
-    let said = data::graph::cycle().spoken(look);
+    check("b2-cycle", &rooms, &data::surfaces::cycle());
+    let said = data::surfaces::cycle().spoken(look());
     assert!(said.contains("A → B (4.31 > 3.47)"), "{said}");
     assert!(said.contains("C → A") && said.ends_with("cycle"), "{said}");
-}
-
-#[test]
-fn of_many_triangles_those_about_the_pair_are_seen() {
-    let rooms = [vec2(520.0, 220.0), vec2(300.0, 200.0)];
-    check("graph-9", &rooms, &data::graph::many(9));
-    check("graph-60", &rooms, &data::graph::many(60));
-}
-
-#[test]
-fn a_tree_is_folded_where_it_has_no_room() {
-    let rooms = [vec2(520.0, 220.0), vec2(300.0, 150.0)];
-    check("tree-7", &rooms, &data::graph::tree(7, 2));
-    check("tree-200", &rooms, &data::graph::tree(200, 130));
-}
-
-#[test]
-fn a_story_shows_what_won_and_what_lost() {
     let rooms = [vec2(560.0, 220.0), vec2(300.0, 190.0)];
     for now in [0, 2, 4] {
-        check("b4", &rooms, &data::story::five(now));
+        check("b4", &rooms, &data::surfaces::story_of_five(now));
     }
-    check("story-17", &rooms, &data::story::many(17, 11));
-    let look = Look {
-        theme: Headless::new(ThemeKind::Light).theme(),
-        catalog: Catalog::of(Lang::En),
-    };
-    let said = data::story::five(2).spoken(look);
+    check("story-17", &rooms, &data::surfaces::long_story(17, 11));
+    let said = data::surfaces::story_of_five(2).spoken(look());
     assert!(said.contains("→ A3: 0.624 > 0.563, lost"), "{said}");
     assert!(
         said.contains("2 more"),
@@ -240,49 +169,43 @@ fn a_story_shows_what_won_and_what_lost() {
     );
 }
 
-/// Beside the drawing of a page, and under it.
 fn room_on_a_page(view: &View) -> Vec2 {
     match view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
         Body::Multiples(_) => vec2(860.0, 112.0),
         Body::Graph(_) | Body::Story(_) => vec2(400.0, 170.0),
         Body::Spaces(_) => vec2(864.0, 134.0),
-        Body::Plane(_)
-        | Body::Space(_)
-        | Body::Raster(_)
-        | Body::Bits(_)
-        | Body::Table(_)
-        | Body::Lists(_)
-        | Body::Gauges(_)
-        | Body::Matrix(_)
-        | Body::Products(_)
-        | Body::Screens(_) => vec2(390.0, 380.0),
+        _ => vec2(390.0, 380.0),
+    }
+}
+
+fn each_run(mut check: impl FnMut(&Lesson, &LessonStep, &dyn Run)) {
+    for lesson in &Course::embedded().lessons {
+        for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
+            for run in step.scene.document().record() {
+                check(lesson, step, &*run);
+            }
+        }
     }
 }
 
 #[test]
 fn nothing_overlaps_in_the_figures_of_the_course() {
     let mut table = Headless::new(ThemeKind::Light);
-    let course = Course::embedded();
     let mut faults = Vec::new();
-    for lesson in &course.lessons {
-        for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
-            for run in step.scene.document().record() {
-                let frame = run.frame(step.position().unwrap_or(run.n_steps()).min(run.n_steps()));
-                for view in &frame.views {
-                    let Some(body) = body_of(view) else { continue };
-                    let name = format!("{}-{}-{}", lesson.id, step.id, view.id.0);
-                    let room = room_on_a_page(view);
-                    let placed = drawn(&mut table, &name, Lang::En, room, body);
-                    faults.extend(placed.fault().map(|fault| format!("{name}: {fault}")));
-                }
-            }
+    each_run(|lesson, step, run| {
+        let frame = run.frame(step.position().unwrap_or(run.n_steps()).min(run.n_steps()));
+        for view in &frame.views {
+            let Some(body) = body_of(view) else { continue };
+            let name = format!("{}-{}-{}", lesson.id, step.id, view.id.0);
+            let room = room_on_a_page(view);
+            let fault = drawn(&mut table, &name, Lang::En, room, body);
+            faults.extend(fault.map(|fault| format!("{name}: {fault}")));
         }
-    }
+    });
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
-/// Has it a digit, this sign and a digit?
 fn has_number(said: &str, sign: char) -> bool {
     let digits = |at: usize| {
         let before = said[..at].chars().next_back();
@@ -295,41 +218,24 @@ fn has_number(said: &str, sign: char) -> bool {
 
 #[test]
 fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
-    let look = Look {
-        theme: Headless::new(ThemeKind::Light).theme(),
-        catalog: Catalog::of(Lang::En),
-    };
-    let course = Course::embedded();
-    for lesson in &course.lessons {
-        for step in lesson.steps.iter().filter(|step| step.figure.is_some()) {
-            for run in step.scene.document().record() {
-                for nth in 0..=run.n_steps() {
-                    for view in &run.frame(nth).views {
-                        let compared = match &view.body {
-                            Body::Table(table) => table.spoken(look),
-                            Body::Products(products) => products.spoken(look),
-                            Body::NumberLine(line) => line.spoken(look),
-                            Body::Matrix(product) => product.spoken(look),
-                            Body::Spaces(row) => row.spoken(look),
-                            Body::Graph(graph) => graph.spoken(look),
-                            Body::Story(story) => story.spoken(look),
-                            Body::Plane(_)
-                            | Body::Space(_)
-                            | Body::Raster(_)
-                            | Body::Bits(_)
-                            | Body::Lists(_)
-                            | Body::Gauges(_)
-                            | Body::Ribbon(_)
-                            | Body::Screens(_)
-                            | Body::Multiples(_)
-                            | Body::Clippers(_) => continue,
-                        };
-                        let is_mixed = ['/', '.'].map(|sign| has_number(&compared, sign));
-                        let place = format!("{}, step {nth}: {compared}", step.id);
-                        assert_ne!(is_mixed, [true, true], "{place}");
-                    }
-                }
+    let look = look();
+    each_run(|_, step, run| {
+        for nth in 0..=run.n_steps() {
+            for view in &run.frame(nth).views {
+                let compared: &dyn OnSlate = match &view.body {
+                    Body::Table(table) => table,
+                    Body::Products(products) => products,
+                    Body::NumberLine(line) => line,
+                    Body::Matrix(product) => product,
+                    Body::Spaces(row) => row,
+                    Body::Graph(graph) => graph,
+                    Body::Story(story) => story,
+                    _ => continue,
+                };
+                let said = compared.spoken(look);
+                let is_mixed = ['/', '.'].map(|sign| has_number(&said, sign));
+                assert_ne!(is_mixed, [true, true], "{}, step {nth}: {said}", step.id);
             }
         }
-    }
+    });
 }

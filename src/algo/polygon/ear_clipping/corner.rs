@@ -42,8 +42,7 @@ impl Corner {
     }
 }
 
-/// Twice the signed area of abc, positive where it runs counter-clockwise: a rounded value with the sign of
-/// [`orientation`]. Its adaptive predicate is a guard against rounding, and not counted.
+/// Twice the signed area of abc, rounded, with the sign of [`orientation`], whose adaptive predicate is not counted.
 pub(super) fn double_area<R: Real>(a: Point, b: Point, c: Point) -> R {
     let [[xa, ya], [xb, yb], [xc, yc]] = [a, b, c].map(|p| p.to_array().map(R::new));
     let left = (xb - xa) * (yc - yb);

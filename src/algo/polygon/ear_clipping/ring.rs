@@ -10,7 +10,6 @@ pub struct Ring {
 }
 
 impl Ring {
-    /// The vertices in this order, and from the last one back to the first.
     pub(super) fn through(order: &[usize]) -> Self {
         let n_numbers = order.iter().max().map_or(0, |highest| highest + 1);
         let (mut prev, mut next) = (vec![0; n_numbers], vec![0; n_numbers]);
@@ -73,7 +72,6 @@ impl Ring {
         std::iter::successors(first, |&i| Some(self.next(i)).filter(|&i| i != self.first))
     }
 
-    /// Takes a vertex out.
     pub(super) fn remove(&mut self, vertex_idx: usize) {
         let [prev, _, next] = self.corner(vertex_idx);
         self.next[prev] = next;

@@ -22,7 +22,6 @@ pub(super) struct Rivals {
     n_convex: usize,
 }
 
-/// A vertex inside a candidate.
 pub(super) struct Rival {
     pub vertex_idx: usize,
     /// Twice the area that it spans with each side of the triangle, from the side a v on: none negative.
@@ -37,7 +36,6 @@ impl Rivals {
         Self { by_x, n_convex: 0 }
     }
 
-    /// One of them has become convex.
     pub fn one_less(&mut self, corners: &[Option<Corner>]) {
         self.n_convex += 1;
         // Each vertex is moved at most twice in all.
@@ -87,7 +85,6 @@ impl Rivals {
     }
 }
 
-/// The least and the greatest of three.
 fn ends([a, b, c]: [f64; 3]) -> [f64; 2] {
     [a.min(b).min(c), a.max(b).max(c)]
 }

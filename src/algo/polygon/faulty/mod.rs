@@ -1,9 +1,6 @@
-//! **Wrong on purpose.** Sutherland–Hodgman with one mistake each, as they are found in lecture notes and in
-//! programs that students hand in: to be stepped beside the right one, on the student's own input.
-//!
-//! They run through the very same step with one rule changed ([`Rules`] says which can be), and report the same
-//! events, so that the first differing step is the first differing event. Only the lab's "what is wrong here?"
-//! knows this room: `tests/architecture/` holds the rest of the house to that.
+//! **Wrong on purpose.** Sutherland–Hodgman with one mistake each, as found in lecture notes and in programs that students hand in: the
+//! same step with one rule changed ([`Rules`]), and the same events, so that the first differing step is the first differing event.
+//! Only the lab's "what is wrong here?" knows this room: `tests/architecture/` holds the rest of the house to that.
 //!
 //! ```
 //! use clipscope::{algo::polygon::{faulty::{DropsOnBorder, Faulty}, SutherlandHodgman, SutherlandHodgmanInput}, geom::{Polygon, Window}, trace::silent};
@@ -22,8 +19,7 @@ use crate::{geom::Point, trace::Real};
 
 use super::{Rules, Share, SutherlandHodgman, Vertex};
 
-/// Erratum E6: "inside" means a distance *greater* than 0, and an edge is cut only where the product of both
-/// distances is *less* than 0. A vertex on the border is neither: it is lost, and nothing stands in for it.
+/// Erratum E6: inside is a distance *greater* than 0, and a product of distances *less* than 0 is cut: a vertex on the border is lost.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct DropsOnBorder;
 
@@ -31,8 +27,7 @@ impl Rules for DropsOnBorder {
     const BORDER_IS_INSIDE: bool = false;
 }
 
-/// The edge from the last vertex to the first is forgotten: where it crosses the border, a crossing is missing,
-/// and a corner is cut off.
+/// The edge from the last vertex to the first is forgotten: a crossing is missing, and a corner is cut off.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LeavesOpen;
 
@@ -40,8 +35,7 @@ impl Rules for LeavesOpen {
     const CLOSES: bool = false;
 }
 
-/// The clip edges are walked clockwise, while what lies to their left is still taken for the inside: every
-/// half-plane is the wrong one, and of most polygons nothing is left.
+/// The clip edges are walked clockwise, and their left is taken for the inside: every half-plane is the wrong one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WalksClockwise;
 
@@ -49,8 +43,7 @@ impl Rules for WalksClockwise {
     const CLOCKWISE: bool = true;
 }
 
-/// A crossing is put out twice: as the end of one edge and again as the start of the next. The picture stays the
-/// same; the list grows at every clip edge, and its edges without length have no direction.
+/// A crossing ends one edge and is put out again to begin the next: the picture stays the same, and the list grows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct CutsTwice;
 
@@ -58,8 +51,7 @@ impl Rules for CutsTwice {
     const COPIES: usize = 2;
 }
 
-/// Where an edge comes in, its end is put out before the crossing: the outline goes back and forth, and
-/// crosses itself.
+/// Where an edge comes in, its end is put out before the crossing: the outline goes back and forth, and crosses itself.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EndFirst;
 
@@ -70,8 +62,7 @@ impl Rules for EndFirst {
 /// Sutherland–Hodgman with the mistake `L`.
 pub type Faulty<L, V = Point> = SutherlandHodgman<V, L>;
 
-/// A textured vertex that is moved to the border and keeps its place in the texture, instead of a new vertex with
-/// a place of its own: the picture shifts and stretches as the polygon is cut.
+/// A vertex that is moved to the border and keeps its place in the texture: the picture shifts and stretches as it is cut.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct KeepsUv {
     /// Where it is.

@@ -5,15 +5,13 @@ use serde::Serialize;
 use crate::{algo::line::Ratio, geom::Point};
 
 use super::{
-    answer::Relation,
     input::List,
     meeting::Contact,
-    rings::RingKind,
+    rings::{Relation, RingKind},
     side::{IntersectionLabel, Side},
 };
 
-/// What happens, in order. Vertices and edges are numbered through all rings of [`Region::rings`](crate::geom::Region::rings); intersections
-/// along the subject's list.
+/// Vertices and edges are numbered through all [`Region::rings`](crate::geom::Region::rings), intersections along the subject.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum WeilerAthertonEvent {

@@ -4,13 +4,11 @@
 //!   ┌───┬───┬───┬───┐     The common box of both polygons, cut into about as many cells as there are edges.
 //!   │   │  ╱│   │   │     Each clip edge is entered in the cells that it passes through, row by row; an edge
 //!   ├───┼─╱─┼───┼───┤     of the subject meets none but those in its own cells.
-//!   │   │╱  │   │   │
-//!   └───╱───┴───┴───┘     Nothing is decided here: a cell too many costs a test, none is missed.
+//!   └───┴╱──┴───┴───┘     Nothing is decided here: a cell too many costs a test, none is missed.
 //! ```
 
 use crate::geom::{Point, Rings};
 
-/// Clip edges by cell.
 pub struct Grid {
     /// Lower left corner of the common box; upper right one.
     bounds: [[f64; 2]; 2],
@@ -20,7 +18,6 @@ pub struct Grid {
     scale: [f64; 2],
     /// Of each cell the first of its entries; and their number at the end.
     starts: Vec<u32>,
-    /// Clip edges, cell by cell.
     entries: Vec<u32>,
     /// Of each clip edge the last subject edge that it was proposed to: once is enough.
     proposed: Vec<u32>,
@@ -58,7 +55,6 @@ impl Grid {
     }
 
     fn fill(&mut self, clip: &Rings) {
-        // Counted first, then dealt out: each cell's entries lie side by side.
         let mut passed: Vec<[u32; 2]> = Vec::with_capacity(4 * clip.points().len());
         for edge_idx in 0..clip.points().len() {
             self.each_cell(clip.edge(edge_idx), |cell| {
@@ -66,20 +62,7 @@ impl Grid {
             });
         }
         let n_cells = self.n_columns * self.n_rows;
-        let mut starts = vec![0_u32; n_cells + 2];
-        for [cell, _] in &passed {
-            starts[*cell as usize + 2] += 1;
-        }
-        for cell in 2..starts.len() {
-            starts[cell] += starts[cell - 1];
-        }
-        let mut entries = vec![0; passed.len()];
-        for [cell, edge_idx] in passed {
-            let place = &mut starts[cell as usize + 1];
-            entries[*place as usize] = edge_idx;
-            *place += 1;
-        }
-        (self.starts, self.entries) = (starts, entries);
+        (self.entries, self.starts) = dealt(n_cells, passed.into_iter());
     }
 
     /// Calls `propose` once with every clip edge that may meet the subject's edge, in no particular order.
@@ -149,6 +132,24 @@ impl Grid {
         // NaN where a box without an extent meets its own corner: there is one cell.
         if cells.is_nan() { 0.0 } else { cells }
     }
+}
+
+/// The items of pairs of a key and an item, sorted by key (stably), and where each key's begin.
+pub fn dealt(n_keys: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) -> (Vec<u32>, Vec<u32>) {
+    let mut starts = vec![0_u32; n_keys + 2];
+    for [key, _] in pairs.clone() {
+        starts[key as usize + 2] += 1;
+    }
+    for key in 2..starts.len() {
+        starts[key] += starts[key - 1];
+    }
+    let mut items = vec![0_u32; starts[n_keys + 1] as usize];
+    for [key, item] in pairs {
+        let place = &mut starts[key as usize + 1];
+        items[*place as usize] = item;
+        *place += 1;
+    }
+    (items, starts)
 }
 
 fn bounds(rings: &Rings) -> [[f64; 2]; 2] {

@@ -8,10 +8,9 @@
 //!    inside for the walk = inside, or along;   outside for the walk = outside, or against.
 //! ```
 //!
-//! Where both borders run the same way, both interiors lie to the left: there the shared edge bounds the result,
-//! and the subject's copy of it is walked. Where they run against each other the interiors lie on either side,
-//! and it bounds nothing. So the label of each intersection is decided on the spot; Foster, Hormann and Popa
-//! carry undecided ones along a shared chain to its end ("delayed crossing", "delayed bouncing").
+//! Where both borders run the same way, the shared edge bounds the result, and the subject's copy is walked; where they run against each
+//! other it bounds nothing. So each label is decided on the spot; Foster, Hormann and Popa carry undecided ones along a shared
+//! chain to its end ("delayed crossing", "delayed bouncing").
 
 use crate::{
     geom::{Point, Rings},
@@ -28,7 +27,6 @@ use super::{
 };
 
 impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
-    /// Labels every intersection, in the order of the subject's list.
     pub fn label<R: Real>(&mut self) -> Told<T::Stop> {
         let [subject, clip] = self.borders;
         let n_nodes = self.held.lists.nodes.len();
@@ -103,7 +101,6 @@ fn corner(rings: &Rings, edge_idx: u32, at_vertex: bool, at: Point) -> [Point; 3
     }
 }
 
-/// Both edges of a border at a corner, by the other border's corner.
 fn sides<R: Real>([before, _, after]: [Point; 3], other: [Point; 3]) -> [Side; 2] {
     let side = |to, back: bool| match (ray::<R>(other, to), back) {
         (Ray::Inside, _) => Side::Inside,

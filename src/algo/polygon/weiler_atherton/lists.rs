@@ -6,9 +6,8 @@
 //!   clip      C₀ ──┼──── C₁ ── I₂┄┼┄┄┄┄┘ …
 //! ```
 //!
-//! The order of several intersections along one edge is exact: it comes from the sides on which given vertices
-//! lie, never from computed parameters. Two edges of one simple polygon do not cross, so one of them lies on one
-//! side of the other's line; then so does its crossing, and the edge's own ends tell which side comes first.
+//! The order of intersections along an edge is exact: two edges of one simple polygon do not cross, so one lies on one side of the
+//! other's line, as does its crossing, and the sides of given vertices tell which comes first, never computed parameters.
 
 use std::cmp::Ordering;
 
@@ -20,7 +19,7 @@ use crate::{
 use super::{
     Clipping, WeilerAtherton,
     event::WeilerAthertonEvent as Event,
-    grid::Grid,
+    grid::{Grid, dealt},
     input::List,
     meeting::{Meeting, meetings},
     predicate::side,
@@ -33,9 +32,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// A place in a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Entry {
-    /// The polygon's own vertex.
     vertex: u32,
-    /// An intersection.
     pub(super) node: u32,
     /// The entry after this one, in its ring.
     pub next: u32,
@@ -54,8 +51,8 @@ impl Entry {
         (self.node != NONE).then_some(self.node)
     }
 
-    /// Is it a corner of a ring that passes it? A list's own vertices are; so are the other polygon's along an edge that both
-    /// share, so that they still share it afterwards. An intersection that a walk goes straight past is not.
+    /// A list's own vertices are corners, and the other polygon's along a shared edge, so that it stays shared; an intersection that a walk
+    /// goes straight past is none.
     pub(super) fn is_corner(&self, labels: &[Labelled]) -> bool {
         self.vertex != NONE || self.node != NONE && labels[self.node as usize].shares_an_edge()
     }
@@ -68,7 +65,6 @@ pub struct Intersection {
     pub meeting: Meeting,
     /// The edges that own it, of the subject and of the clip polygon.
     pub edges: [u32; 2],
-    /// Its places in the two lists.
     pub(super) places: [u32; 2],
 }
 
@@ -95,7 +91,6 @@ pub struct LinkedLists {
 }
 
 impl LinkedLists {
-    /// Without an entry yet.
     pub(super) fn empty(borders: [&Rings; 2]) -> Self {
         Self {
             nodes: Vec::new(),
@@ -159,7 +154,6 @@ impl LinkedLists {
 }
 
 impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
-    /// The subject's list, edge by edge, with the intersections found on each.
     pub fn find<R: Real>(&mut self) -> Told<T::Stop> {
         let [subject, clip] = self.borders;
         let n_edges = subject.points().len();
@@ -189,14 +183,14 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         Told::Continue(())
     }
 
-    /// The clip polygon's list, with the same intersections.
     pub fn insert<R: Real>(&mut self) -> Told<T::Stop> {
         let [subject, clip] = self.borders;
         let n_edges = clip.points().len();
         if self.held.lists.n_edges[1] == n_edges {
             return Told::Continue(());
         }
-        let (mut by_edge, starts) = by_clip_edge(&self.held.lists.nodes, n_edges);
+        let nodes = (0..).zip(&self.held.lists.nodes);
+        let (mut by_edge, starts) = dealt(n_edges, nodes.map(|(i, node)| [node.edges[1], i]));
         for edge_idx in self.held.lists.n_edges[1]..n_edges {
             self.rest(edge_idx, n_edges);
             let edge = clip.edge(edge_idx);
@@ -240,7 +234,6 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         })
     }
 
-    /// The next intersection of the subject's list.
     #[inline]
     fn found(&mut self, edges: [u32; 2], meeting: Meeting) -> Told<T::Stop> {
         let Meeting {
@@ -271,25 +264,6 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
     }
 }
 
-/// Intersections by clip edge, each edge's in the subject's order, and of each edge where they begin: counted, then dealt out.
-fn by_clip_edge(nodes: &[Intersection], n_edges: usize) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0_u32; n_edges + 2];
-    for node in nodes {
-        starts[node.edges[1] as usize + 2] += 1;
-    }
-    for edge_idx in 2..starts.len() {
-        starts[edge_idx] += starts[edge_idx - 1];
-    }
-    let mut by_edge = vec![0_u32; nodes.len()];
-    for (node_idx, node) in nodes.iter().enumerate() {
-        let place = &mut starts[node.edges[1] as usize + 1];
-        by_edge[*place as usize] = node_idx as u32;
-        *place += 1;
-    }
-    (by_edge, starts)
-}
-
-/// An intersection as one of the two edges sees it.
 struct On {
     /// Is it a vertex of this polygon, of the other one?
     at_vertex: [bool; 2],

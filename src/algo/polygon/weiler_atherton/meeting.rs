@@ -9,8 +9,7 @@
 //!      s₂ ●   ╲ c₁
 //! ```
 //!
-//! Edges are half open: an edge owns its first end and not its last. So every common point of the two borders
-//! that is a crossing or a vertex belongs to exactly one pair of edges.
+//! An edge owns its first end and not its last: every crossing or vertex that both borders share belongs to exactly one pair.
 
 use std::cmp::Ordering;
 
@@ -155,8 +154,8 @@ fn along([from, to]: [Point; 2], at: Point) -> Ratio {
     }
 }
 
-/// Of two edges the lesser one is averaged, whichever way either runs: one that is askew before one along an axis,
-/// whose border coordinate the answer is given anyway; then the one that comes first on the left.
+/// Of two edges the lesser is averaged: an oblique one before one along an axis, whose border coordinate the answer is given
+/// anyway; then the one that comes first on the left.
 fn precedence([p, q]: [Point; 2]) -> (bool, [[f64; 2]; 2]) {
     let along_an_axis = p.x() == q.x() || p.y() == q.y();
     let ends = if lexicographic(p, q) == Ordering::Less {
@@ -167,16 +166,9 @@ fn precedence([p, q]: [Point; 2]) -> (bool, [[f64; 2]; 2]) {
     (along_an_axis, ends)
 }
 
-/// The common point of two edges that cross: the weighted mean of the ends of one of them, with their distances
-/// from the other one.
-///
-/// ```text
-///   (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|)
-/// ```
-///
-/// Which one depends on the edges alone ([`precedence`]): so neither the direction of either nor which polygon is
-/// called the subject changes a bit. Where products and sums are exact, the division's one rounding
-/// makes it the correctly rounded true point. It is kept within the boxes of both.
+/// The common point of two edges that cross, by the ends of the one that [`precedence`] names and their distances from the other:
+/// (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|), kept within the boxes of both. Neither direction nor role changes a bit, and
+/// where products and sums are exact it is the correctly rounded true point.
 fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Point {
     let [w1, w2] = if sides[0].get() < 0.0 {
         [-sides[0], sides[1]]
@@ -206,8 +198,7 @@ fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Poin
 /// Weights and products in this range keep all their bits.
 const PLAIN: std::ops::RangeInclusive<f64> = 1e-270..=1e270;
 
-/// [`crossing`]'s mean where its weights leave the range of f64: once more, with all coordinates scaled by a power
-/// of two. NaN where even that does not help.
+/// [`crossing`]'s mean with coordinates scaled by a power of two. NaN where even that does not help.
 #[cold]
 fn scaled_mean(ends: [Point; 2], other: [Point; 2], axis: fn(Point) -> f64) -> f64 {
     let all = [ends, other].map(|edge| edge.map(Point::to_array));

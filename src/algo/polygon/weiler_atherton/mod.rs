@@ -10,32 +10,25 @@
 //!      └───────────────────┘      × I = (s₁·|a₂| + s₂·|a₁|) / (|a₁| + |a₂|)      a: distances from the clip edge
 //! ```
 //!
-//! 1. Find where the edges meet (`meeting`, candidates by `grid`), and put the intersections into both lists in
-//!    order (`lists`).
+//! 1. Find where edges meet (`grid`, `meeting`) and put the intersections into both lists (`lists`).
 //! 2. Label each *entering*, *leaving*, *touching* or *pinching* (`labels`).
 //! 3. Walk (`walk`); borders that change no lists are inside or outside as a whole.
 //! 4. Give each hole to the piece that it lies in (`rings`).
 //!
-//! The textbook form asks for general position. This one is right for every input, because each decision is the
-//! sign of an exact determinant of three given vertices: which edges meet and how, in what order along an edge,
-//! and what a border does at an intersection. Only crossings are computed, and nothing is asked of them.
+//! The textbook form asks for general position. This one is right for every input, because each decision is the sign of an exact
+//! determinant of three given vertices. Only crossings are computed, and nothing is asked of them.
 //!
-//! *Conventions*: closed regions; interiors to the left of every border, so outer rings run counter-clockwise
-//! and holes clockwise. The answer is the closure of the common interior: common points and common edges with no
-//! area on either side are not polygons, and [`Relation`] tells of them. Each piece has a connected interior and
-//! simple rings: where borders only touch in a point, rings are cut there. A crossing is the same point bit for
-//! bit whichever way its edges run and whichever polygon is the subject; a vertex stays as given. *Degenerate*:
-//! vertices on edges and on vertices, shared edges in either direction and identical polygons are labelled on
-//! the spot (`labels`). A piece so thin that its rounded corners have no area is left out
-//! ([`RingKind::Sliver`]). *Bound*: at most n·m + n + m intersections; walks take at most as many steps as both
-//! lists have entries. *Cost*: O(n + m + k log k) and the tests of the grid's candidates, about √(n + m) times as
-//! many as edges where edges are of like length, and n·m at worst.
+//! *Conventions*: closed regions; interiors to the left, so holes run clockwise. The answer is the closure of the common interior;
+//! [`Relation`] tells of common points and edges. Pieces have a connected interior and simple rings, cut where borders only touch.
+//! Neither direction nor role changes a bit of a crossing. *Degenerate*: vertices on edges and vertices, shared edges and identical
+//! polygons are labelled on the spot; a piece whose rounded corners have no area is left out ([`RingKind::Sliver`]). *Bound*:
+//! n·m + n + m intersections; walks take at most as many steps as both lists have entries. *Cost*: O(n + m + k log k) and the tests of
+//! the grid's candidates, about √(n + m) times as many as edges where edges are of like length, and n·m at worst.
 //!
-//! *Sources*: K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977,
-//! pp. 214–222, doi:10.1145/563858.563896; G. Greiner and K. Hormann, "Efficient clipping of arbitrary polygons",
-//! ACM Transactions on Graphics 17(2), 1998, pp. 71–83, doi:10.1145/274363.274364; E. L. Foster, K. Hormann and
-//! R. T. Popa, "Clipping simple polygons with degenerate intersections", Computers & Graphics: X 2, 2019, 100007,
-//! doi:10.1016/j.cagx.2019.100007.
+//! *Sources*: K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977, pp. 214–222,
+//! doi:10.1145/563858.563896; G. Greiner and K. Hormann, "Efficient clipping of arbitrary polygons", ACM Transactions on Graphics
+//! 17(2), 1998, pp. 71–83, doi:10.1145/274363.274364; E. L. Foster, K. Hormann and R. T. Popa, "Clipping simple polygons with degenerate
+//! intersections", Computers & Graphics: X 2, 2019, 100007, doi:10.1016/j.cagx.2019.100007.
 //!
 //! ```
 //! use clipscope::{algo::polygon::weiler_atherton::*, geom::{SimplePolygon, Window}, trace::silent};
@@ -55,7 +48,6 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-mod answer;
 mod event;
 mod grid;
 mod input;
@@ -75,12 +67,11 @@ use crate::{
 
 use rings::{owners, pieces};
 
-pub use answer::{OutputPolygon, Relation, WeilerAthertonOutput};
 pub use event::WeilerAthertonEvent;
 pub use input::{List, WeilerAthertonInput};
 pub use lists::{Entry, Intersection, LinkedLists};
 pub use meeting::{Contact, Meeting};
-pub use rings::{BorderRing, RingKind};
+pub use rings::{BorderRing, OutputPolygon, Relation, RingKind, WeilerAthertonOutput};
 pub use side::{IntersectionLabel, Labelled, Side};
 pub use walk::Walk;
 
@@ -158,9 +149,8 @@ impl Method for WeilerAtherton {
         }
     }
 
-    /// With k intersections: a vertex for each of both polygons' n; each intersection found, inserted and
-    /// labelled; a start and two switches for each at most; the n + 2k entries of both lists passed; as each ring
-    /// takes an entry, so many closed; every ring of both polygons as a whole, and as a hole; the end.
+    /// With k intersections: both polygons' n vertices; each intersection found, inserted, labelled, a start and two switches; the n + 2k
+    /// entries of both lists passed, as many rings closed; every ring as a whole, and as a hole; the end.
     fn max_events(input: &Self::Input) -> usize {
         let (subject, clip) = (input.subject.rings(), input.clip.rings());
         let [s, c] = [subject, clip].map(|rings| rings.points().len());
@@ -169,7 +159,6 @@ impl Method for WeilerAtherton {
     }
 }
 
-/// A run at work.
 struct Clipping<'a, T> {
     input: &'a WeilerAthertonInput,
     borders: [&'a Rings; 2],

@@ -7,8 +7,7 @@ use crate::{
     trace::Real,
 };
 
-/// Twice the area of abc, positive where c lies to the left of the line from a to b. Its sign is exact; its
-/// size is as computed. Swapping a and b changes the sign and no other bit.
+/// Twice the area of abc, positive where c is left of ab, with an exact sign. Swapping a and b changes the sign and no other bit.
 #[inline]
 pub fn side<R: Real>(a: Point, b: Point, c: Point) -> R {
     let [ax, ay, bx, by, cx, cy] = [a.x(), a.y(), b.x(), b.y(), c.x(), c.y()].map(R::new);

@@ -26,8 +26,7 @@ pub enum IntersectionLabel {
     Leaving,
     /// The subject stays inside, or outside: the walk goes on in its list.
     Touching,
-    /// Both borders pass through the inside of the other and touch: two corners of the result meet here, and
-    /// the walk changes lists so that each piece keeps to its own.
+    /// Both borders pass inside the other and touch: the walk changes lists, so that each of the two pieces keeps to its own.
     Pinching,
 }
 

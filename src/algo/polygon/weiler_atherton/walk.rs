@@ -9,9 +9,8 @@
 //!   back at the start: done
 //! ```
 //!
-//! Every border piece that bounds the result lies between two entries of one list, and has one successor; so
-//! the walks are disjoint cycles. No entry is visited twice in the same list: the walks together take at most as
-//! many steps as both lists have entries.
+//! Every entry of a list has one successor among the border pieces that bound the result, so the walks are disjoint cycles: together they
+//! take at most as many steps as both lists have entries.
 
 use std::cmp::Ordering;
 
@@ -40,7 +39,6 @@ pub struct Walk {
     pub path: Vec<(Point, u32)>,
     /// The entry that comes next, and whether lists are changed there; none between two walks.
     next: Option<(List, u32, bool)>,
-    /// Intersections that have been asked whether a walk starts there.
     n_asked: usize,
     /// Steps that have been taken: see the module.
     n_steps: usize,
@@ -53,14 +51,12 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// No walk is left.
     pub(super) const fn end(&mut self) {
         (self.position, self.start) = (None, None);
     }
 }
 
 impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
-    /// Every ring that changes lists.
     pub fn walk_all(&mut self) -> Told<T::Stop> {
         let n_nodes = self.held.labels.len();
         let most_steps = self.held.lists.entries.iter().map(Vec::len).sum();
@@ -97,7 +93,6 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         })
     }
 
-    /// Goes on with a walk until it is back where it started.
     fn walk_on(&mut self, most_steps: usize) -> Told<T::Stop> {
         while let Some((mut list, mut place, switched)) = self.held.walk.next {
             if self.held.walk.n_steps == most_steps {

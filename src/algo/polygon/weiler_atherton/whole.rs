@@ -7,10 +7,9 @@ use crate::{
 
 use super::{
     Clipping, WeilerAtherton,
-    answer::Relation,
     event::WeilerAthertonEvent as Event,
     input::List,
-    rings::BorderRing,
+    rings::{BorderRing, Relation},
     side::{IntersectionLabel, Labelled, Side},
     walk::{kind, whole_ring_bounds},
 };
@@ -69,7 +68,6 @@ impl Sides {
 }
 
 impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
-    /// Both polygons' rings that no walk can reach.
     pub fn whole_rings(&mut self) -> Told<T::Stop, Sides> {
         let mut sides = Sides::of(&self.held.labels);
         for list in [List::Subject, List::Clip] {
@@ -80,8 +78,7 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         Told::Continue(sides)
     }
 
-    /// Where nothing crosses a ring, it bounds the result all along or nowhere. One of its intersections tells, or where it has
-    /// none, one of its vertices.
+    /// Where nothing crosses a ring it bounds the result all along or nowhere: one intersection tells, or one vertex.
     fn whole_ring(&mut self, list: List, ring_idx: usize, sides: &mut Sides) -> Told<T::Stop> {
         let lists = &self.held.lists;
         let starts = &lists.starts[list.idx()];
@@ -122,7 +119,6 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         })
     }
 
-    /// Where a ring without intersections lies by the other polygon.
     fn side_of(&self, list: List, ring_idx: usize) -> Side {
         let at = self.borders[list.idx()].ring(ring_idx)[0];
         let location = match list {

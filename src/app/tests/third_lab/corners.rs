@@ -11,13 +11,12 @@ use crate::{
     geom::Orbit,
     labs::{
         Answer, CodeLine,
-        telling::{At, Named, Row, Telling, Watched, rows},
+        telling::{At, Named, Row, Telling, Watched, table},
     },
     text::{Formula, Value},
-    trace::{Method, Real, Step, Tell, Told},
+    trace::{Method, Real, Tell, Told},
 };
 
-/// A box around the origin, and the plane x = c.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Input {
     pub half: f64,
@@ -35,7 +34,6 @@ pub enum Event {
     Done,
 }
 
-/// How many corners lie inside: the only thing that the algorithm keeps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NInside(pub usize);
 
@@ -72,14 +70,12 @@ impl Method for Corners {
             let inside = distance >= R::new(0.0);
             held.0 += usize::from(inside);
             let distance = distance.get();
-            tell.tell(
-                held,
-                Event::Corner {
-                    corner_idx,
-                    distance,
-                    inside,
-                },
-            )?;
+            let event = Event::Corner {
+                corner_idx,
+                distance,
+                inside,
+            };
+            tell.tell(held, event)?;
         }
         tell.tell(held, Event::Done)
     }
@@ -93,11 +89,6 @@ impl Method for Corners {
     }
 }
 
-rows! { |event, step: Corners|
-    corner: Event::Corner { .. } => Row::new(Tick::Test, 0, "sh-inside").so(&["d{=d}"]);
-    done: Event::Done => Row::new(Tick::Accept, 0, "sh-inside").so(&["n = {n}"]);
-}
-
 impl Telling for Corners {
     type Scenery = ();
 
@@ -109,16 +100,12 @@ impl Telling for Corners {
         code: "code-cs-codes",
         words: "words-cs-codes",
     }];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["n"])];
+    const OPENING: Row = Row::new(Tick::Phase, 0, "sh-inside").so(&["c{=c}"]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Tick::Phase, 0, "sh-inside").so(&["c{=c}"]);
-        &OPENING
+    table! { |event, step|
+        corner: Event::Corner { .. } => Row::new(Tick::Test, 0, "sh-inside").so(&["d{=d}"]);
+        done: Event::Done => Row::new(Tick::Accept, 0, "sh-inside").so(&["n = {n}"]);
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -157,7 +144,6 @@ impl Telling for Corners {
     }
 }
 
-/// Of the corners that have been asked.
 fn distances(at: &At<'_, Corners>) -> impl Iterator<Item = f64> {
     at.step.past.iter().filter_map(|event| match *event {
         Event::Corner { distance, .. } => Some(distance),
@@ -166,12 +152,10 @@ fn distances(at: &At<'_, Corners>) -> impl Iterator<Item = f64> {
 }
 
 fn table(distances: &[f64], current: Option<usize>) -> Table {
+    let distance = |idx: usize| distances.get(idx).copied().map(Value::Number);
     let row = |idx: usize| TableRow {
         name: Value::Name(format!("V{idx}")),
-        cells: vec![Cell::new(
-            Role::Ink,
-            distances.get(idx).copied().map(Value::Number),
-        )],
+        cells: vec![Cell::new(Role::Ink, distance(idx))],
         is_current: current == Some(idx),
         link: None,
     };
@@ -182,7 +166,6 @@ fn table(distances: &[f64], current: Option<usize>) -> Table {
     }
 }
 
-/// The corners as pixels, four by two, with their distances in them.
 fn raster(distances: &[f64], current: Option<usize>) -> Raster {
     let pixel = |idx: usize| match distances.get(idx) {
         Some(&distance) => Pixel {

@@ -5,69 +5,45 @@ use std::cell::Cell;
 use egui::Ui;
 
 use crate::{
-    case::{self, Refusal, Solve, Solver},
+    case::{Reading, Solve, Solver, Verdict},
     figure::{Link, Mark, Run},
     input::{Field, Part, Shape},
     labs::{
         Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
         Motion, Own, Scene, recorded::Recorded,
     },
-    lesson::{SceneFormat, Sink, TomlFields, number},
+    lesson::{SceneFormat, Spelling, TomlFields},
     panels::{LabPanel, PanelAsk},
     text::{Diagnostic, Message},
     widgets::Look,
 };
 
-use super::corners::{Corners, Input, NInside};
+use super::corners::{Corners, Input};
 
-/// A box around the origin, and the plane x = c.
-pub static LAB: &dyn Lab = &Boxes;
-
-struct Boxes;
-
-impl Lab for Boxes {
-    fn id(&self) -> &'static str {
-        "boxes"
-    }
-
-    fn name_key(&self) -> &'static str {
-        "object-window"
-    }
-
-    fn about_key(&self) -> &'static str {
-        "object-window"
-    }
-
-    fn methods(&self) -> Vec<&'static MethodCard> {
-        vec![&CARD]
-    }
-
-    fn first_scene(&self) -> Scene {
-        BoxScene { half: 1.0, c: 0.5 }.into()
-    }
-
-    fn lock_groups(&self) -> &'static [&'static str] {
-        &["box"]
-    }
-}
+pub static LAB: &Lab = &Lab {
+    id: "boxes",
+    name_key: "object-window",
+    about_key: "object-window",
+    methods: || vec![&CARD],
+    first_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
+    lock_groups: &["box"],
+    adopt: |_| None,
+    outlines: &[],
+};
 
 static CARD: MethodCard = MethodCard::of::<Corners>();
 
-/// The face at x = half moves along x.
 static FACE: HandleKind = HandleKind {
     motion: Motion::Axis([1.0, 0.0, 0.0]),
     ..HandleKind::new("face", "box", |_| Message::new("handle-window"))
 };
 
-/// The handle of the face at x = half.
 pub fn face() -> Handle {
     FACE.at([0, 0])
 }
 
 thread_local! {
-    /// How often this thread has recorded a box.
     pub static N_RECORDED: Cell<usize> = const { Cell::new(0) };
-    /// What was clicked last on this thread.
     pub static CLICKED: Cell<Option<Link>> = const { Cell::new(None) };
 }
 
@@ -108,7 +84,7 @@ impl Draggable for BoxScene {
 impl Answers for BoxScene {}
 
 impl Document for BoxScene {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
@@ -144,37 +120,24 @@ impl Document for BoxScene {
     }
 }
 
-/// How it is spelt: `method`, `half`, `c`.
 pub struct BoxFormat;
 
 impl SceneFormat for BoxFormat {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
-    fn fields(&self) -> &'static [&'static str] {
-        &["method", "half", "c"]
+    fn spelling(&self) -> &'static Spelling {
+        &Spelling {
+            fields: &["method", "half", "c"],
+            own_field: "half",
+            room: 100,
+        }
     }
 
-    fn own_field(&self) -> &'static str {
-        "half"
-    }
-
-    fn room(&self) -> usize {
-        100
-    }
-
-    fn read(
-        &self,
-        fields: &TomlFields<'_>,
-        room: &mut usize,
-        sink: &mut Sink<'_>,
-    ) -> Option<Scene> {
+    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<Scene> {
         *room -= 8;
-        let mut read = |name| {
-            let item = fields.require(name, sink)?;
-            number(item, "expect-point", sink)
-        };
+        let read = |name| fields.require(name)?.number("expect-point");
         let (half, c) = (read("half")?, read("c")?);
         Some(BoxScene { half, c }.into())
     }
@@ -188,7 +151,7 @@ impl SceneFormat for BoxFormat {
 pub struct BoxPanel;
 
 impl LabPanel for BoxPanel {
-    fn lab(&self) -> &'static dyn Lab {
+    fn lab(&self) -> &'static Lab {
         LAB
     }
 
@@ -198,7 +161,6 @@ impl LabPanel for BoxPanel {
     }
 }
 
-/// How a case gives it: `half`, `c`.
 pub static SOLVERS: [Solver; 1] = [Solver::of::<Corners>()];
 
 const HALF: Part<f64> = Part::new("half", &Shape::Number, |got| Ok(got.number()));
@@ -207,13 +169,9 @@ const C: Part<f64> = Part::new("c", &Shape::Number, |got| Ok(got.number()));
 impl Solve for Corners {
     const FIELDS: &'static [Field] = &[HALF.required(), C.required()];
     const OUTPUT: &'static [Field] = &[Field::required("n_inside", &Shape::COUNT)];
-
-    fn read(fields: &case::Fields<'_>) -> Result<Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (half, c) = (fields.need(&HALF)?, fields.need(&C)?);
         Ok(Input { half, c })
-    }
-
-    fn verdict(_: &NInside) -> Message {
-        Message::new("sh-inside")
-    }
+    };
+    const VERDICT: Verdict<Self> = |_| Message::new("sh-inside");
 }

@@ -4,20 +4,14 @@
 mod corners;
 mod lab;
 
-use egui::{
-    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase, vec2,
-};
+use egui::{MouseWheelSource, MouseWheelUnit, TouchPhase};
 
-use super::{Bench, SIZE};
+use super::*;
 use crate::{
-    app::{App, Command, Kit, Settings},
     case::{Detail, Format, Solver, Solvers, Style, trace},
     export,
-    figure::{Body, Link, Moment, Run, project},
-    labs::Scene,
-    lesson::{Course, FileError, Files, SceneFormat, SceneFormats},
-    paint::ThemeKind,
-    text::Lang,
+    figure::{Body, Run, project},
+    lesson::{FileError, Files, SceneFormat, SceneFormats, Severity},
 };
 
 use corners::corner;
@@ -32,7 +26,6 @@ fn kit() -> Kit {
     }
 }
 
-/// A course of one lesson, in memory.
 struct Lesson;
 
 const TOML: &str = r#"
@@ -55,10 +48,9 @@ const TEXT: &str = "# A box\n\n## second: The second corner\n\nIt is inside.\n";
 
 impl Files for Lesson {
     fn list(&self) -> Result<Vec<String>, FileError> {
-        Ok(vec![
-            "01-box/lesson.toml".to_owned(),
-            "01-box/en.md".to_owned(),
-        ])
+        Ok(["01-box/lesson.toml", "01-box/en.md"]
+            .map(str::to_owned)
+            .into())
     }
 
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
@@ -77,36 +69,29 @@ fn bench() -> Bench {
 }
 
 fn half(bench: &Bench) -> f64 {
-    let scene: &BoxScene = bench.app.scene().get().expect("a box");
-    scene.half
+    bench.scene::<BoxScene>().half
 }
 
 #[test]
 fn its_lessons_are_read_and_its_scenes_written() {
     let loaded = Course::check_with(&Lesson, kit().formats);
-    let errors: Vec<String> = loaded
-        .problems
-        .iter()
-        .filter(|problem| problem.severity == crate::lesson::Severity::Error)
-        .map(|problem| problem.what.message.key.to_owned())
-        .collect();
-    assert!(errors.is_empty(), "{errors:?}");
+    let problems = loaded.problems.iter();
+    let mut errors = problems.filter(|problem| problem.severity == Severity::Error);
+    assert_eq!(errors.next(), None);
     let step = &loaded.course.lessons[0].steps[0];
     assert_eq!(step.moment.to_string(), "corner #2");
     let written = kit().formats.write(&step.scene, &step.moment);
     let again = kit().formats.read("box.toml", written.as_bytes());
     let again = again.expect("as it was written");
-    assert_eq!(
-        (again.scene, Some(again.position)),
-        ((*step.scene).clone(), step.position())
-    );
+    assert_eq!(again.scene, *step.scene);
+    assert_eq!(Some(again.position), step.position());
     let broken = kit().formats.read("box.toml", b"half = \"wide\"\nc = 0");
     assert_eq!(broken.expect_err("a word is no number").len(), 1);
 }
 
 #[test]
 fn its_run_is_stepped() {
-    let runs = LAB.first_scene().document().record();
+    let runs = (LAB.first_scene)().document().record();
     let run: &dyn Run = &*runs[0];
     assert_eq!(run.n_steps(), 9);
     let third: Moment = "corner #3".parse().expect("a moment");
@@ -116,7 +101,7 @@ fn its_run_is_stepped() {
 
 #[test]
 fn its_figure_is_a_cube_with_hidden_edges_dashed() {
-    let scene = LAB.first_scene();
+    let scene = (LAB.first_scene)();
     let frame = scene.document().record()[0].frame(1);
     let Body::Space(space) = &frame.views[0].body else {
         panic!("space first, not {:?}", frame.views[0].id);
@@ -126,10 +111,12 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
     let picture = |step| export::Picture {
         scene: &scene,
         step,
-        lang: Lang::En,
-        theme: ThemeKind::Light,
-        size_px: [1280, 720],
-        among: export::Steps::Figures,
+        options: export::Options {
+            lang: Lang::En,
+            theme: ThemeKind::Light,
+            size_px: [1280, 720],
+            steps: export::Steps::Figures,
+        },
         title: None,
     };
     let mut studio = export::Studio::new(ThemeKind::Light);
@@ -148,20 +135,17 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
 #[test]
 fn its_window_turns_steps_drags_and_undoes() {
     let mut bench = bench();
-    assert_eq!(bench.app.scene().document().lab(), LAB);
+    assert_eq!(bench.document().lab(), LAB);
     bench.key(Key::ArrowRight);
     assert_eq!(bench.app.position(), 1);
-    let before = bench.app.on_screen([1.0, 1.0]);
-    let empty = bench.app.on_screen([-2.2, 0.0]).expect("on stage");
+    let before = bench.on_screen([1.0, 1.0]);
+    let empty = bench.on_screen([-2.2, 0.0]);
     bench.drag(empty, empty + vec2(60.0, 0.0));
-    assert_ne!(
-        bench.app.on_screen([1.0, 1.0]),
-        before,
-        "the eye went round"
-    );
+    let after = bench.on_screen([1.0, 1.0]);
+    assert_ne!(after, before, "the eye went round");
     bench.command(Command::FitView);
-    assert_eq!(bench.app.on_screen([1.0, 1.0]), before, "and back");
-    let [from, to] = [1.0, 1.5].map(|x| bench.app.on_screen([x, 0.0]).expect("on stage"));
+    assert_eq!(bench.on_screen([1.0, 1.0]), before, "and back");
+    let [from, to] = [1.0, 1.5].map(|x| bench.on_screen([x, 0.0]));
     bench.drag(from, to);
     assert!((half(&bench) - 1.5).abs() < 0.1, "{}", half(&bench));
     bench.command(Command::Undo);
@@ -172,13 +156,11 @@ fn its_window_turns_steps_drags_and_undoes() {
 #[test]
 fn its_eye_comes_nearer_goes_sideways_and_knows_what_is_clicked() {
     let mut bench = bench();
-    let [middle, side] = [0.0, 1.0].map(|y| bench.app.on_screen([0.0, y]).expect("on stage"));
-    bench.button(middle, true);
-    bench.button(middle, false);
+    let [middle, side] = [0.0, 1.0].map(|y| bench.on_screen([0.0, y]));
+    bench.tap(middle);
     assert_eq!(CLICKED.get(), Some(Link::to("face")));
     let beside = middle + vec2(0.0, 3.0 * (side.y - middle.y));
-    bench.button(beside, true);
-    bench.button(beside, false);
+    bench.tap(beside);
     assert_eq!(CLICKED.get(), None, "nothing is there");
     let wheel = Event::MouseWheel {
         unit: MouseWheelUnit::Point,
@@ -189,7 +171,7 @@ fn its_eye_comes_nearer_goes_sideways_and_knows_what_is_clicked() {
     };
     bench.frame(0.02, vec![Event::PointerMoved(middle), wheel]);
     bench.settle();
-    let nearer = bench.app.on_screen([0.0, 1.0]).expect("on stage");
+    let nearer = bench.on_screen([0.0, 1.0]);
     assert!(nearer.y < side.y - 1.0, "{nearer:?}, not over {side:?}");
     let shift = |pressed| Event::PointerButton {
         pos: beside,
@@ -199,9 +181,9 @@ fn its_eye_comes_nearer_goes_sideways_and_knows_what_is_clicked() {
     };
     bench.frame(0.02, vec![Event::PointerMoved(beside), shift(true)]);
     let to = beside + vec2(40.0, -20.0);
-    bench.frame(0.02, vec![Event::PointerMoved(to)]);
+    bench.point(to);
     bench.frame(0.02, vec![shift(false)]);
-    let moved = bench.app.on_screen([0.0, 0.0]).expect("on stage") - middle;
+    let moved = bench.on_screen([0.0, 0.0]) - middle;
     assert!((moved - vec2(40.0, -20.0)).length() < 1.0, "{moved:?}");
 }
 
@@ -211,7 +193,7 @@ fn its_tab_opens_it_and_an_unknown_one_opens_nothing() {
     let before: Scene = bench.app.scene().clone();
     bench.command(Command::Lab("lines"));
     assert_eq!(*bench.app.scene(), before);
-    bench.command(Command::Lab(LAB.id()));
+    bench.command(Command::Lab(LAB.id));
     assert_eq!(*bench.app.scene(), before);
 }
 
@@ -225,14 +207,8 @@ fn its_cases_are_answered_and_refused() {
         lang: Lang::En,
     };
     let mut answers = Vec::new();
-    trace(
-        Solvers::new(&TABLES),
-        &cases[..],
-        &mut answers,
-        style,
-        |_| {},
-    )
-    .expect("written");
+    let solvers = Solvers::new(&TABLES);
+    trace(solvers, &cases[..], &mut answers, style, |_| {}).expect("written");
     let answers = String::from_utf8(answers).expect("text");
     let lines: Vec<&str> = answers.lines().collect();
     assert!(lines[0].contains("{\"n_inside\":8}"), "{answers}");

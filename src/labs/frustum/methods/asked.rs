@@ -1,23 +1,74 @@
-//! What every method tells that asks planes one after the other: what each of them says of a point, a sphere or a box.
+//! What all methods tell that ask planes: how a plane is called and measured, and what each says of a point, a sphere or a box.
+
+use glam::DVec3;
 
 use crate::{
     algo::cull::Containment::{self, Inside, Outside, Straddles},
-    figure::{
-        Cell, Gauge, Gauges, Mark3, Role, Table, TableRow,
-        Tick::{Cut, Test},
-        View,
-    },
+    figure::{Gauge, Gauges},
     geom::{Camera, Plane, VolumeSide},
-    labs::telling::{Named, Row},
-    text::{Formula, Message, Value},
+    labs::{frustum::prelude::*, plane_symbol},
 };
 
-use super::{
-    super::stage::{FaceLook, Fate, Scenery, plane_at_work},
-    planes::{perpendicular, place, plane_link, plane_name},
-};
+/// A plane's name: its side's in a scene, a symbol where a case gives planes alone.
+pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {
+    match scenery.and(VolumeSide::ALL.get(plane_idx)) {
+        Some(&side) => side_name(side),
+        None => Value::Name(plane_symbol(plane_idx)),
+    }
+}
 
-/// The row of what one plane says, at this line of the pseudocode.
+pub fn plane_link(plane_idx: usize) -> Link {
+    let side = VolumeSide::ALL.get(plane_idx);
+    side.map_or(Link::nth("plane", plane_idx), |&side| side_link(side))
+}
+
+/// `d = n·c + D = 0.9 · (−5.5) + … = −3.4`, divided by |n| where that is not 1.
+pub fn distance_formula(symbol: [&str; 2], plane: &Plane, at: [f64; 3], d: f64) -> Formula {
+    if plane.length() == 1.0 {
+        return sum_formula(symbol, plane, at, d);
+    }
+    let symbol = format!("{} = (n·{} + D) / |n| = ", symbol[0], symbol[1]);
+    let quotient = sym(symbol);
+    let length = Formula::default().num(plane.length());
+    let sum = terms(Formula::default(), plane, at);
+    quotient.over(sum, length).equals(d)
+}
+
+/// `d₁ = n·P₁ + D = 1 · (−2) + 3 = 1`, not divided by |n|.
+pub fn sum_formula([d, p]: [&str; 2], plane: &Plane, at: [f64; 3], sum: f64) -> Formula {
+    let formula = sym(format!("{d} = n·{p} + D = "));
+    terms(formula, plane, at).equals(sum)
+}
+
+fn terms(formula: Formula, plane: &Plane, at: [f64; 3]) -> Formula {
+    let terms = plane.normal().into_iter().zip(at);
+    let formula = sum_of(formula, terms.filter(|&(n, _)| n != 0.0), times);
+    formula.sym(" + ").operand(plane.d())
+}
+
+pub fn place(at: [f64; 3]) -> Value {
+    Value::Formula(Formula::default().place(at))
+}
+
+pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64, label: Formula) -> Vec<Mark3> {
+    if d == 0.0 {
+        let on = Mark3::new(Role::Signal, Shape3::Dot(at));
+        return vec![on.labelled(Value::Formula(label)).strong()];
+    }
+    let from = DVec3::from(at);
+    let unit = DVec3::from(plane.unit_normal());
+    let foot = from - unit * d;
+    let aside = unit.any_orthonormal_vector();
+    let square = [foot, from, foot + aside].map(Into::into);
+    vec![
+        Mark3::new(Role::Signal, Shape3::Segment([at, foot.into()]))
+            .labelled(Value::Formula(label))
+            .strong(),
+        Mark3::new(Role::Signal, Shape3::RightAngle(square)),
+        Mark3::new(Role::Signal, Shape3::Dot(foot.into())),
+    ]
+}
+
 pub const fn says(class: Containment, line: usize, key: &'static str) -> Row {
     match class {
         Inside => Row::new(Test, line, key).keeps("plane"),
@@ -26,28 +77,21 @@ pub const fn says(class: Containment, line: usize, key: &'static str) -> Row {
     }
 }
 
-/// The planes at a step, as far as they have been asked.
 #[derive(Default)]
 pub struct Asked<'a> {
-    /// What is drawn around the run.
     pub scenery: Option<&'a Scenery>,
-    /// How many planes there are.
     pub n_planes: usize,
-    /// The plane that is asked at this step.
     pub current: Option<Plane>,
     /// What each plane that has been asked says: in the watch table, and of the thing as a whole.
     pub answers: Vec<(Value, Containment)>,
-    /// What all planes say, once it is told.
     pub class: Option<Containment>,
 }
 
 impl Asked<'_> {
-    /// The plane that is asked at this step.
     pub fn current_idx(&self) -> Option<usize> {
         self.current.and(self.answers.len().checked_sub(1))
     }
 
-    /// The values of names that all these methods have.
     pub fn named(&self, name: &str) -> Option<Named> {
         let n_asked = self.answers.len();
         let count = |class| self.answers.iter().filter(|(_, it)| *it == class).count();
@@ -88,18 +132,16 @@ impl Asked<'_> {
         answers.map(named).collect()
     }
 
-    /// What becomes of the object in focus, as far as it is told.
     pub const fn fate(&self) -> Fate {
         fate_of(self.class)
     }
 
-    /// The plane that is asked, and the perpendicular from a place at this distance.
     pub fn marks(&self, camera: &Camera, at: [f64; 3], distance: f64) -> Vec<Mark3> {
         let Some((plane_idx, plane)) = self.current_idx().zip(self.current) else {
             return Vec::new();
         };
         let mut marks = plane_at_work(camera, VolumeSide::ALL[plane_idx]);
-        let label = Formula::default().sym("d").equals(distance);
+        let label = sym("d").equals(distance);
         marks.extend(perpendicular(&plane, at, distance, label));
         marks
     }
@@ -114,7 +156,6 @@ impl Asked<'_> {
         })
     }
 
-    /// Axes for the distances from all planes, those known so far filled in.
     pub fn gauges(&self, title: Message, band: f64, distances: &[f64]) -> Gauges {
         let row = |plane_idx: usize| Gauge {
             name: plane_name(self.scenery, plane_idx),
@@ -132,7 +173,6 @@ impl Asked<'_> {
         }
     }
 
-    /// A table with a row a plane; `cells` are drawn as what the plane says.
     pub fn table(&self, header: Vec<Formula>, cells: impl Fn(usize, Role) -> Vec<Cell>) -> Table {
         let row = |plane_idx: usize| TableRow {
             name: plane_name(self.scenery, plane_idx),
@@ -148,7 +188,6 @@ impl Asked<'_> {
     }
 }
 
-/// What a test says of an object, as it is drawn.
 pub const fn fate_of(class: Option<Containment>) -> Fate {
     match class {
         None => Fate::ToCome,
@@ -158,7 +197,6 @@ pub const fn fate_of(class: Option<Containment>) -> Fate {
     }
 }
 
-/// The observer's view and the camera's; `fate` is that of the object in focus.
 pub fn both(scenery: &Scenery, fate: Fate, marks: Vec<Mark3>) -> [View; 2] {
     let focus = scenery.scene().focus();
     let fate = |i: usize| if i == focus { fate } else { Fate::ToCome };

@@ -1,8 +1,5 @@
 //! Does a face show its front to the camera? Shown.
 
-use glam::{DVec2, DVec3};
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::{
         cull::{
@@ -10,29 +7,13 @@ use crate::{
         },
         ring::Right,
     },
-    figure::{
-        Body, Cell, Gauge, Gauges, Mark3, Role, Shape3, Table, TableRow,
-        Tick::{Accept, Phase, Reject, Test},
-        View,
-    },
+    figure::{Gauge, Gauges},
     geom::Camera,
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    text::{Formula, Message, Value},
-    trace::{Step, silent},
+    labs::frustum::prelude::*,
 };
+use glam::{DVec2, DVec3};
 
-use super::{
-    super::{
-        Scene, Subject,
-        stage::{FaceLook, Fate, Scenery, face_link},
-    },
-    planes::place,
-};
+use super::asked::place;
 
 const FACES_VIEW: &str = "faces";
 const COLUMNS_VIEW: &str = "columns";
@@ -44,11 +25,7 @@ const MOST_BESIDE_COLUMNS: usize = 12;
 /// The normal as it is drawn, as a part of the longer edge at V₀.
 const NORMAL_PART: f64 = 0.75;
 
-impl Answer for BackFaceOutput {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for BackFaceOutput {}
 
 fn input_of(scene: &Scene, face_idx: usize) -> Option<BackFaceInput> {
     Some(BackFaceInput {
@@ -66,24 +43,6 @@ impl SpaceTelling for BackFace {
     }
 }
 
-rows! { |event, step: BackFace|
-    normal: Event::Normal { .. } =>
-        Row::new(Phase, 0, "face-normal")
-            .so(&["V₁ − V₀ = {V₁ − V₀}", "V₂ − V₀ = {V₂ − V₀}", "n = {n}"]);
-    to_eye: Event::ToViewer { .. } if matches!(step.input.viewer, Viewer::Eye(_)) =>
-        Row::new(Phase, 1, "face-to-eye").so(&["e = {e}"]);
-    to_direction: Event::ToViewer { .. } =>
-        Row::new(Phase, 1, "face-to-direction").so(&["e = {e}"]);
-    products: Event::Products { .. } =>
-        Row::new(Test, 2, "face-products").so(&["{dot}", "det = |e, V₁ − V₀, V₂ − V₀|{=det}"]);
-    front: Event::Done { front: true } =>
-        Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").keeps("face");
-    edge_on: Event::Done { .. } if step.held.dot == 0.0 =>
-        Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").drops("face");
-    back: Event::Done { .. } =>
-        Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").drops("face");
-}
-
 impl Telling for BackFace {
     type Scenery = Scenery;
 
@@ -97,7 +56,6 @@ impl Telling for BackFace {
         code_line(0, "code-face-decide", "words-face-decide"),
     ];
 
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "V₀",
         "V₁",
@@ -108,15 +66,25 @@ impl Telling for BackFace {
         "det",
         "det_screen",
     ])];
+    const OPENING: Row =
+        Row::new(Phase, 0, "face-opening").so(&["V₀ = {V₀}", "V₁ = {V₁}", "V₂ = {V₂}"]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row =
-            Row::new(Phase, 0, "face-opening").so(&["V₀ = {V₀}", "V₁ = {V₁}", "V₂ = {V₂}"]);
-        &OPENING
+    table! { |event, step|
+        normal: Event::Normal { .. } =>
+            Row::new(Phase, 0, "face-normal")
+                .so(&["V₁ − V₀ = {V₁ − V₀}", "V₂ − V₀ = {V₂ − V₀}", "n = {n}"]);
+        to_eye: Event::ToViewer { .. } if matches!(step.input.viewer, Viewer::Eye(_)) =>
+            Row::new(Phase, 1, "face-to-eye").so(&["e = {e}"]);
+        to_direction: Event::ToViewer { .. } =>
+            Row::new(Phase, 1, "face-to-direction").so(&["e = {e}"]);
+        products: Event::Products { .. } =>
+            Row::new(Test, 2, "face-products").so(&["{dot}", "det = |e, V₁ − V₀, V₂ − V₀|{=det}"]);
+        front: Event::Done { front: true } =>
+            Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").keeps("face");
+        edge_on: Event::Done { .. } if step.held.dot == 0.0 =>
+            Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").drops("face");
+        back: Event::Done { .. } =>
+            Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").drops("face");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -149,13 +117,8 @@ impl Telling for BackFace {
         };
         let known = Known::of(at);
         let scene = scenery.scene();
-        let fate = |i: usize| {
-            if i == scene.focus() {
-                Fate::Kept
-            } else {
-                Fate::ToCome
-            }
-        };
+        let is_kept = |i: usize| i == scene.focus();
+        let fate = |i: usize| if is_kept(i) { Fate::Kept } else { Fate::ToCome };
         let answers = answers(scene);
         let role = |object: usize, face: usize| {
             if object != scene.focus() {
@@ -164,10 +127,9 @@ impl Telling for BackFace {
             if face == scene.face() {
                 return FaceLook::Own(Role::Signal);
             }
-            match answers.get(face) {
-                Some(BackFaceOutput { front: false, .. }) => FaceLook::Own(Role::Discarded),
-                Some(_) | None => FaceLook::Whole,
-            }
+            let is_away = answers.get(face).is_some_and(|answer| !answer.front);
+            let pale = is_away.then_some(FaceLook::Own(Role::Discarded));
+            pale.unwrap_or(FaceLook::Whole)
         };
         let corners = corner_marks(&at.step.input.triangle);
         let gauges = face_gauges(&known, scene, &answers);
@@ -182,10 +144,9 @@ impl Telling for BackFace {
     }
 }
 
-/// What the run has worked out so far.
 #[derive(Default)]
 struct Known {
-    /// V1 − V0 and V2 − V0.
+    /// From V₀ to V₁ and to V₂.
     edges: Option<[[f64; 3]; 2]>,
     normal: Option<[f64; 3]>,
     to_viewer: Option<[f64; 3]>,
@@ -210,39 +171,27 @@ impl Known {
     }
 }
 
-/// The face's number, and whose it is where a scene has several objects.
 fn face_name(at: &At<'_, BackFace>) -> Named {
     let Some(scenery) = at.scenery else {
         return Value::Count(1).into();
     };
     let scene = scenery.scene();
     let face = scene.face() + 1;
-    let named = if scene.objects().len() == 1 {
-        Named::from(face)
-    } else {
-        let named = Message::new("face-of-object").with("face", face);
-        named
+    let mut named = Named::from(face);
+    if scene.objects().len() > 1 {
+        let of_object = Message::new("face-of-object").with("face", face);
+        named = of_object
             .with("object", scene.object_name(scene.focus()))
-            .into()
-    };
+            .into();
+    }
     named.linked(face_link(scene.face()))
 }
 
 /// `n·e = (−9)·8 + (−9)·5 + 9·4 = −81`.
 pub fn dot_formula(n: [f64; 3], e: [f64; 3], dot: f64) -> Formula {
-    let mut formula = Formula::default().sym("n·e = ");
-    for i in 0..3 {
-        formula = if i == 0 {
-            formula.num(n[i])
-        } else {
-            formula.sym(" + ").operand(n[i])
-        };
-        formula = formula.sym(" · ").operand(e[i]);
-    }
-    formula.equals(dot)
+    sum_of(sym("n·e = "), n.into_iter().zip(e), times).equals(dot)
 }
 
-/// What the same test says of each face of the object in focus.
 fn answers(scene: &Scene) -> Vec<BackFaceOutput> {
     let faces = 0..scene.focused().model().mesh().faces().len();
     let faces = faces.filter_map(|face_idx| input_of(scene, face_idx));
@@ -257,7 +206,6 @@ fn turn_on_screen(camera: &Camera, triangle: &[[f64; 3]; 3]) -> Option<f64> {
     is_before.then(|| (b - a).perp_dot(c - a))
 }
 
-/// The corners with their names.
 fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     let names = ["V₀", "V₁", "V₂"];
     let corner = |(symbol, &at): (&'static str, &[f64; 3])| {
@@ -268,7 +216,6 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     marks
 }
 
-/// Normal and way to the camera, from the middle of the face, and the angle between them.
 fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
     let triangle = &input.triangle;
     let mut marks = corner_marks(triangle);
@@ -297,7 +244,6 @@ fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
     marks
 }
 
-/// What the determinant is of: the way to the viewer and the two edges, as columns.
 fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
     let symbols = ["det", "e", "V₁ − V₀", "V₂ − V₀"];
     let edge = |i: usize| known.edges.map(|edges| edges[i]);
@@ -313,7 +259,7 @@ fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
         link: None,
     };
     Table {
-        header: symbols.map(|name| Formula::default().sym(name)).into(),
+        header: symbols.map(sym).into(),
         rows: ["x", "y", "z"].into_iter().enumerate().map(row).collect(),
         notes: Vec::new(),
     }
@@ -322,11 +268,10 @@ fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
 /// n·e of all faces, the one in hand once its run has come so far.
 fn face_gauges(known: &Known, scene: &Scene, answers: &[BackFaceOutput]) -> Gauges {
     let n_faces = answers.len();
-    let shown = if n_faces <= MOST_FACES {
-        0..n_faces
-    } else {
-        scene.face()..scene.face() + 1
-    };
+    let all = n_faces <= MOST_FACES;
+    let shown = (0..n_faces).filter(|&i| all || i == scene.face());
+    let words = ["gauge-culled", "gauge-drawn"];
+    let word = |is_front| Message::new(words[usize::from(is_front)]);
     let row = |face_idx: usize| {
         let is_current = face_idx == scene.face();
         let answer = answers.get(face_idx);
@@ -339,13 +284,7 @@ fn face_gauges(known: &Known, scene: &Scene, answers: &[BackFaceOutput]) -> Gaug
         Gauge {
             name: Value::Count(face_idx + 1),
             value: answer.map(|answer| answer.dot),
-            verdict: answer.map(|answer| {
-                Message::new(if answer.front {
-                    "gauge-drawn"
-                } else {
-                    "gauge-culled"
-                })
-            }),
+            verdict: answer.map(|answer| word(answer.front)),
             role,
             is_bar: true,
             link: Some(face_link(face_idx)),
@@ -353,10 +292,7 @@ fn face_gauges(known: &Known, scene: &Scene, answers: &[BackFaceOutput]) -> Gaug
     };
     Gauges {
         title: Message::new("gauges-faces").with("faces", n_faces),
-        sides: [
-            Message::new("gauge-away"),
-            Message::new("gauge-faces-camera"),
-        ],
+        sides: ["gauge-away", "gauge-faces-camera"].map(Message::new),
         band: None,
         rows: shown.map(row).collect(),
     }

@@ -1,43 +1,19 @@
 //! A bounding box against the planes of the view volume, and what they cannot tell, shown.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::cull::{
         BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput,
         Containment::{Inside, Outside, Straddles},
     },
-    figure::{
-        Body, Cell, Mark3, Role, Shape3, Table,
-        Tick::{Accept, Phase, Reject},
-        View,
-    },
     geom::VolumeSide,
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    text::Formula,
-    trace::Step,
+    labs::frustum::prelude::*,
 };
 
-use super::{
-    super::{
-        Scene,
-        stage::{Fate, Scenery, plane_at_work},
-    },
-    asked::{Asked, both, says},
-    planes::place,
-};
+use super::asked::{Asked, both, place, says};
 
 const CORNERS_VIEW: &str = "corners";
 
-impl Answer for BoxCullOutput {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for BoxCullOutput {}
 
 impl SpaceTelling for BoxCull {
     fn input(scene: &Scene) -> BoxCullInput {
@@ -46,23 +22,6 @@ impl SpaceTelling for BoxCull {
             bounds: scene.focused().bounds().expect("its vertices are finite"),
         }
     }
-}
-
-rows! { |event, step: BoxCull|
-    inside: Event::Plane { class: Inside, .. } =>
-        says(Inside, 1, "box-inside").so(RANGE).answers_as("class", "option-box-inside");
-    straddles: Event::Plane { class: Straddles, .. } =>
-        says(Straddles, 1, "box-straddles").so(RANGE).answers_as("class", "option-box-straddles");
-    outside: Event::Plane { class: Outside, .. } =>
-        says(Outside, 2, "box-outside").so(RANGE).answers_as("class", "option-box-outside");
-    meets: Event::Meets { meets: true } => Row::new(Phase, 3, "box-meets").answers("meets");
-    in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
-    none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
-    culled: Event::Done { class: Outside } =>
-        Row::new(Reject, 4, "planes-done-outside").picks("plane", "planes");
-    drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
-        Row::new(Accept, 4, "box-done-in-vain");
-    cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");
 }
 
 const RANGE: &[&str] = &["{least} ≤ n·p + D ≤ {most}"];
@@ -80,19 +39,27 @@ impl Telling for BoxCull {
         code_line(0, "code-box-meets", "words-box-meets"),
         code_line(0, "code-box-done", "words-box-done"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["min", "max", "watch-class"]),
         Watched::ListSeen("outside", CORNERS_VIEW),
     ];
+    const OPENING: Row = Row::new(Phase, 0, "box-opening").so(&["min = {min}", "max = {max}"]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, 0, "box-opening").so(&["min = {min}", "max = {max}"]);
-        &OPENING
+    table! { |event, step|
+        inside: Event::Plane { class: Inside, .. } =>
+            says(Inside, 1, "box-inside").so(RANGE).answers_as("class", "option-box-inside");
+        straddles: Event::Plane { class: Straddles, .. } =>
+            says(Straddles, 1, "box-straddles").so(RANGE).answers_as("class", "option-box-straddles");
+        outside: Event::Plane { class: Outside, .. } =>
+            says(Outside, 2, "box-outside").so(RANGE).answers_as("class", "option-box-outside");
+        meets: Event::Meets { meets: true } => Row::new(Phase, 3, "box-meets").answers("meets");
+        in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
+        none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
+        culled: Event::Done { class: Outside } =>
+            Row::new(Reject, 4, "planes-done-outside").picks("plane", "planes");
+        drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
+            Row::new(Accept, 4, "box-done-in-vain");
+        cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -153,7 +120,6 @@ fn asked<'a>(at: &At<'a, BoxCull>) -> Asked<'a> {
     }
 }
 
-/// The eight sums of each plane that has been asked.
 fn sums<'a>(at: &At<'a, BoxCull>) -> impl Iterator<Item = [f64; 8]> + use<'a> {
     at.step.past.iter().filter_map(|event| match *event {
         Event::Plane { sums, .. } => Some(sums),
@@ -161,14 +127,12 @@ fn sums<'a>(at: &At<'a, BoxCull>) -> impl Iterator<Item = [f64; 8]> + use<'a> {
     })
 }
 
-/// Least and greatest of the eight sums.
 fn range(sums: &[f64; 8]) -> [f64; 2] {
     let least = sums.iter().copied().fold(f64::INFINITY, f64::min);
     let most = sums.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     [least, most]
 }
 
-/// The box, and its corners by the side of the plane that they are on.
 fn box_marks(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Vec<Mark3> {
     let bounds = &at.step.input.bounds;
     let edge = |ends| Mark3::new(Role::Ink, Shape3::Segment(ends)).fine();
@@ -187,7 +151,6 @@ fn box_marks(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Vec<Mark3> {
     marks
 }
 
-/// For each plane how many corners are outside, and how far in and out they reach.
 fn corner_table(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Table {
     let header = [
         "column-plane",

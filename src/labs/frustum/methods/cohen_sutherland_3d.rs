@@ -8,28 +8,21 @@ use crate::{
             SideCode,
         },
     },
-    figure::{Link, Mark3, Role, Run, Shape3, View},
     geom::{AlignedBox, VolumeSide},
     labs::{
-        Verdict,
         crossing_formulas::upright_in_space,
+        frustum::prelude::*,
         segments::{
             CodeStep,
             code_step::{CodeKeys, CodeLook},
         },
-        space::SpaceTelling,
-        telling::Named,
-        words::{end_link, name, subscript},
     },
-    text::{Formula, Message, Value},
-    trace::Recording,
 };
 
 use super::{
     super::{
-        Scene, Subject,
         part::{Fate, Outcome, segment_verdict},
-        stage::{Scenery, cube_view, face_at_work, side_link, side_name},
+        stage::{cube_view, face_at_work},
     },
     line::{
         face_equation,
@@ -81,13 +74,7 @@ fn fate(input: &Input, asked: Option<End>) -> Option<Fate> {
             Event::And { and } if asked.is_none() => {
                 and.lowest().map(|side| Outcome::Lost(side as usize))
             }
-            Event::Code { .. }
-            | Event::Or { .. }
-            | Event::And { .. }
-            | Event::Choose { .. }
-            | Event::Cut { .. }
-            | Event::Accept { .. }
-            | Event::Reject { .. } => None,
+            _ => None,
         };
         let step = i + 1;
         fate = outcome.map(|outcome| Fate { step, outcome }).or(fate);
@@ -204,7 +191,7 @@ fn marks(shown: &Shown<'_>) -> Vec<Mark3> {
             marks.push(code.linked(end_link(end)));
         }
         Some(Event::Cut { end, u, to, .. }) => {
-            let label = Formula::default().sym("t = ").ratio(u.num, u.den);
+            let label = sym("t = ").ratio(u.num, u.den);
             let dot = Mark3::new(Role::Signal, Shape3::Dot(to));
             marks.push(dot.labelled(label).strong().linked(end_link(end)));
         }
@@ -220,7 +207,6 @@ fn marks(shown: &Shown<'_>) -> Vec<Mark3> {
     marks
 }
 
-/// Several cuts have numbers, in the order in which they were made.
 fn numbered_cuts(shown: &Shown<'_>) -> Vec<Mark3> {
     let passed = |(nth, &at): (usize, &[f64; 3])| {
         let label = name(format!("I{}", subscript(nth + 1)));

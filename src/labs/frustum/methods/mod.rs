@@ -8,7 +8,6 @@ mod cohen_sutherland_3d;
 mod cut_triangle;
 mod funnel;
 mod line;
-mod planes;
 mod point_planes;
 mod sphere_cull;
 mod viewing_pipeline;

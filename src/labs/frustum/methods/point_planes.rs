@@ -1,7 +1,5 @@
 //! A point against the planes of the view volume, shown.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::{
         cull::{
@@ -10,38 +8,15 @@ use crate::{
         },
         volume::PlaneSide::{self, Inside, On, Outside},
     },
-    figure::{
-        Body, Cell, Mark3, Role, Shape3, Table, TableNote,
-        Tick::{Accept, Phase, Reject},
-        View,
-    },
     geom::{VolumeSide, planes_from_matrix},
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words,
-    },
-    text::{Formula, Message, Value},
-    trace::Step,
+    labs::{frustum::prelude::*, words},
 };
 
-use super::{
-    super::{
-        Scene, Subject,
-        stage::{FaceLook, Fate, Scenery},
-    },
-    asked::{Asked, says},
-    planes::{distance_formula, place, plane_name},
-};
+use super::asked::{Asked, distance_formula, place, plane_name, says};
 
 const PLANES_VIEW: &str = "planes";
 
-impl Answer for PointPlanesOutput {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for PointPlanesOutput {}
 
 impl SpaceTelling for PointPlanes {
     const SUBJECT: Subject = Subject::Point;
@@ -52,19 +27,6 @@ impl SpaceTelling for PointPlanes {
             point: scene.places.point(),
         }
     }
-}
-
-rows! { |event, step: PointPlanes|
-    inside: Event::Plane { side: Inside, .. } =>
-        says(Containment::Inside, 1, "point-inside").so(&["{d = n·P + D} > 0"]).answers("side");
-    on: Event::Plane { side: On, .. } =>
-        says(Containment::Inside, 1, "point-on").so(&["{d = n·P + D}"]).answers("side");
-    outside: Event::Plane { side: Outside, .. } =>
-        says(Containment::Outside, 2, "point-outside").so(&["{d = n·P + D} < 0"]).answers("side");
-    none_out: Event::Done { inside: true } =>
-        Row::new(Accept, 3, "point-done-inside").so(P).answers_as("in", "case-point-inside");
-    any_out: Event::Done { inside: false } =>
-        Row::new(Reject, 3, "point-done-outside").so(P).answers_as("in", "case-point-outside");
 }
 
 const P: &[&str] = &["P = {P}"];
@@ -81,19 +43,23 @@ impl Telling for PointPlanes {
         code_line(1, "code-point-outside", "words-point-outside"),
         code_line(0, "code-point-inside", "words-point-inside"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["P", "n", "D"]),
         Watched::ListSeen("distances", PLANES_VIEW),
     ];
+    const OPENING: Row = Row::new(Phase, 0, "point-opening").so(P);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, 0, "point-opening").so(P);
-        &OPENING
+    table! { |event, step|
+        inside: Event::Plane { side: Inside, .. } =>
+            says(Containment::Inside, 1, "point-inside").so(&["{d = n·P + D} > 0"]).answers("side");
+        on: Event::Plane { side: On, .. } =>
+            says(Containment::Inside, 1, "point-on").so(&["{d = n·P + D}"]).answers("side");
+        outside: Event::Plane { side: Outside, .. } =>
+            says(Containment::Outside, 2, "point-outside").so(&["{d = n·P + D} < 0"]).answers("side");
+        none_out: Event::Done { inside: true } =>
+            Row::new(Accept, 3, "point-done-inside").so(P).answers_as("in", "case-point-inside");
+        any_out: Event::Done { inside: false } =>
+            Row::new(Reject, 3, "point-done-outside").so(P).answers_as("in", "case-point-outside");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -148,7 +114,6 @@ fn asked<'a>(at: &At<'a, PointPlanes>) -> Asked<'a> {
     }
 }
 
-/// The point, as far as it is decided.
 fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
     let role = match at.step.event() {
         None | Some(Event::Plane { .. }) => Role::Ink,
@@ -158,9 +123,8 @@ fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
     Mark3::new(role, Shape3::Dot(at.step.input.point)).labelled(words::name("P"))
 }
 
-/// The planes, and how far the point is from each that has been asked.
 fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
-    let symbols = ["n_x", "n_y", "n_z", "D", "d"].map(|name| Formula::default().sym(name));
+    let symbols = ["n_x", "n_y", "n_z", "D", "d"].map(sym);
     let mut header = vec![Formula::default().term("column-plane")];
     header.extend(symbols);
     let (planes, distances) = (&at.step.input.planes, &at.step.held.distances);
@@ -205,7 +169,7 @@ fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
     let (plane, side) = (&from_matrix[plane_idx], VolumeSide::ALL[plane_idx]);
     let sign = if side.is_high() { '−' } else { '+' };
     let row = ["x", "y", "z"][side.axis()];
-    let sum = Formula::default().sym(format!("w {sign} {row} = ("));
+    let sum = sym(format!("w {sign} {row} = ("));
     let message = Message::new("plane-from-matrix")
         .with("sum", Value::Formula(sum.list(&plane.to_array()).sym(")")))
         .with("length", plane.length())

@@ -1,8 +1,5 @@
 //! A bounding sphere against the planes of the view volume, shown.
 
-use glam::DVec3;
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::{
         cull::{
@@ -12,35 +9,17 @@ use crate::{
         },
         ring::Right,
     },
-    figure::{
-        Body, Gauges, Mark3, Role, Shape3,
-        Tick::{Accept, Phase, Reject},
-        View,
-    },
+    figure::Gauges,
     geom::{Camera, Sphere},
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    text::{Formula, Message, Value},
-    trace::Step,
+    labs::frustum::prelude::*,
 };
+use glam::DVec3;
 
-use super::{
-    super::{Scene, stage::Scenery},
-    asked::{Asked, both, says},
-    planes::{distance_formula, place},
-};
+use super::asked::{Asked, both, distance_formula, place, says};
 
 const GAUGES_VIEW: &str = "distances";
 
-impl Answer for SphereCullOutput {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for SphereCullOutput {}
 
 impl SpaceTelling for SphereCull {
     fn input(scene: &Scene) -> SphereCullInput {
@@ -51,19 +30,8 @@ impl SpaceTelling for SphereCull {
     }
 }
 
-rows! { |event, step: SphereCull|
-    inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, 1);
-    outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, 2);
-    straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, 3);
-    none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
-    cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
-    culled: Event::Done { class: Outside } =>
-        Row::new(Reject, 4, "planes-done-outside").so(R).picks("plane", "planes");
-}
-
 const R: &[&str] = &["r{=r}"];
 
-/// The row of what one plane says of a sphere, at this line of the pseudocode.
 pub const fn sphere_says(class: Containment, line: usize) -> Row {
     let key = match class {
         Inside => "sphere-inside",
@@ -88,19 +56,20 @@ impl Telling for SphereCull {
         code_line(1, "code-sphere-straddles", "words-sphere-straddles"),
         code_line(0, "code-sphere-done", "words-sphere-done"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["c", "r", "n", "D", "watch-class"]),
         Watched::ListSeen("distances", GAUGES_VIEW),
     ];
+    const OPENING: Row = Row::new(Phase, 0, "sphere-opening").so(&["c = {c}", "r{=r}"]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, 0, "sphere-opening").so(&["c = {c}", "r{=r}"]);
-        &OPENING
+    table! { |event, step|
+        inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, 1);
+        outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, 2);
+        straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, 3);
+        none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
+        cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
+        culled: Event::Done { class: Outside } =>
+            Row::new(Reject, 4, "planes-done-outside").so(R).picks("plane", "planes");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -140,7 +109,6 @@ fn asked<'a>(at: &At<'a, SphereCull>) -> AskedSphere<'a> {
     AskedSphere::new::<Right>(*sphere, at.step.held, planes)
 }
 
-/// A sphere that planes are asked about, at a step.
 pub struct AskedSphere<'a> {
     pub planes: Asked<'a>,
     sphere: Sphere,
@@ -149,7 +117,6 @@ pub struct AskedSphere<'a> {
 }
 
 impl<'a> AskedSphere<'a> {
-    /// A sphere, as far as the planes have been asked by these rules.
     pub fn new<L: CullRules>(
         sphere: Sphere,
         held: &'a SphereCullOutput,
@@ -166,7 +133,6 @@ impl<'a> AskedSphere<'a> {
         }
     }
 
-    /// The values of names that every method has that asks a sphere.
     pub fn named(&self, name: &str) -> Option<Named> {
         Some(match name {
             "c" => place(self.sphere.center()).into(),
@@ -207,19 +173,17 @@ impl<'a> AskedSphere<'a> {
             let unit = DVec3::from(plane.unit_normal());
             let towards = DVec3::from(center) - unit * radius * d.signum();
             let reach = Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]));
-            let radius = Formula::default().sym("r").equals(radius);
+            let radius = sym("r").equals(radius);
             marks.push(reach.labelled(Value::Formula(radius)));
         }
         marks
     }
 
-    /// Axes for the distances from all planes.
     pub fn gauges(&self) -> Gauges {
         sphere_gauges(&self.planes, self.sphere.radius(), self.distances)
     }
 }
 
-/// Axes for the distances from all planes, with the band that a sphere fills.
 pub fn sphere_gauges(planes: &Asked<'_>, radius: f64, distances: &[f64]) -> Gauges {
     let title = Message::new("gauges-sphere").with("planes", planes.n_planes);
     planes.gauges(title, radius, distances)

@@ -1,23 +1,17 @@
 //! Brute force, shown.
 
+use std::cmp::Ordering;
+
 use crate::{
     algo::line::{BruteForce, BruteForceEvent as Event, End, WindowInput},
-    figure::{
-        Body, Mark, Role, Shape,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
     geom::{Edge, Point, Segment},
     labs::{
-        CodeLine, code_line,
         crossing_formulas::upright,
         lines::{LineTelling, Scene},
-        segments::{ENDS, left_in},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{along, axis_symbol, border_equation, edge_link, edge_name, end_link, end_name},
+        prelude::*,
+        segments::{ENDS, end_named, left_in},
+        words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },
-    text::{Formula, Value},
-    trace::Step,
 };
 
 use super::{
@@ -28,15 +22,11 @@ use super::{
     },
 };
 
-/// The view of the crossings, computed one by one.
 const CROSSINGS_VIEW: &str = "crossings";
 
 impl LineTelling for BruteForce {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
+        scene.with(segment)
     }
 }
 
@@ -46,32 +36,7 @@ const REJECT: usize = 2;
 const CUT: usize = 3;
 const ACCEPT: usize = 4;
 
-/// Both ends of what was left, beside the border.
 const BOTH: &[&str] = &["{x₁, x₂}"];
-
-rows! { |event, step: BruteForce|
-    intersect: Event::Intersect { .. } =>
-        Row::new(Phase, INTERSECT, "bf-intersect").so(&["{1st}", "{2nd}", "{3rd}"])
-            .about("edge").answers("crossing");
-    parallel: Event::Parallel { .. } =>
-        Row::new(Test, EACH, "line-parallel").so(&["{x₁ = x₂}"]).about("edge").answers("crossing");
-    keep_parallel: Event::Keep { .. } if matches!(step.past, [.., Event::Parallel { .. }, _]) =>
-        Row::new(Test, CUT, "bf-keep-parallel").so(BOTH)
-            .about("edge").answers_as("beyond", "bf-option-none");
-    keep: Event::Keep { .. } =>
-        Row::new(Test, CUT, "bf-keep").so(BOTH)
-            .about("edge").answers_as("beyond", "bf-option-none");
-    cut: Event::Cut { .. } =>
-        Row::new(Cut, CUT, "bf-cut").so(BOTH).cuts("end").answers_as("beyond", "bf-option-one");
-    point: Event::Accept { .. } if step.input.segment.is_point() =>
-        Row::new(Accept, ACCEPT, "line-point").keeps("segment");
-    touch: Event::Accept { segment } if segment.is_point() =>
-        Row::new(Accept, ACCEPT, "line-touch").keeps("segment");
-    accept: Event::Accept { .. } => Row::new(Accept, ACCEPT, "line-accept").keeps("segment");
-    reject: Event::Reject { .. } =>
-        Row::new(Reject, REJECT, "line-reject-edge").so(BOTH)
-            .drops("segment").answers_as("beyond", "bf-option-both");
-}
 
 impl Telling for BruteForce {
     type Scenery = ();
@@ -86,15 +51,31 @@ impl Telling for BruteForce {
         code_line(1, "code-bf-cut", "words-bf-cut"),
         code_line(0, "code-bf-accept", "words-bf-accept"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["P₁", "P₂", "crossings", "used"])];
+    const OPENING: Row = Row::new(Phase, EACH, "line-opening").so(ENDS);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const { &Row::new(Phase, EACH, "line-opening").so(ENDS) }
+    table! { |event, step|
+        intersect: Event::Intersect { .. } =>
+            Row::new(Phase, INTERSECT, "bf-intersect").so(&["{1st}", "{2nd}", "{3rd}"])
+                .about("edge").answers("crossing");
+        parallel: Event::Parallel { .. } =>
+            Row::new(Test, EACH, "line-parallel").so(&["{x₁ = x₂}"]).about("edge").answers("crossing");
+        keep_parallel: Event::Keep { .. } if matches!(step.past, [.., Event::Parallel { .. }, _]) =>
+            Row::new(Test, CUT, "bf-keep-parallel").so(BOTH)
+                .about("edge").answers_as("beyond", "bf-option-none");
+        keep: Event::Keep { .. } =>
+            Row::new(Test, CUT, "bf-keep").so(BOTH)
+                .about("edge").answers_as("beyond", "bf-option-none");
+        cut: Event::Cut { .. } =>
+            Row::new(Cut, CUT, "bf-cut").so(BOTH).cuts("end").answers_as("beyond", "bf-option-one");
+        point: Event::Accept { .. } if step.input.segment.is_point() =>
+            Row::new(Accept, ACCEPT, "line-point").keeps("segment");
+        touch: Event::Accept { segment } if segment.is_point() =>
+            Row::new(Accept, ACCEPT, "line-touch").keeps("segment");
+        accept: Event::Accept { .. } => Row::new(Accept, ACCEPT, "line-accept").keeps("segment");
+        reject: Event::Reject { .. } =>
+            Row::new(Reject, REJECT, "line-reject-edge").so(BOTH)
+                .drops("segment").answers_as("beyond", "bf-option-both");
     }
 
     fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
@@ -115,13 +96,8 @@ impl Telling for BruteForce {
                 Named::from(n).labelled(Value::Term("watch-crossings"))
             }
             "used" => {
-                let is_used = |fate: &&Fate| matches!(fate, Fate::Replaces(_));
-                let n = Shown::of(step)
-                    .fates
-                    .iter()
-                    .flatten()
-                    .filter(is_used)
-                    .count();
+                let is_used = |fate: &&Option<Fate>| matches!(fate, Some(Fate::Replaces(_)));
+                let n = Shown::of(step).fates.iter().filter(is_used).count();
                 Named::from(n).labelled(Value::Term("watch-crossings-used"))
             }
             "edge" | "rejects" => side(edge()?),
@@ -131,17 +107,11 @@ impl Telling for BruteForce {
             "3rd" => worked_out(2)?.into(),
             "x₁ = x₂" => parallel_formula(segment, edge()?).into(),
             "x₁, x₂" => both_sides(ends_before(step), step.input, edge()?).into(),
-            "end" | "to" => {
-                let Some(Event::Cut { end, to, .. }) = event else {
-                    return left_in(step.held.visible.map(ends), of);
-                };
-                if of == "end" {
-                    Named::from(end_name(end)).linked(end_link(end))
-                } else {
-                    to.to_array().into()
-                }
-            }
-            _ => return left_in(step.held.visible.map(ends), of),
+            _ => match (of, event) {
+                ("end", Some(Event::Cut { end, .. })) => end_named(end),
+                ("to", Some(Event::Cut { to, .. })) => to.to_array().into(),
+                _ => return left_in(step.held.visible.map(ends), of),
+            },
         })
     }
 
@@ -169,7 +139,6 @@ impl Telling for BruteForce {
     }
 }
 
-/// The ends of what was left before the event.
 fn ends_before(step: &Step<'_, BruteForce>) -> [Point; 2] {
     let mut ends = step.held.ends;
     if let Some(Event::Cut { end, from, .. }) = step.event() {
@@ -178,27 +147,21 @@ fn ends_before(step: &Step<'_, BruteForce>) -> [Point; 2] {
     ends
 }
 
-/// The drawing.
 fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
     let WindowInput { window, segment } = step.input;
     let (shown, event) = (Shown::of(step), step.event());
     let current = current_edge(event);
-    let mut marks: Vec<Mark> = Edge::ALL
-        .into_iter()
-        .filter(|&edge| Some(edge) != current)
-        .map(|edge| {
-            // Before the first crossing, the four tests that make a window.
-            if event.is_none() {
-                return inside_mark(window, edge);
-            }
-            let border = Shape::Border(edge.axis(), window.border(edge));
-            Mark::new(Role::Faint, border).linked(edge_link(edge))
-        })
-        .collect();
-    marks.push(Mark::new(
-        Role::Faint,
-        Shape::Line([segment.p1.to_array(), segment.p2.to_array()]),
-    ));
+    let others = Edge::ALL.into_iter().filter(|&edge| Some(edge) != current);
+    let border = |edge: Edge| {
+        // Before the first crossing, the four tests that make a window.
+        if event.is_none() {
+            return inside_mark(window, edge);
+        }
+        let border = Shape::Border(edge.axis(), window.border(edge));
+        Mark::new(Role::Faint, border).linked(edge_link(edge))
+    };
+    let mut marks: Vec<Mark> = others.map(border).collect();
+    marks.push(Mark::new(Role::Faint, Shape::Line(ends(*segment))));
     match event {
         Some(Event::Intersect { edge, .. } | Event::Parallel { edge }) => {
             marks.push(border_mark(window, edge));
@@ -217,16 +180,15 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
         if used && shown.is_visible.is_some() {
             continue;
         }
-        marks.push(if Some(edge) == current && shown.is_visible.is_none() {
-            crossing_mark(at, "t", u).linked(edge_link(edge))
+        let mark = if Some(edge) == current && shown.is_visible.is_none() {
+            crossing_mark(at, "t", u)
         } else if used {
-            Mark::new(Role::Accent, Shape::Dot(at.to_array())).linked(edge_link(edge))
+            Mark::new(Role::Accent, Shape::Dot(at.to_array()))
         } else {
-            let label = Formula::default().sym("t = ").ratio(u.num, u.den);
-            Mark::new(Role::Discarded, Shape::Cross(at.to_array()))
-                .labelled(label)
-                .linked(edge_link(edge))
-        });
+            let cross = Mark::new(Role::Discarded, Shape::Cross(at.to_array()));
+            cross.labelled(sym("t = ").ratio(u.num, u.den))
+        };
+        marks.push(mark.linked(edge_link(edge)));
     }
     marks
 }
@@ -234,30 +196,20 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
 /// `x₁′ = −1 < 1,  x₂ = 2 > 1`: both ends of what is left beside the border that they are compared with.
 fn both_sides(before: [Point; 2], input: &WindowInput, edge: Edge) -> Formula {
     let (axis, c) = (edge.axis(), input.window.border(edge));
-    End::BOTH
-        .into_iter()
-        .fold(Formula::default(), |formula, end| {
-            let at = before[end.idx()];
-            let [a, _] = along(at, axis);
-            let relation = if a < c {
-                " < "
-            } else if a > c {
-                " > "
-            } else {
-                " = "
-            };
-            let symbol = axis_symbol(axis);
-            let subscript = ["₁", "₂"][end.idx()];
-            let prime = if at == end.of(&input.segment) {
-                ""
-            } else {
-                "′"
-            };
-            let gap = if end == End::P2 { ",  " } else { "" };
-            formula
-                .sym(format!("{gap}{symbol}{subscript}{prime} = "))
-                .num(a)
-                .sym(relation)
-                .num(c)
-        })
+    let side = |formula: Formula, end: End| {
+        let at = before[end.idx()];
+        let [a, _] = along(at, axis);
+        let relation = match a.partial_cmp(&c) {
+            Some(Ordering::Less) => " < ",
+            Some(Ordering::Greater) => " > ",
+            _ => " = ",
+        };
+        let subscript = ["₁", "₂"][end.idx()];
+        let is_given = at == end.of(&input.segment);
+        let prime = if is_given { "" } else { "′" };
+        let gap = if end == End::P2 { ",  " } else { "" };
+        let symbol = format!("{gap}{}{subscript}{prime} = ", axis_symbol(axis));
+        formula.sym(symbol).num(a).sym(relation).num(c)
+    };
+    End::BOTH.into_iter().fold(Formula::default(), side)
 }

@@ -5,21 +5,17 @@ use crate::{
         BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
         End, Outcode,
     },
-    figure::{Mark, Role, Shape, View},
     geom::{Axis, Edge, Segment},
     labs::{
         crossing_formulas::upright,
         lines::{LineTelling, Scene},
+        prelude::*,
         segments::{
             CodeStep,
             code_step::{CodeKeys, CodeLook},
         },
-        telling::Named,
-        words::{
-            border_equation, edge_link, edge_name, end_link, name, position_formula, subscript,
-        },
+        words::{border_equation, edge_link, edge_name, position_formula},
     },
-    text::{Formula, Message, Value},
 };
 
 use super::shared::{crossing_mark, outside_marks, point, region_key, segment_marks, side_key};
@@ -138,12 +134,10 @@ impl CodeLook<2> for Input {
     }
 }
 
-/// The region that a code stands for.
 fn region(code: Outcode, order: BitOrder) -> Value {
     Value::Term(region_key(|edge| code.has(edge, order)))
 }
 
-/// The nine regions with their codes; those of the two ends stand out.
 fn regions(shown: &Shown<'_>) -> Vec<Mark> {
     let Input {
         window,

@@ -2,34 +2,28 @@
 
 use crate::{
     algo::line::{BruteForce, BruteForceEvent as Event, End, Ratio, WindowInput},
-    figure::{Cell, Role, Table, TableNote, TableRow},
     geom::{Edge, Point},
-    labs::words::{along, edge_link, end_symbol, name},
-    text::{Formula, Message, Value},
-    trace::Step,
+    labs::{
+        prelude::*,
+        words::{along, edge_link, end_symbol},
+    },
 };
 
 use super::shared::side_key;
 
-/// What a crossing was good for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Fate {
-    /// There is none.
     Parallel,
     /// It was not needed, or not in the end.
     InVain,
-    /// This end stands on it.
     Replaces(End),
 }
 
-/// What all events so far have found.
 #[derive(Default)]
 pub struct Shown {
-    /// The crossings, by side, with the parameter.
     pub crossings: [Option<(Point, Ratio)>; 4],
     /// What became of them, by side, once it is decided.
     pub fates: [Option<Fate>; 4],
-    /// The answer, once known.
     pub is_visible: Option<bool>,
 }
 
@@ -64,7 +58,6 @@ impl Shown {
     }
 }
 
-/// t and P(t), once computed.
 pub fn crossing_values(shown: &Shown, edge: Edge) -> [Option<Value>; 2] {
     let crossing = shown.crossings[edge as usize];
     [
@@ -96,8 +89,8 @@ pub fn tests_table(WindowInput { window, segment }: &WindowInput) -> Table {
     Table {
         header: vec![
             Formula::default().term("table-edge"),
-            Formula::default().sym(end_symbol(End::P1)),
-            Formula::default().sym(end_symbol(End::P2)),
+            sym(end_symbol(End::P1)),
+            sym(end_symbol(End::P2)),
         ],
         rows: Edge::ALL.map(row).to_vec(),
         notes: vec![TableNote {
@@ -107,7 +100,6 @@ pub fn tests_table(WindowInput { window, segment }: &WindowInput) -> Table {
     }
 }
 
-/// Every crossing, and what it was good for.
 pub fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
     let (shown, event) = (Shown::of(step), step.event());
     let current = current_edge(event);
@@ -139,8 +131,8 @@ pub fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
     Table {
         header: vec![
             Formula::default().term("table-edge"),
-            Formula::default().sym("t"),
-            Formula::default().sym("P(t)"),
+            sym("t"),
+            sym("P(t)"),
             Formula::default(),
         ],
         rows: Edge::ALL.map(of_edge).to_vec(),
@@ -148,7 +140,6 @@ pub fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
     }
 }
 
-/// "in vain", or the end that the crossing replaces.
 fn fate_word(fate: Fate) -> Value {
     match fate {
         Fate::Parallel => Value::Term("verdict-parallel"),
@@ -157,7 +148,6 @@ fn fate_word(fate: Fate) -> Value {
     }
 }
 
-/// The side that the step is about.
 pub const fn current_edge(event: Option<Event>) -> Option<Edge> {
     match event {
         Some(

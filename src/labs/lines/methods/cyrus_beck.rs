@@ -5,23 +5,18 @@ use crate::{
         line::{CyrusBeck, CyrusBeckInput, CyrusBeckRow, End},
         ring::Right,
     },
-    figure::{Body, View},
     geom::{ConvexPolygon, Point, Segment},
     labs::{
-        CodeLine, code_line,
         crossing_formulas::{fixed, oblique, taken, upright},
         lines::{LineTelling, Scene},
+        prelude::*,
         segments::{LineKeys, LineLook, LineVariant, SeenRow},
-        telling::Named,
     },
-    text::{Formula, Value},
 };
 
 use super::{
-    convex_edges::{Shown, edge_in_hand, edge_link, edge_name, edge_table},
-    dot_products::{edge_marks, products},
-    parametric::SegmentInterval,
-    shared::point,
+    convex_edges::{Shown, edge_in_hand, edge_link, edge_marks, edge_name, edge_table, products},
+    shared::{SegmentInterval, point},
 };
 
 impl LineTelling for CyrusBeck {
@@ -83,10 +78,6 @@ impl LineLook<2> for ConvexPolygon {
         [row.numbers.d1, row.numbers.slope]
     }
 
-    fn meaning(_: usize) -> Option<[String; 2]> {
-        None
-    }
-
     fn row_formulas(&self, ends: &[[f64; 2]; 2], row: &SeenRow<2, Self>) -> Vec<Formula> {
         let CyrusBeckRow {
             normal,
@@ -95,8 +86,7 @@ impl LineLook<2> for ConvexPolygon {
             d2,
             slope,
         } = row.numbers;
-        let along = Formula::default()
-            .sym("n·D = n·(P₂ − E) − n·(P₁ − E) = ")
+        let along = sym("n·D = n·(P₂ − E) − n·(P₁ − E) = ")
             .num(d2)
             .sym(" − ")
             .operand(d1)
@@ -154,19 +144,11 @@ impl LineLook<2> for ConvexPolygon {
 
 /// `n·(P₁ − E) = 2 · (−3 − 0) + (−1) · (1 − 2) = −5`.
 fn distance_formula(normal: [f64; 2], p: Point, origin: Point, d: f64) -> Formula {
-    let terms = [
-        (normal[0], p.x(), origin.x()),
-        (normal[1], p.y(), origin.y()),
-    ];
-    let mut formula = Formula::default().sym("n·(P₁ − E) = ");
-    let terms = terms.into_iter().filter(|&(n, ..)| n != 0.0);
-    for (i, (n, a, o)) in terms.enumerate() {
-        formula = if i == 0 {
-            formula.num(n)
-        } else {
-            formula.sym(" + ").operand(n)
-        };
-        formula = formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")");
-    }
+    let differences = p.to_array().into_iter().zip(origin.to_array());
+    let terms = normal.into_iter().zip(differences);
+    let terms = terms.filter(|&(n, _)| n != 0.0);
+    let formula = sum_of(sym("n·(P₁ − E) = "), terms, |formula, (a, o)| {
+        formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")")
+    });
     formula.equals(d)
 }

@@ -5,29 +5,20 @@ use crate::{
         line::{End, LiangBarsky, WindowInput},
         ring::Right,
     },
-    figure::{Mark, Role, Shape, TableNote, View},
     geom::{Edge, Segment, Window},
     labs::{
-        CodeLine, code_line,
         lines::{LineTelling, Scene},
+        prelude::*,
         segments::{LineKeys, LineLook, LineStep, LineVariant, SeenRow},
-        telling::Named,
         words::{along, border_equation},
     },
-    text::{Formula, Message, Value},
 };
 
-use super::{
-    parametric::SegmentInterval,
-    shared::{outside_marks, point, put_formulas, side, side_key},
-};
+use super::shared::{SegmentInterval, outside_marks, point, put_formulas, side, side_key};
 
 impl LineTelling for LiangBarsky {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
+        scene.with(segment)
     }
 }
 
@@ -99,8 +90,8 @@ impl LineLook<2> for Window {
         } else {
             [from, border]
         };
-        let of_p = Formula::default().sym(format!("p = {}", p.concat()));
-        let of_q = Formula::default().sym(format!("q = {a} − {b} = "));
+        let of_p = sym(format!("p = {}", p.concat()));
+        let of_q = sym(format!("q = {a} − {b} = "));
         let of_q = of_q.num(first).sym(" − ").operand(second);
         vec![of_p.equals(row.numbers.p), of_q.equals(row.numbers.q)]
     }
@@ -135,8 +126,7 @@ impl LineLook<2> for Window {
     }
 
     fn quotient_header() -> Formula {
-        let symbol = |symbol: &'static str| Formula::default().sym(symbol);
-        symbol("r = ").over(symbol("q"), symbol("p"))
+        sym("r = ").over(sym("q"), sym("p"))
     }
 
     fn drawing(shown: &LineStep<'_, 2, Self>, _: Option<&()>) -> Vec<View> {
@@ -158,7 +148,6 @@ impl LineLook<2> for Window {
     }
 }
 
-/// What p is, and what q is the difference of.
 const fn meaning(edge: Edge) -> [[&'static str; 2]; 2] {
     match edge {
         Edge::Left => [["−", "Δx"], ["x₁", "x_min"]],

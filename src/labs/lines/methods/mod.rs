@@ -5,10 +5,8 @@ mod cohen_sutherland;
 mod convex_edges;
 mod crossings;
 mod cyrus_beck;
-mod dot_products;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
-mod parametric;
 mod sectors;
 mod shared;
 

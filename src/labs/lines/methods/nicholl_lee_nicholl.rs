@@ -5,23 +5,13 @@ use crate::{
         CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event, Question, Turn,
         WindowInput, WindowRegion,
     },
-    figure::{
-        Body, Cell, Mark, Role, Shape, Table, TableNote, TableRow,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
-        CodeLine, code_line,
         lines::{LineTelling, Scene},
-        segments::{ENDS, left_in},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{
-            border_equation, edge_name, end_link, end_name, name, position_formula, subscript,
-        },
+        prelude::*,
+        segments::{ENDS, end_named, left_in},
+        words::{border_equation, edge_name, position_formula},
     },
-    text::{Formula, Message, Value},
-    trace::Step,
 };
 
 use super::{
@@ -31,7 +21,6 @@ use super::{
     },
 };
 
-/// The view of the corners' lines that have been asked.
 const CORNERS_VIEW: &str = "corners";
 
 const REGIONS: usize = 0;
@@ -43,51 +32,14 @@ const CUT: usize = 5;
 
 impl LineTelling for NichollLeeNicholl {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
-        WindowInput {
-            window: scene.window,
-            segment,
-        }
+        scene.with(segment)
     }
 }
 
-/// What a corner's line says.
 const fn side_row(line: usize, key: &'static str) -> Row {
     Row::new(Test, line, key)
         .so(&["a₁·b₂ = {a₁·b₂} {relation} b₁·a₂ = {b₁·a₂}"])
         .picks("turn", "turns")
-}
-
-rows! { |event, step: NichollLeeNicholl|
-    region: Event::Region { .. } =>
-        Row::new(Test, REGIONS, "nln-region").so(&["{x}", "{y}"])
-            .about("end").picks("region", "regions");
-    through_enters: Event::Side { question: Question::Enters, line } if is_through(&line) =>
-        side_row(ENTERS, "nln-side-through");
-    through_meets: Event::Side { question: Question::Meets, line } if is_through(&line) =>
-        side_row(MEETS, "nln-side-through");
-    through_leaves: Event::Side { question: Question::Leaves, line } if is_through(&line) =>
-        side_row(LEAVES, "nln-side-through");
-    enters: Event::Side { question: Question::Enters, .. } => side_row(ENTERS, "nln-side-enters");
-    misses: Event::Side { question: Question::Meets, line } if is_miss(step, &line) =>
-        side_row(MEETS, "nln-side-meets").drops("segment");
-    meets: Event::Side { question: Question::Meets, .. } => side_row(MEETS, "nln-side-meets");
-    leaves: Event::Side { question: Question::Leaves, .. } => side_row(LEAVES, "nln-side-leaves");
-    inside: Event::Sector { enters: None, leaves: None } =>
-        Row::new(Phase, LEAVES, "nln-sector-inside").so(ENDS).keeps("segment");
-    in_by: Event::Sector { leaves: None, .. } =>
-        Row::new(Phase, LEAVES, "nln-sector-enters").keeps("segment");
-    out_by: Event::Sector { enters: None, .. } =>
-        Row::new(Phase, LEAVES, "nln-sector-leaves").keeps("segment");
-    across: Event::Sector { .. } => Row::new(Phase, LEAVES, "nln-sector-both").keeps("segment");
-    cut: Event::Cut { .. } =>
-        Row::new(Cut, CUT, "cs-cut").so(&["{1st}", "{2nd}", "{3rd}"]).cuts("end");
-    point: Event::Accept { .. } if step.input.segment.is_point() =>
-        Row::new(Accept, CUT, "line-point");
-    touch: Event::Accept { segment } if segment.is_point() => Row::new(Accept, CUT, "line-touch");
-    accept: Event::Accept { .. } => Row::new(Accept, CUT, "line-accept");
-    beyond: Event::Reject { corner: None, .. } =>
-        Row::new(Reject, SHARED, "line-reject-edge").drops("segment");
-    miss: Event::Reject { .. } => Row::new(Reject, MEETS, "nln-miss");
 }
 
 fn is_through(line: &CornerLine) -> bool {
@@ -114,7 +66,6 @@ impl Telling for NichollLeeNicholl {
         code_line(0, "code-nln-leaves", "words-nln-leaves"),
         code_line(0, "code-nln-cut", "words-nln-cut"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "P₁",
         "P₂",
@@ -124,13 +75,39 @@ impl Telling for NichollLeeNicholl {
         "out by",
         "crossings",
     ])];
+    const OPENING: Row = Row::new(Phase, REGIONS, "line-opening").so(ENDS);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const { &Row::new(Phase, REGIONS, "line-opening").so(ENDS) }
+    table! { |event, step|
+        region: Event::Region { .. } =>
+            Row::new(Test, REGIONS, "nln-region").so(&["{x}", "{y}"])
+                .about("end").picks("region", "regions");
+        through_enters: Event::Side { question: Question::Enters, line } if is_through(&line) =>
+            side_row(ENTERS, "nln-side-through");
+        through_meets: Event::Side { question: Question::Meets, line } if is_through(&line) =>
+            side_row(MEETS, "nln-side-through");
+        through_leaves: Event::Side { question: Question::Leaves, line } if is_through(&line) =>
+            side_row(LEAVES, "nln-side-through");
+        enters: Event::Side { question: Question::Enters, .. } => side_row(ENTERS, "nln-side-enters");
+        misses: Event::Side { question: Question::Meets, line } if is_miss(step, &line) =>
+            side_row(MEETS, "nln-side-meets").drops("segment");
+        meets: Event::Side { question: Question::Meets, .. } => side_row(MEETS, "nln-side-meets");
+        leaves: Event::Side { question: Question::Leaves, .. } => side_row(LEAVES, "nln-side-leaves");
+        inside: Event::Sector { enters: None, leaves: None } =>
+            Row::new(Phase, LEAVES, "nln-sector-inside").so(ENDS).keeps("segment");
+        in_by: Event::Sector { leaves: None, .. } =>
+            Row::new(Phase, LEAVES, "nln-sector-enters").keeps("segment");
+        out_by: Event::Sector { enters: None, .. } =>
+            Row::new(Phase, LEAVES, "nln-sector-leaves").keeps("segment");
+        across: Event::Sector { .. } => Row::new(Phase, LEAVES, "nln-sector-both").keeps("segment");
+        cut: Event::Cut { .. } =>
+            Row::new(Cut, CUT, "cs-cut").so(&["{1st}", "{2nd}", "{3rd}"]).cuts("end");
+        point: Event::Accept { .. } if step.input.segment.is_point() =>
+            Row::new(Accept, CUT, "line-point");
+        touch: Event::Accept { segment } if segment.is_point() => Row::new(Accept, CUT, "line-touch");
+        accept: Event::Accept { .. } => Row::new(Accept, CUT, "line-accept");
+        beyond: Event::Reject { corner: None, .. } =>
+            Row::new(Reject, SHARED, "line-reject-edge").drops("segment");
+        miss: Event::Reject { .. } => Row::new(Reject, MEETS, "nln-miss");
     }
 
     fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
@@ -192,10 +169,8 @@ impl Telling for NichollLeeNicholl {
     }
 }
 
-/// What is named of an event.
 fn of_event(step: &Step<'_, NichollLeeNicholl>, event: Event, of: &str) -> Option<Named> {
     let WindowInput { window, segment } = step.input;
-    let end_named = |end| Named::from(end_name(end)).linked(end_link(end));
     Some(match (of, event) {
         ("end", Event::Region { end, .. } | Event::Cut { end, .. }) => end_named(end),
         ("region", Event::Region { region, .. }) => Value::Term(key_of(region)).into(),
@@ -223,35 +198,25 @@ fn of_event(step: &Step<'_, NichollLeeNicholl>, event: Event, of: &str) -> Optio
     })
 }
 
-/// The sides by which it comes in and goes out, once they are known.
 fn sector(step: &Step<'_, NichollLeeNicholl>) -> Option<[Option<Edge>; 2]> {
-    step.past.iter().find_map(|event| {
-        if let Event::Sector { enters, leaves } = *event {
-            Some([enters, leaves])
-        } else {
-            None
-        }
+    step.past.iter().find_map(|event| match *event {
+        Event::Sector { enters, leaves } => Some([enters, leaves]),
+        _ => None,
     })
 }
 
-/// The same, where it does both.
 fn crossed(step: &Step<'_, NichollLeeNicholl>) -> Option<[Edge; 2]> {
     let [enters, leaves] = sector(step)?;
     enters.zip(leaves).map(Into::into)
 }
 
-/// The corner lines looked at so far, in order.
 fn lines(step: &Step<'_, NichollLeeNicholl>) -> impl Iterator<Item = (Question, CornerLine)> {
-    step.past.iter().filter_map(|event| {
-        if let Event::Side { question, line } = *event {
-            Some((question, line))
-        } else {
-            None
-        }
+    step.past.iter().filter_map(|event| match *event {
+        Event::Side { question, line } => Some((question, line)),
+        _ => None,
     })
 }
 
-/// What each corner's line was asked, and the two products that answer.
 fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
     let n_asked = lines(step).count();
     let is_asking = matches!(step.event(), Some(Event::Side { .. }));
@@ -274,15 +239,14 @@ fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
             link: None,
         }
     });
-    let symbol = |symbol: &'static str| Formula::default().sym(symbol);
     Table {
         header: vec![
             Formula::default().term("table-corner"),
             Formula::default(),
-            symbol("a₁·b₂"),
+            sym("a₁·b₂"),
             Formula::default(),
-            symbol("b₁·a₂"),
-            symbol("P₂"),
+            sym("b₁·a₂"),
+            sym("P₂"),
         ],
         rows: rows.collect(),
         notes: vec![TableNote {
@@ -292,7 +256,6 @@ fn corner_table(step: &Step<'_, NichollLeeNicholl>) -> Table {
     }
 }
 
-/// Between `a₁·b₂` and `b₁·a₂`.
 const fn relation(turn: Turn) -> &'static str {
     match turn {
         Turn::Left => "<",
@@ -301,7 +264,6 @@ const fn relation(turn: Turn) -> &'static str {
     }
 }
 
-/// The drawing.
 fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let WindowInput { window, segment } = step.input;
     let event = step.event();
@@ -316,21 +278,16 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let current = match event {
         Some(Event::Side { line, .. }) => Some(line.corner),
         Some(Event::Reject { corner, .. }) => corner,
-        Some(
-            Event::Region { .. } | Event::Sector { .. } | Event::Cut { .. } | Event::Accept { .. },
-        )
-        | None => None,
+        _ => None,
     };
     let asked = lines(step).map(|(_, line)| line.corner);
     let asked: Vec<Point> = asked.filter(|&corner| corner != p1).collect();
     for corner in window.corners() {
-        let role = if current == Some(corner) {
-            Role::Signal
-        } else {
-            Role::Soft
-        };
+        let is_now = current == Some(corner);
+        let role = if is_now { Role::Signal } else { Role::Soft };
         if asked.contains(&corner) {
-            marks.push(ray(role, p1, corner));
+            let ray = Shape::Ray([p1.to_array(), corner.to_array()]);
+            marks.push(Mark::new(role, ray));
         }
         let label = corner_name(window, corner);
         marks.push(Mark::new(role, Shape::Dot(corner.to_array())).labelled(label));
@@ -367,15 +324,10 @@ fn corner_name(window: &Window, corner: Point) -> Value {
 
 /// `C₄ = (−1, 1)`, in a sentence.
 fn corner_formula(window: &Window, corner: Point) -> Formula {
-    let formula = Formula::default().sym(corner_symbol(window, corner));
+    let formula = sym(corner_symbol(window, corner));
     formula.sym(" = ").point(corner.to_array())
 }
 
-fn ray(role: Role, from: Point, through: Point) -> Mark {
-    Mark::new(role, Shape::Ray([from.to_array(), through.to_array()]))
-}
-
-/// Catalogue key of a region's name.
 fn key_of(region: WindowRegion) -> &'static str {
     region_key(|edge| region.edges().any(|e| e == edge))
 }
@@ -388,7 +340,6 @@ const fn question_key(question: Question) -> &'static str {
     }
 }
 
-/// What says where an end lies along an axis: `x = −2 < −1`.
 fn position(axis: Axis, end: End, region: WindowRegion, input: &WindowInput) -> Formula {
     let beyond = |edge| region.edges().any(|e| e == edge);
     position_formula(axis, end.of(&input.segment), &input.window, beyond)

@@ -8,10 +8,8 @@ use glam::DVec2;
 
 use crate::{
     algo::line::{NichollLeeNicholl, NichollLeeNichollEvent as Event, Turn, WindowInput},
-    figure::{Mark, Role, Shape},
     geom::{Edge, Point, Segment, Window},
-    text::{Formula, Value},
-    trace::Recording,
+    labs::prelude::*,
 };
 
 use super::shared::side_key;
@@ -24,7 +22,6 @@ const LEAST_ROOM: u32 = 4;
 /// How far beyond the window's corners it may be, as parts of the window's diagonal.
 const BEYOND: [f64; 4] = [0.05, 0.1, 0.15, 0.25];
 
-/// The rays from P₁ through the corners, and the names of the sectors between them.
 pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
     let eye = DVec2::from(p1.to_array());
     let corners = in_order(eye, window);
@@ -33,11 +30,8 @@ pub fn marks(p1: Point, window: &Window) -> Vec<Mark> {
         .map(|c| Mark::new(Role::Faint, Shape::Ray([p1.to_array(), c.to_array()])))
         .collect();
     // Around a point inside the last sector closes the circle; outside, it is the one that looks away.
-    let n_sectors = if window.contains(p1) {
-        corners.len()
-    } else {
-        corners.len().saturating_sub(1)
-    };
+    let n_open = usize::from(!window.contains(p1));
+    let n_sectors = corners.len().saturating_sub(n_open);
     let size = DVec2::from(window.max().to_array()) - DVec2::from(window.min().to_array());
     for i in 0..n_sectors {
         let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|c| c - eye);
@@ -105,19 +99,12 @@ fn in_order(eye: DVec2, window: &Window) -> Vec<DVec2> {
 /// What the algorithm finds for a segment into the sector: `left → top`.
 fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
     let segment = Segment::new(eye.x, eye.y, far.x, far.y).ok()?;
-    let input = WindowInput {
-        window: *window,
-        segment,
-    };
-    let run = Recording::<NichollLeeNicholl>::new(input);
-    let sector = run.events().iter().find_map(|event| {
-        if let Event::Sector { enters, leaves } = *event {
-            Some((enters, leaves))
-        } else {
-            None
-        }
-    });
-    let (enters, leaves) = sector?;
+    let window = *window;
+    let run = Recording::<NichollLeeNicholl>::new(WindowInput { window, segment });
+    let (enters, leaves) = run.events().iter().find_map(|event| match *event {
+        Event::Sector { enters, leaves } => Some((enters, leaves)),
+        _ => None,
+    })?;
     let side = |formula: Formula, edge: Option<Edge>| match edge {
         Some(edge) => formula.term(side_key(edge)),
         None => formula,
@@ -126,7 +113,6 @@ fn name(eye: DVec2, far: DVec2, window: &Window) -> Option<Value> {
     Some(Value::Formula(side(formula, leaves)))
 }
 
-/// Catalogue key of the side of a corner's line that the second end lies on.
 pub const fn turn_key(turn: Turn) -> &'static str {
     match turn {
         Turn::Left => "turn-left",

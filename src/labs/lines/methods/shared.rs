@@ -1,36 +1,32 @@
 //! Words, formulas and marks that several methods share.
 
 use crate::{
-    algo::line::{End, Ratio, corner_between},
-    figure::{Mark, Role, Shape},
+    algo::{
+        line::{End, Ratio, corner_between},
+        segment::VisibleLine,
+    },
+    figure::Side,
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         crossing_formulas::{taken, upright},
-        telling::Named,
-        words::{
-            along, axis_symbol, border_equation, edge_link, edge_name, end_link, end_name,
-            end_name_now,
-        },
+        interval::{ShownCrossing, ShownInterval},
+        prelude::*,
+        words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },
-    text::Formula,
 };
 
-/// A point by its coordinates, which are those of one.
 pub fn point([x, y]: [f64; 2]) -> Point {
     Point::new(x, y).unwrap_or_default()
 }
 
-/// A side that a sentence names.
 pub fn side(edge: Edge) -> Named {
     Named::from(edge_name(edge)).linked(edge_link(edge))
 }
 
-/// An end as it is now, in the watch table.
 pub fn end_now(end: End, at: Point) -> Named {
     Named::from(at.to_array()).linked(end_link(end))
 }
 
-/// Both ends by their coordinates.
 pub fn ends(segment: Segment) -> [[f64; 2]; 2] {
     [segment.p1, segment.p2].map(Point::to_array)
 }
@@ -106,12 +102,9 @@ pub fn parallel_formula(segment: &Segment, edge: Edge) -> Formula {
         Axis::X => ("x₁ = x₂ = ", Axis::X),
         Axis::Y => ("y₁ = y₂ = ", Axis::Y),
     };
-    Formula::default()
-        .sym(symbol)
-        .num(along(segment.p1, axis)[0])
+    sym(symbol).num(along(segment.p1, axis)[0])
 }
 
-/// Catalogue key of a side's bare name.
 pub const fn side_key(edge: Edge) -> &'static str {
     match edge {
         Edge::Left => "side-left",
@@ -121,7 +114,6 @@ pub const fn side_key(edge: Edge) -> &'static str {
     }
 }
 
-/// The line of a side, as this step's subject.
 pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     Mark::new(
         Role::Signal,
@@ -131,7 +123,6 @@ pub fn border_mark(window: &Window, edge: Edge) -> Mark {
     .linked(edge_link(edge))
 }
 
-/// The line of a side with what holds inside it: `y ≤ 1`.
 pub fn inside_mark(window: &Window, edge: Edge) -> Mark {
     let relation = if edge.is_max() { " ≤ " } else { " ≥ " };
     let [x, y] = outwards(edge);
@@ -164,7 +155,6 @@ pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
     ]
 }
 
-/// The direction out of the window across a side.
 const fn outwards(edge: Edge) -> [f64; 2] {
     match edge {
         Edge::Left => [-1.0, 0.0],
@@ -176,21 +166,14 @@ const fn outwards(edge: Edge) -> [f64; 2] {
 
 /// `y > 1`
 fn side_formula(window: &Window, edge: Edge, relation: &'static str) -> Formula {
-    Formula::default()
-        .sym(axis_symbol(edge.axis()))
+    sym(axis_symbol(edge.axis()))
         .sym(relation)
         .num(window.border(edge))
 }
 
-/// A crossing, as this step's subject: `t = 1/4`.
 pub fn crossing_mark(at: Point, symbol: &'static str, u: Ratio) -> Mark {
-    let label = Formula::default()
-        .sym(symbol)
-        .sym(" = ")
-        .ratio(u.num, u.den);
-    Mark::new(Role::Signal, Shape::Dot(at.to_array()))
-        .labelled(label)
-        .strong()
+    let dot = Mark::new(Role::Signal, Shape::Dot(at.to_array()));
+    dot.labelled(equal_to(symbol, u)).strong()
 }
 
 /// Catalogue key of the region of a point that lies beyond the sides for which `beyond` is true.
@@ -202,4 +185,97 @@ pub fn region_key(beyond: impl Fn(Edge) -> bool) -> &'static str {
         ["region-left", "region-inside", "region-right"],
         ["region-above-left", "region-above", "region-above-right"],
     ][row][column]
+}
+
+pub struct SegmentInterval {
+    pub shown: ShownInterval,
+    pub crossing_symbol: &'static str,
+    pub verdict: Option<VisibleLine<2>>,
+    /// Is the segment's line drawn beyond its ends, with the crossings there?
+    pub goes_on: bool,
+    /// At this step the segment is seen as a vector of this name, from P₁ to P₂.
+    pub vector: Option<&'static str>,
+}
+
+impl SegmentInterval {
+    pub fn marks(&self, segment: &Segment) -> Vec<Mark> {
+        if let Some(Some(visible)) = self.verdict {
+            return segment_marks(segment, visible.map(point), Some(true));
+        }
+        let mut marks = self.parts(segment);
+        for crossing in &self.shown.crossings {
+            let at = on_line(segment, crossing.at);
+            let is_drawn = self.goes_on || (0.0..=1.0).contains(&crossing.at);
+            let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
+            let mark = if crossing.holds {
+                self.bound_mark(crossing, segment)
+            } else if crossing.current {
+                let label = equal_to(self.crossing_symbol, crossing.quotient);
+                let cross = Mark::new(Role::Signal, Shape::Cross(at));
+                cross.labelled(label).strong()
+            } else if on_end || !is_drawn {
+                // The end itself is enough; a cross on no line says nothing.
+                continue;
+            } else {
+                Mark::new(Role::Discarded, Shape::Cross(at))
+            };
+            marks.push(mark.linked(crossing.link));
+        }
+        marks
+    }
+
+    fn bound_mark(&self, crossing: &ShownCrossing, segment: &Segment) -> Mark {
+        let at = on_line(segment, crossing.at);
+        let role = match (crossing.current, self.shown.is_crossed_over()) {
+            (true, _) => Role::Signal,
+            (false, true) => Role::Ink,
+            (false, false) => Role::Accent,
+        };
+        let label = equal_to(self.shown.bound_symbol(crossing.side), crossing.quotient);
+        // The bound allows what comes after u_min and before u_max.
+        let allowed = match crossing.side {
+            Side::Entering => segment.p2,
+            Side::Leaving => segment.p1,
+        };
+        let head = Shape::Bound([at, allowed.to_array()]);
+        Mark::new(role, head).labelled(label).strong()
+    }
+
+    /// All of the segment is still there, only the bounds move: what is left stands out. Where they have passed each
+    /// other, the part between them is crossed over.
+    fn parts(&self, segment: &Segment) -> Vec<Mark> {
+        let ends = [segment.p1, segment.p2];
+        let crossed = self.shown.is_crossed_over();
+        let verdict = self.verdict.or(crossed.then_some(None));
+        let is_visible = verdict.map(|visible| visible.is_some());
+        let mut marks = segment_marks(segment, ends, is_visible);
+        let [from, to] = self.shown.bounds;
+        let between = [from, to].map(|u| on_line(segment, u));
+        if crossed {
+            let middle = on_line(segment, from.midpoint(to));
+            marks.push(Mark::new(Role::Signal, Shape::Segment(between)));
+            marks.push(Mark::new(Role::Signal, Shape::Cross(middle)));
+        } else if verdict.is_none() && self.shown.bounds != [0.0, 1.0] {
+            marks[0] = Mark::new(Role::Discarded, Shape::Segment(ends.map(Point::to_array)));
+            let left = Mark::new(Role::Accent, Shape::Segment(between));
+            marks.insert(1, left.linked("segment"));
+        }
+        if let (Some(symbol), None) = (self.vector, verdict) {
+            let arrow = Mark::new(Role::Accent, Shape::Arrow(ends.map(Point::to_array)));
+            if self.shown.bounds == [0.0, 1.0] {
+                marks[0] = marks[0].clone().labelled(name(symbol)).strong();
+                marks.insert(1, arrow);
+            } else {
+                marks[0] = arrow.dashed();
+                marks[1] = marks[1].clone().labelled(name(symbol)).strong();
+            }
+        }
+        marks
+    }
+}
+
+/// P(u), to place a mark: the algorithm itself never computes points that it does not put out.
+pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
+    let [x1, y1, x2, y2] = segment.to_array();
+    [x1 + u * (x2 - x1), y1 + u * (y2 - y1)]
 }

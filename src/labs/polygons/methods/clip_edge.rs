@@ -5,17 +5,16 @@ use crate::{
         polygon::{ClipRegion, Vertex},
         ring::{Happening, RingEvent},
     },
-    figure::{Link, Mark, Role, Shape},
-    geom::{Axis, Edge, Point, Segment, Window},
+    geom::{Axis, Edge, Segment, Window},
     labs::{
         crossing_formulas::{Weights, fixed, oblique, upright},
         rings::Asked,
-        words::{along, axis_symbol, border_equation, edge_link, edge_name, name, subscript},
+        words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },
-    text::{Formula, Value},
 };
 
-/// How a variant looks at its clip edges.
+use super::prelude::*;
+
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EdgeLook {
     /// Takes the wrong side of every edge for its inside.
@@ -25,14 +24,12 @@ pub struct EdgeLook {
 }
 
 impl EdgeLook {
-    /// The right one's.
     pub const RIGHT: Self = Self {
         is_flipped: false,
         is_strict: false,
     };
 }
 
-/// An edge of the clip region, as a variant looks at it.
 #[derive(Clone, Copy)]
 pub struct ClipEdge<'a> {
     region: &'a ClipRegion,
@@ -40,10 +37,8 @@ pub struct ClipEdge<'a> {
     look: EdgeLook,
 }
 
-/// A vertex: how it is called, and where it is.
 pub type NamedPoint = (String, Point);
 
-/// What an edge of the clip region is called.
 pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
     ClipEdge::new(region, edge_idx, EdgeLook::RIGHT).name()
 }
@@ -53,12 +48,10 @@ impl<'a> ClipEdge<'a> {
         Self { region, idx, look }
     }
 
-    /// Which of the region's edges it is.
     pub const fn idx(&self) -> usize {
         self.idx
     }
 
-    /// The side of the window that it is.
     fn side(&self) -> Option<(&'a Window, Edge)> {
         match self.region {
             ClipRegion::Window(window) => Some((window, Edge::ALL[self.idx])),
@@ -99,7 +92,6 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
-    /// What marks and rows about it have in common.
     pub fn link(&self) -> Link {
         match self.side() {
             Some((_, edge)) => edge_link(edge),
@@ -115,7 +107,6 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
-    /// Is the inside where the coordinate is smaller?
     fn is_upper(&self, edge: Edge) -> bool {
         edge.is_max() != self.look.is_flipped
     }
@@ -178,13 +169,11 @@ impl<'a> ClipEdge<'a> {
         })
     }
 
-    /// The coordinate that it fixes, if it runs along an axis.
     fn upright_line(&self) -> Option<(Axis, f64)> {
         let plane = self.region.half_planes()[self.idx];
         fixed(plane.normal(), plane.origin())
     }
 
-    /// Where the edge from S to P crosses it, worked out.
     pub fn crossing(&self, [p1, p2]: [Point; 2], distances: [f64; 2], at: Point) -> Vec<Formula> {
         match self.upright_line() {
             Some((axis, c)) => upright(&Segment { p1, p2 }, axis, c, at),
@@ -215,14 +204,9 @@ impl<'a> ClipEdge<'a> {
         };
         let [s, p] = symbols;
         match (name_of, happening) {
-            (
-                "P lies",
-                Happening::First {
-                    at,
-                    distance,
-                    inside,
-                },
-            ) => Some(self.position(&(p, at.at()), distance, inside)),
+            ("P lies", Happening::First(first)) => {
+                Some(self.position(&(p, first.at.at()), first.distance, first.inside))
+            }
             ("S lies", _) => lies(0, s),
             ("P lies", _) => lies(1, p),
             ("I 1", _) => nth(0),
@@ -232,7 +216,6 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
-    /// What each end of the edge from S to P has in the crossing.
     pub fn weights(&self, ends: [Point; 2], distances: [f64; 2]) -> Weights {
         match self.upright_line() {
             Some((axis, c)) => Weights::along(ends.map(|p| along(p, axis)[0]), c),
@@ -240,7 +223,6 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
-    /// Its line, what lies outside it shaded, and inside it what holds there.
     pub fn mark(&self, role: Role) -> Mark {
         let [a, b] = self.ends();
         let label: Value = match self.side() {
@@ -270,7 +252,6 @@ impl<'a> ClipEdge<'a> {
         ends.iter().all(is_near)
     }
 
-    /// Which way along it do `ends` run: with the region to the left?
     pub fn runs_forward(&self, ends: [Point; 2]) -> bool {
         let [a, b] = self.ends();
         let [p, q] = ends.map(Point::to_array);

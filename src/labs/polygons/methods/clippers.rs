@@ -1,4 +1,4 @@
-//! A pipeline's clippers in a row, and what flows between them.
+//! What a pipeline holds: its clippers in a row with what flows between them, and what goes in beside what has come out.
 
 use crate::{
     algo::{
@@ -9,25 +9,18 @@ use crate::{
         ring::RingEvent,
     },
     figure::{ClipperBox, ClipperRow, Fate, Traveller},
-    geom::Point,
-    labs::{
-        rings::{Asked, is_crossed},
-        words::{name, vertex_symbol},
-    },
-    trace::Step,
+    labs::rings::{Asked, is_crossed},
 };
 
 use super::{
     clip_edge::{ClipEdge, EdgeLook},
-    lists::output_symbol,
+    lists::{output_symbol, vertex_link},
+    prelude::*,
 };
 
-/// The view of the clippers.
 pub const CLIPPERS: &str = "clippers";
 
-/// What moves at a step, and what the clipper at work has been told of it.
 pub struct Now {
-    /// The clipper at work.
     pub stage_idx: Option<usize>,
     /// The vertex that entered it, or left the last one; none while it closes.
     pub moving: Option<Point>,
@@ -54,12 +47,10 @@ impl Now {
     }
 }
 
-/// The clip edge of a clipper.
 pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
     ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
 }
 
-/// The clippers at one step.
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {
     let Step { input, held, past } = *step;
     let now = Now::of(past);
@@ -129,6 +120,82 @@ fn travellers(event: &Event<Point>, held: &Held<Point>, now: &Now) -> Vec<Travel
         }
         Event::Close { .. } | Event::Done { .. } => Vec::new(),
     }
+}
+
+/// The view of both lists.
+pub const IN_AND_OUT: &str = "in-and-out";
+
+/// The polygon as far as it has been read, and the ring as far as it has come out.
+pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
+    let lists = [list_in(step), list_out(step)];
+    Lists {
+        links: links(step, &lists),
+        lists: lists.into(),
+        legend: Vec::new(),
+    }
+}
+
+fn list_in(step: &Step<'_, Pipeline>) -> ListColumn {
+    let given = &step.input.vertices;
+    let entered = |event: &Event<Point>| {
+        if let Event::Enter { vertex_idx, .. } = *event {
+            vertex_idx
+        } else {
+            None
+        }
+    };
+    let read = step.past.iter().rev().find_map(entered);
+    let entering = step.event().and_then(|event| entered(&event));
+    let entry = |i: usize| ListRow {
+        role: match read {
+            _ if entering == Some(i) => Role::Signal,
+            Some(read) if i <= read => Role::Ink,
+            Some(_) | None => Role::Faint,
+        },
+        details: vec![Some(Value::Point(given[i].to_array()))],
+        link: Some(vertex_link(i)),
+        ..ListRow::new(vertex_name(i))
+    };
+    ListColumn {
+        columns: vec![name("(x, y)")],
+        is_ring: true,
+        ..ListColumn::about(Value::Term("sh-list-given"), given.len(), read, entry)
+    }
+}
+
+fn list_out(step: &Step<'_, Pipeline>) -> ListColumn {
+    let (ring, n) = (&step.held.output, step.held.output.len());
+    let is_done = matches!(step.event(), Some(Event::Done { .. }));
+    let entry = |i: usize| ListRow {
+        role: if is_done {
+            Role::Accepted
+        } else {
+            Role::Accent
+        },
+        marker: Some(ItemMarker::Dot),
+        details: vec![Some(Value::Point(ring[i].to_array()))],
+        ..ListRow::new(name(output_symbol(i)))
+    };
+    ListColumn {
+        columns: vec![name("(x, y)")],
+        is_ring: is_done,
+        ..ListColumn::about(Value::Term("pipe-list-ring"), n, n.checked_sub(1), entry)
+    }
+}
+
+/// From the vertices that have come through to what they are in the ring.
+fn links(step: &Step<'_, Pipeline>, [polygon, ring]: &[ListColumn; 2]) -> Vec<ListLink> {
+    let given = step.input.vertices.iter().skip(polygon.n_before);
+    let given: Vec<_> = given.take(polygon.entries.len()).collect();
+    let out = step.held.output.iter().skip(ring.n_before).enumerate();
+    let last = ring.entries.len().saturating_sub(1);
+    let link = |(to, vertex)| {
+        let from = given.iter().position(|&other| other == vertex)?;
+        let is_now = to == last && matches!(step.event(), Some(Event::Output { .. }));
+        let role = if is_now { Role::Signal } else { Role::Soft };
+        Some(ListLink::between(from, to, role))
+    };
+    out.filter_map(link).collect()
 }
 
 #[cfg(test)]

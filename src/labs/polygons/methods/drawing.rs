@@ -8,41 +8,69 @@ use crate::{
         },
         ring::Crossing,
     },
-    figure::{Mark, Role, Shape},
-    labs::{
-        rings::RingStep,
-        words::{name, vertex_symbol},
-    },
-    text::Formula,
+    labs::rings::RingStep,
     trace::silent,
 };
 
 use super::{
+    clip_edge::ClipEdge,
     lists::{names, outline, output_symbol, vertex_link, with_texel},
-    picture::Picture,
+    prelude::*,
     result::{bridges, result},
     skin::{LabVertex, skin},
+    variant::Variant,
 };
 
-/// All of it.
+/// What the views of a step show.
+pub struct Picture<'a, V> {
+    pub input: &'a Input<V>,
+    pub rings: RingStep<'a, V>,
+    edge: Option<ClipEdge<'a>>,
+    pub event: Option<Event<V>>,
+}
+
+impl<'a, V: LabVertex> Picture<'a, V> {
+    pub fn of<L: Variant>(step: &Step<'a, SutherlandHodgman<V, L>>) -> Self {
+        let is_turn = |event: &Event<V>| matches!(event, Event::Edge { .. });
+        Self {
+            input: step.input,
+            rings: RingStep::of(&step.held.lists, step.past, is_turn),
+            edge: edge(step),
+            event: step.event(),
+        }
+    }
+}
+
+/// The clip edge whose turn it is.
+pub fn edge<'a, V: LabVertex, L: Variant>(
+    step: &Step<'a, SutherlandHodgman<V, L>>,
+) -> Option<ClipEdge<'a>> {
+    let region = &step.input.region;
+    let nth = step.held.lists.n_passed();
+    let idx = match step.event()? {
+        Event::Edge { edge_idx, .. } | Event::Pass { edge_idx, .. } => edge_idx,
+        Event::Done { .. } => return None,
+        Event::First { .. } | Event::Test { .. } | Event::Cross { .. } | Event::Output { .. } => {
+            if L::CLOCKWISE {
+                region.n_edges() - 1 - nth
+            } else {
+                nth
+            }
+        }
+    };
+    Some(ClipEdge::new(region, idx, L::LOOK))
+}
+
 pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
-    let RingStep { list, turn, .. } = &now.rings;
-    let sides = &turn.sides;
+    let (list, sides) = (now.rings.list, &now.rings.turn.sides);
     let mut marks = Vec::from_iter(skin(list));
-    if let Some(outcome) = now.outcome {
+    if let Some(Event::Done { outcome }) = now.event {
         marks.extend(end(now.input, list, outcome));
         return marks;
     }
-    marks.extend(now.edge.map(|edge| {
-        edge.mark(match now.event {
-            Some(
-                Event::Edge { .. } | Event::First { .. } | Event::Test { .. } | Event::Cross { .. },
-            ) => Role::Signal,
-            Some(Event::Output { .. } | Event::Pass { .. } | Event::Done { .. }) | None => {
-                Role::Soft
-            }
-        })
-    }));
+    let is_quiet = matches!(now.event, Some(Event::Output { .. } | Event::Pass { .. }));
+    let role = if is_quiet { Role::Soft } else { Role::Signal };
+    marks.extend(now.edge.map(|edge| edge.mark(role)));
     if let Some(Event::Pass { .. }) = now.event {
         let left = Mark::new(Role::Accent, Shape::Outline(outline(list)));
         marks.push(left.linked("input"));
@@ -56,10 +84,7 @@ pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
     }
     marks.push(Mark::new(Role::Ink, Shape::Outline(outline(list))).linked("input"));
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(now.rings.output))).linked("output"));
-    let shown = match now.rings.asked.test {
-        Some(test) => test.idx.to_vec(),
-        None => Vec::from_iter((!sides.is_empty()).then_some(0)),
-    };
+    let shown = now.rings.current();
     marks.extend(names(list, vertex_symbol, Role::Soft, sides, &shown));
     marks.extend(moment(now));
     marks
@@ -94,7 +119,6 @@ pub fn right_result<V: LabVertex>(input: &Input<V>, ring: &[V]) -> Option<Vec<V>
     (right != ring).then_some(right)
 }
 
-/// Of a result: a wrong one is not accepted.
 pub const fn result_role(is_wrong: bool) -> Role {
     if is_wrong {
         Role::Signal
@@ -120,17 +144,11 @@ fn slipped<V: LabVertex>(given: &[V], ring: &[V]) -> Vec<Mark> {
     marks.collect()
 }
 
-/// What happens at this step: the edge, its ends, its crossing, the vertex put out.
 fn moment<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
     let mut marks = Vec::new();
     let vertex = |i: usize, is_inside: bool| {
         let at = now.rings.list[i].at().to_array();
-        let shape = if is_inside {
-            Shape::Dot(at)
-        } else {
-            Shape::Ring(at)
-        };
-        Mark::new(Role::Signal, shape)
+        Mark::new(Role::Signal, Shape::dot_or_ring(is_inside, at))
             .labelled(with_texel(vertex_symbol(i), &now.rings.list[i]))
             .strong()
             .linked(vertex_link(i))

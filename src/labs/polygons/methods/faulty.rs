@@ -5,28 +5,21 @@ use crate::{
     algo::polygon::faulty::{
         CutsTwice, DropsOnBorder, EndFirst, Faulty, KeepsUv, LeavesOpen, WalksClockwise,
     },
-    geom::Point,
     labs::{but_for, crossing_formulas::Weights},
-    text::Formula,
 };
 
 use super::{
     clip_edge::EdgeLook,
+    prelude::*,
     skin::{LabVertex, NamedVertex},
     variant::{CODE, EACH, EDGES, IN_OUT, OUT_IN, Pseudocode, Variant},
 };
 
-/// Takes a vertex on the border for outside.
 pub type OnBorder = Faulty<DropsOnBorder>;
-/// Leaves the closing edge out.
 pub type Open = Faulty<LeavesOpen>;
-/// Walks the clip edges the wrong way.
 pub type Clockwise = Faulty<WalksClockwise>;
-/// Puts crossings out twice.
 pub type Twice = Faulty<CutsTwice>;
-/// Puts the end of an edge out before its crossing.
 pub type EndBeforeCrossing = Faulty<EndFirst>;
-/// A vertex that keeps its place in the texture when it is moved.
 pub type Kept = KeepsUv;
 
 impl Variant for DropsOnBorder {

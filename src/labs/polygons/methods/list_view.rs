@@ -2,22 +2,16 @@
 
 use crate::{
     algo::{polygon::SutherlandHodgmanEvent as Event, ring::Crossing},
-    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::{
-        rings::side_term,
-        words::{name, vertex_symbol},
-    },
-    text::Value,
+    labs::rings::side_term,
 };
 
 use super::{
-    drawing::{result_role, right_result},
+    drawing::{Picture, result_role, right_result},
     lists::{output_symbol, vertex_link},
-    picture::Picture,
+    prelude::*,
     skin::LabVertex,
 };
 
-/// Two lists, the second made of the first.
 struct Pair<'a, V> {
     titles: [&'static str; 2],
     input: &'a [V],
@@ -26,7 +20,6 @@ struct Pair<'a, V> {
     sides: &'a [(f64, bool)],
     /// Where between vertices of the first there are crossings.
     crossings: &'a [([usize; 2], Crossing<V>)],
-    /// Where in the first this step is.
     current: &'a [usize],
     now: Now<V>,
 }
@@ -34,17 +27,14 @@ struct Pair<'a, V> {
 /// What this step does to the second list.
 #[derive(Clone, Copy, PartialEq)]
 enum Now<V> {
-    /// Nothing.
     Looks,
     /// It finds a crossing that is to be put out.
     Finds(V),
-    /// It puts its last entry out.
     PutsOut,
     /// It makes it the next input list.
     Passes,
     /// It makes it the answer.
     Ends {
-        /// Not what the right rules leave?
         is_wrong: bool,
     },
 }
@@ -53,7 +43,7 @@ enum Now<V> {
 pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
     let rings = &now.rings;
     let current = rings.current();
-    let pair = Pair {
+    let looks = Pair {
         titles: ["sh-list-input", "sh-list-output"],
         input: rings.list,
         output: rings.output,
@@ -63,14 +53,14 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
         now: Now::Looks,
     };
     let pair = match now.event {
-        None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => pair,
-        Some(Event::Cross { at, .. }) => Pair {
+        None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => looks,
+        Some(Event::Cross(Crossing { at, .. })) => Pair {
             now: Now::Finds(at),
-            ..pair
+            ..looks
         },
         Some(Event::Output { .. }) => Pair {
             now: Now::PutsOut,
-            ..pair
+            ..looks
         },
         Some(Event::Pass { .. }) => Pair {
             titles: ["sh-list-input", "sh-list-next"],
@@ -78,7 +68,7 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
             output: rings.list,
             current: &[],
             now: Now::Passes,
-            ..pair
+            ..looks
         },
         Some(Event::Done { .. }) => {
             let is_wrong = right_result(now.input, rings.list).is_some();
@@ -104,36 +94,42 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
 impl<V: LabVertex> Pair<'_, V> {
     fn lists(&self) -> Lists {
         let origins = self.origins();
-        let input = self.input_list(&origins);
-        let output = self.output_list();
-        let links = self.links(&origins, [&input, &output]);
+        let lists = [self.input_list(&origins), self.output_list()];
         let said = [(ItemMarker::Dot, true), (ItemMarker::Ring, false)];
         let said = said.map(|(marker, is_inside)| (marker, Value::Term(side_term(is_inside))));
         Lists {
-            lists: vec![input, output],
-            links,
+            links: self.links(&origins, &lists),
+            lists: lists.into(),
             legend: said.to_vec(),
         }
+    }
+
+    fn found(&self) -> Option<&V> {
+        if let Now::Finds(at) = &self.now {
+            Some(at)
+        } else {
+            None
+        }
+    }
+
+    fn is_inside(&self, i: usize) -> Option<bool> {
+        self.sides.get(i).map(|&(_, is_inside)| is_inside)
     }
 
     /// Between which two vertices of the first list each entry of the second lies; twice the same one for a vertex that
     /// has been kept. A crossing that is about to be put out is one of them. None where that is long forgotten.
     fn origins(&self) -> Vec<Option<[usize; 2]>> {
         let (mut vertices, mut crossings) = (0, 0);
-        let found = match self.now {
-            Now::Finds(at) => Some(at),
-            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends { .. } => None,
-        };
-        let output = self.output.iter().copied().chain(found);
-        let origin = |vertex: V| {
+        let output = self.output.iter().chain(self.found());
+        let origin = |vertex: &V| {
             // A crossing may be put out twice.
             let near = self.crossings.iter().enumerate().skip(crossings).take(2);
-            if let Some((i, &(ends, _))) = near.into_iter().find(|(_, (_, it))| it.at == vertex) {
+            if let Some((i, &(ends, _))) = near.into_iter().find(|(_, (_, it))| it.at == *vertex) {
                 crossings = i;
                 return Some(ends);
             }
             let ahead = self.input.iter().skip(vertices);
-            let found = vertices + ahead.into_iter().position(|other| *other == vertex)?;
+            let found = vertices + ahead.into_iter().position(|other| other == vertex)?;
             vertices = found + 1;
             Some([found; 2])
         };
@@ -141,63 +137,43 @@ impl<V: LabVertex> Pair<'_, V> {
     }
 
     fn input_list(&self, origins: &[Option<[usize; 2]>]) -> ListColumn {
-        let n = self.input.len();
-        let focus = self.current.last().copied();
-        let reach = ListColumn::reach(n, focus);
         let is_last = matches!(self.now, Now::Ends { .. });
         let entry = |i: usize| {
-            let is_inside = match self.sides.get(i) {
-                Some((_, is_inside)) => Some(*is_inside),
-                None if is_last => Some(origins.contains(&Some([i; 2]))),
-                None => None,
-            };
-            let mut entry = ListRow::new(name(vertex_symbol(i)));
-            entry.role = match is_inside {
-                _ if self.current.contains(&i) => Role::Signal,
-                Some(true) => Role::Ink,
-                Some(false) => Role::Discarded,
-                None => Role::Soft,
-            };
-            entry.marker = is_inside.map(|is_inside| {
-                if is_inside {
-                    ItemMarker::Dot
-                } else {
-                    ItemMarker::Ring
-                }
-            });
-            entry.details = vec![Some(place(&self.input[i]))];
+            let is_left = || is_last.then(|| origins.contains(&Some([i; 2])));
+            let is_inside = self.is_inside(i).or_else(is_left);
+            let mut details = vec![Some(place(&self.input[i]))];
             if !is_last {
                 let distance = self.sides.get(i).map(|&(d, _)| Value::Number(d));
-                entry.details.insert(usize::from(V::IS_TEXTURED), distance);
+                details.insert(usize::from(V::IS_TEXTURED), distance);
             }
-            entry.link = (!is_last).then(|| vertex_link(i));
-            entry
+            ListRow {
+                role: match is_inside {
+                    _ if self.current.contains(&i) => Role::Signal,
+                    Some(true) => Role::Ink,
+                    Some(false) => Role::Discarded,
+                    None => Role::Soft,
+                },
+                marker: is_inside.map(ItemMarker::dot_or_ring),
+                details,
+                link: (!is_last).then(|| vertex_link(i)),
+                ..ListRow::new(vertex_name(i))
+            }
         };
         let mut columns = vec![column::<V>()];
         if !is_last {
             columns.insert(usize::from(V::IS_TEXTURED), name("d"));
         }
+        let (title, focus) = (Value::Term(self.titles[0]), self.current.last().copied());
         ListColumn {
             columns,
-            n_before: reach.start,
-            n_after: n - reach.end,
-            focus: focus.map(|focus| focus - reach.start),
             is_ring: true,
-            ..ListColumn::new(
-                Value::Term(self.titles[0]),
-                reach.clone().map(entry).collect(),
-            )
+            ..ListColumn::about(title, self.input.len(), focus, entry)
         }
     }
 
     fn output_list(&self) -> ListColumn {
-        let found = match &self.now {
-            Now::Finds(at) => Some(at),
-            Now::Looks | Now::PutsOut | Now::Passes | Now::Ends { .. } => None,
-        };
+        let found = self.found();
         let n = self.output.len() + usize::from(found.is_some());
-        let focus = n.checked_sub(1);
-        let reach = ListColumn::reach(n, focus);
         let is_closed = matches!(self.now, Now::Passes | Now::Ends { .. });
         let entry = |i: usize| {
             let (symbol, role) = match (self.output.get(i), self.now) {
@@ -207,50 +183,40 @@ impl<V: LabVertex> Pair<'_, V> {
                     (output_symbol(i), Role::Accent)
                 }
             };
-            let mut entry = ListRow::new(name(symbol));
-            entry.role = role;
-            entry.marker = Some(ItemMarker::Dot);
-            entry.details = vec![self.output.get(i).or(found).map(place)];
-            entry.link = is_closed.then(|| vertex_link(i));
-            entry
+            ListRow {
+                role,
+                marker: Some(ItemMarker::Dot),
+                details: vec![self.output.get(i).or(found).map(place)],
+                link: is_closed.then(|| vertex_link(i)),
+                ..ListRow::new(name(symbol))
+            }
         };
+        let title = Value::Term(self.titles[1]);
         ListColumn {
             columns: vec![column::<V>()],
-            n_before: reach.start,
-            n_after: n - reach.end,
-            focus: focus.map(|focus| focus - reach.start),
             is_ring: is_closed,
-            ..ListColumn::new(
-                Value::Term(self.titles[1]),
-                reach.clone().map(entry).collect(),
-            )
+            ..ListColumn::about(title, n, n.checked_sub(1), entry)
         }
     }
 
     /// What came from where, of the entries that are given: a crossing from both ends of its edge while that is at work,
     /// afterwards from the outer one, in whose place it stands; that of the closing edge from the last, so that links
     /// do not cross.
-    fn links(&self, origins: &[Option<[usize; 2]>], lists: [&ListColumn; 2]) -> Vec<ListLink> {
+    fn links(&self, origins: &[Option<[usize; 2]>], lists: &[ListColumn; 2]) -> Vec<ListLink> {
         let is_now = matches!(self.now, Now::Finds(_) | Now::PutsOut);
-        let given = |list: usize, i: usize| {
-            let entry = i.checked_sub(lists[list].n_before);
-            let entry = entry.filter(|&entry| entry < lists[list].entries.len());
-            entry.map(|entry| [list, entry])
-        };
         let mut links = Vec::new();
         for (i, origin) in origins.iter().enumerate() {
-            let Some((to, [s, p])) = given(1, i).zip(*origin) else {
+            let Some((to, [s, p])) = lists[1].entry_of(i).zip(*origin) else {
                 continue;
             };
-            let is_inside = |i: usize| self.sides.get(i).is_some_and(|&(_, is_inside)| is_inside);
-            let (from, role) = match (is_now && i + 1 == origins.len(), is_inside(s)) {
+            let (from, role) = match (is_now && i + 1 == origins.len(), self.is_inside(s)) {
                 (true, _) => (vec![s, p], Role::Signal),
-                (false, true) if s < p => (vec![p], Role::Soft),
+                (false, Some(true)) if s < p => (vec![p], Role::Soft),
                 (false, _) => (vec![s], Role::Soft),
             };
             let from = from.iter().skip(usize::from(from.first() == from.get(1)));
-            let from = from.filter_map(|&from| given(0, from));
-            links.extend(from.map(|from| ListLink { from, to, role }));
+            let from = from.filter_map(|&from| lists[0].entry_of(from));
+            links.extend(from.map(|from| ListLink::between(from, to, role)));
         }
         links
     }
@@ -263,8 +229,7 @@ fn column<V: LabVertex>() -> Value {
 
 /// Where in the texture a vertex is, if it has a place there, else where on the stage.
 fn place<V: LabVertex>(vertex: &V) -> Value {
-    let at = vertex.uv().unwrap_or_else(|| vertex.at().to_array());
-    Value::Point(at)
+    Value::Point(vertex.uv().unwrap_or_else(|| vertex.at().to_array()))
 }
 
 #[cfg(test)]
@@ -272,27 +237,15 @@ mod tests {
     use super::*;
     use crate::{
         algo::polygon::{SutherlandHodgman, SutherlandHodgmanInput},
-        figure::{Body, Run},
+        figure::Run,
         geom::{GeomError, Polygon, Window},
-        labs::recorded::Recorded,
+        labs::{polygons::methods::shown_lists::at, recorded::Recorded},
     };
 
     fn run(outline: &[[f64; 2]]) -> Result<Box<dyn Run>, GeomError> {
         let region = Window::new(-4.0, -3.0, 4.0, 3.0)?.into();
         let input = SutherlandHodgmanInput::new(region, &Polygon::new(outline)?);
         Ok(Box::new(Recorded::<SutherlandHodgman>::new(input, None)))
-    }
-
-    /// At the `nth` step, from 1, with an event of this name.
-    fn at(run: &dyn Run, event: &str, nth: usize) -> Lists {
-        let mut steps = (1..=run.n_steps()).filter(|&step| run.event_json(step)["event"] == event);
-        let step = steps.nth(nth - 1).expect("such an event");
-        let bodies = run.frame(step).views.into_iter().map(|view| view.body);
-        let mut lists = bodies.filter_map(|body| match body {
-            Body::Lists(lists) => Some(lists),
-            _ => None,
-        });
-        lists.next_back().expect("two lists")
     }
 
     fn taken(lists: &Lists) -> Vec<[usize; 2]> {
@@ -312,7 +265,7 @@ mod tests {
     fn a_crossing_comes_from_both_ends_of_its_edge_and_a_vertex_from_itself()
     -> Result<(), GeomError> {
         let run = run(&CUT_LEFT)?;
-        let found = at(&*run, "cross", 1);
+        let found = at(&*run, "cross");
         let [input, output] = &found.lists[..] else {
             panic!("two lists")
         };
@@ -338,14 +291,14 @@ mod tests {
         let last = output.entries.last().expect("I");
         assert_eq!((&last.name, last.role), (&name("I"), Role::Signal));
         assert_eq!(taken(&found), [[1, 2], [2, 2]], "from S and from P");
-        let put_out = at(&*run, "output", 5);
+        let put_out = at(&*run, "output #5");
         assert_eq!(taken(&put_out), [[4, 4]], "V₅ is V₅′");
         Ok(())
     }
 
     #[test]
     fn a_pass_keeps_what_is_linked() -> Result<(), GeomError> {
-        let passed = at(&*run(&CUT_LEFT)?, "pass", 1);
+        let passed = at(&*run(&CUT_LEFT)?, "pass");
         let links: Vec<[usize; 2]> = passed.links.iter().map(|l| [l.from[1], l.to[1]]).collect();
         let expected = [[0, 0], [1, 1], [2, 2], [3, 3], [4, 4]];
         assert_eq!(links, expected);
@@ -362,7 +315,7 @@ mod tests {
         let n = 1000;
         let tooth = |i: usize| [i as f64 / 100.0 - 5.0, (i % 2) as f64];
         let outline: Vec<[f64; 2]> = (0..n).map(tooth).collect();
-        let lists = at(&*run(&outline)?, "test", 700);
+        let lists = at(&*run(&outline)?, "test #700");
         for list in &lists.lists {
             assert!(list.entries.len() <= 40);
             assert!(list.focus.is_some_and(|focus| focus < list.entries.len()));

@@ -1,19 +1,12 @@
 //! The vertices of the two lists of Sutherland–Hodgman: their names, on stage and as rows of the watch table.
 
-use crate::{
-    algo::polygon::Vertex,
-    figure::{Link, Mark, Role, Shape, WatchRow, WatchSection},
-    labs::words::{name, vertex_symbol},
-    text::{Formula, Value},
-};
+use crate::algo::polygon::Vertex;
 
-use super::skin::LabVertex;
+use super::{prelude::*, skin::LabVertex};
 
-/// The view of the lists.
 pub const LISTS: &str = "lists";
 /// Lists up to this length are shown whole, side by side.
 const FEW: usize = 12;
-/// Of longer ones this many rows.
 const ROWS: usize = 6;
 /// Up to this many vertices get their names on stage.
 pub const NAMED: usize = 24;
@@ -23,7 +16,6 @@ pub fn output_symbol(idx: usize) -> String {
     format!("{}′", vertex_symbol(idx))
 }
 
-/// What marks and rows about a vertex of the input list have in common.
 pub const fn vertex_link(idx: usize) -> Link {
     Link::nth("vertex", idx)
 }
@@ -83,11 +75,9 @@ pub fn names<V: LabVertex>(
         let here = others.iter().filter(|&&k| list[k].at() == at);
         let symbols: Vec<String> = here.map(|&k| symbol(k)).collect();
         let point = at.to_array();
-        let (role, shape) = match sides.get(i) {
-            Some((_, false)) => (Role::Discarded, Shape::Ring(point)),
-            Some((_, true)) | None => (role, Shape::Dot(point)),
-        };
-        Mark::new(role, shape)
+        let is_outside = matches!(sides.get(i), Some((_, false)));
+        let role = if is_outside { Role::Discarded } else { role };
+        Mark::new(role, Shape::dot_or_ring(!is_outside, point))
             .labelled(with_texel(symbols.join(", "), &list[i]))
             .linked(vertex_link(i))
     };

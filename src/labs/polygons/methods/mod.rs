@@ -6,11 +6,10 @@ mod drawing;
 mod ear_clipping;
 mod fates;
 pub mod faulty;
-mod in_and_out;
 mod list_view;
 mod lists;
-mod picture;
 mod pipeline;
+mod prelude;
 mod result;
 #[cfg(test)]
 mod shown_lists;

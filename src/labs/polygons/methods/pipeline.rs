@@ -6,30 +6,16 @@ use crate::{
             Pipeline, PipelineEvent as Event, PipelineHeld as Held, RingOutcome, Rule,
             SutherlandHodgmanInput as Input,
         },
-        ring::Crossing,
+        ring::{Crossing, RingEvent},
     },
-    figure::{
-        Body, Mark, Role, Shape,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
-    geom::Point,
-    labs::{
-        CodeLine, code_line,
-        polygons::{PolygonTelling, Scene, UnfitScene},
-        rings::{asked_vertex, is_crossed, rules},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{name, vertex_symbol},
-    },
-    text::{Formula, Value},
-    trace::Step,
+    labs::rings::{asked_vertex, is_crossed, rules},
 };
 
 use super::{
     super::handles::corner_link,
-    clippers::{CLIPPERS, Now, edge, row as clippers},
-    in_and_out::{IN_AND_OUT, in_and_out},
+    clippers::{CLIPPERS, IN_AND_OUT, Now, edge, in_and_out, row as clippers},
     lists::{names, outline, output_symbol},
+    prelude::*,
     result::result,
     sutherland_hodgman::{SOURCE, crossing_of, input},
 };
@@ -42,7 +28,6 @@ const PASS_ON: usize = 4;
 const OUTPUT: usize = 5;
 const CLOSE: usize = 6;
 
-/// Rows of the ring that the watch table shows.
 const N_ROWS: usize = 8;
 
 impl PolygonTelling for Pipeline {
@@ -84,43 +69,6 @@ const fn cross(line: usize) -> Row {
     Row::new(Cut, line, "pipe-cross").so(&["{I 1}", "{I 2}", "{I 3}"])
 }
 
-rows! { |event, step: Pipeline|
-    send: Event::Enter { vertex_idx: Some(_), .. } => Row::new(Phase, SEND, "pipe-send");
-    enter: Event::Enter { .. } => Row::new(Test, ENTER, "pipe-enter");
-    first_inside: Event::First { inside: true, .. } => first("pipe-first-inside").keeps("P");
-    first_outside: Event::First { .. } => first("pipe-first-outside").drops("P");
-    // The edge that closes the ring lets a crossing through at most: its end has been asked before.
-    closes_in_out: Event::Test { stage_idx, rule: Rule::InOut, distances, .. }
-        if is_closed(step, stage_idx) && is_crossed(distances) =>
-        test(CLOSE, "pipe-closing-cross").about("P");
-    closes_out_in: Event::Test { stage_idx, rule: Rule::OutIn, distances, .. }
-        if is_closed(step, stage_idx) && is_crossed(distances) =>
-        test(CLOSE, "pipe-closing-cross").keeps("P");
-    closes_inside: Event::Test { stage_idx, rule: Rule::InIn | Rule::OutIn, .. }
-        if is_closed(step, stage_idx) => test(CLOSE, "pipe-closing").keeps("P");
-    closes_outside: Event::Test { stage_idx, .. } if is_closed(step, stage_idx) =>
-        test(CLOSE, "pipe-closing").about("P");
-    in_in: Event::Test { rule: Rule::InIn, .. } => test(PASS_ON, "pipe-vertex").keeps("P");
-    out_out: Event::Test { rule: Rule::OutOut, .. } => test(PASS_ON, "pipe-nothing").drops("P");
-    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
-        test(CROSS, "pipe-crossing").drops("P");
-    leaves: Event::Test { rule: Rule::InOut, .. } => test(CROSS, "pipe-nothing").drops("P");
-    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
-        test(CROSS, "pipe-both").keeps("P");
-    comes: Event::Test { rule: Rule::OutIn, .. } => test(CROSS, "pipe-vertex").keeps("P");
-    cuts_closing: Event::Cross { stage_idx, .. } if is_closed(step, stage_idx) => cross(CLOSE);
-    cuts: Event::Cross { .. } => cross(CROSS);
-    output: Event::Output { .. } => Row::new(Test, OUTPUT, "pipe-output");
-    close_empty: Event::Close { stage_idx } if step.held.stages[stage_idx].first().is_none() =>
-        Row::new(Phase, CLOSE, "pipe-close-empty");
-    close: Event::Close { .. } => Row::new(Phase, CLOSE, "pipe-close");
-    empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, CLOSE, "sh-done-empty");
-    degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
-        Row::new(Reject, CLOSE, "sh-done-degenerate");
-    whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, CLOSE, "sh-done-whole");
-    cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, CLOSE, "sh-done-cut");
-}
-
 fn is_closed(step: &Step<'_, Pipeline>, stage_idx: usize) -> bool {
     step.held.stages[stage_idx].is_closed
 }
@@ -140,17 +88,46 @@ impl Telling for Pipeline {
         code_line(0, "code-pipe-output", "words-pipe-output"),
         code_line(0, "code-pipe-close", "words-pipe-close"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P"])];
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        send: Event::Enter { vertex_idx: Some(_), .. } => Row::new(Phase, SEND, "pipe-send");
+        enter: Event::Enter { .. } => Row::new(Test, ENTER, "pipe-enter");
+        first_inside: Event::First { inside: true, .. } => first("pipe-first-inside").keeps("P");
+        first_outside: Event::First { .. } => first("pipe-first-outside").drops("P");
+        // The edge that closes the ring lets a crossing through at most: its end has been asked before.
+        closes_in_out: Event::Test { stage_idx, rule: Rule::InOut, distances, .. }
+            if is_closed(step, stage_idx) && is_crossed(distances) =>
+            test(CLOSE, "pipe-closing-cross").about("P");
+        closes_out_in: Event::Test { stage_idx, rule: Rule::OutIn, distances, .. }
+            if is_closed(step, stage_idx) && is_crossed(distances) =>
+            test(CLOSE, "pipe-closing-cross").keeps("P");
+        closes_inside: Event::Test { stage_idx, rule: Rule::InIn | Rule::OutIn, .. }
+            if is_closed(step, stage_idx) => test(CLOSE, "pipe-closing").keeps("P");
+        closes_outside: Event::Test { stage_idx, .. } if is_closed(step, stage_idx) =>
+            test(CLOSE, "pipe-closing").about("P");
+        in_in: Event::Test { rule: Rule::InIn, .. } => test(PASS_ON, "pipe-vertex").keeps("P");
+        out_out: Event::Test { rule: Rule::OutOut, .. } => test(PASS_ON, "pipe-nothing").drops("P");
+        in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
+            test(CROSS, "pipe-crossing").drops("P");
+        leaves: Event::Test { rule: Rule::InOut, .. } => test(CROSS, "pipe-nothing").drops("P");
+        out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
+            test(CROSS, "pipe-both").keeps("P");
+        comes: Event::Test { rule: Rule::OutIn, .. } => test(CROSS, "pipe-vertex").keeps("P");
+        cuts_closing: Event::Cross { stage_idx, .. } if is_closed(step, stage_idx) => cross(CLOSE);
+        cuts: Event::Cross { .. } => cross(CROSS);
+        output: Event::Output { .. } => Row::new(Test, OUTPUT, "pipe-output");
+        close_empty: Event::Close { stage_idx } if step.held.stages[stage_idx].first().is_none() =>
+            Row::new(Phase, CLOSE, "pipe-close-empty");
+        close: Event::Close { .. } => Row::new(Phase, CLOSE, "pipe-close");
+        empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, CLOSE, "sh-done-empty");
+        degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
+            Row::new(Reject, CLOSE, "sh-done-degenerate");
+        whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, CLOSE, "sh-done-whole");
+        cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, CLOSE, "sh-done-cut");
     }
 
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, SEND, "pipe-opening");
-        &OPENING
-    }
+    const OPENING: Row = Row::new(Phase, SEND, "pipe-opening");
 
     fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
         let Step { input, held, past } = at.step;
@@ -226,7 +203,6 @@ impl Telling for Pipeline {
     }
 }
 
-/// The drawing.
 fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     let Step { input, held, past } = *step;
     if let Some(Event::Done { outcome }) = step.event() {
@@ -238,16 +214,11 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     let now = Now::of(past);
     let mut marks = Vec::new();
     if let Some(stage_idx) = now.stage_idx {
-        marks.push(edge(input, stage_idx).mark(match step.event() {
-            Some(Event::First { .. } | Event::Test { .. } | Event::Cross { .. }) => Role::Signal,
-            Some(
-                Event::Enter { .. }
-                | Event::Output { .. }
-                | Event::Close { .. }
-                | Event::Done { .. },
-            )
-            | None => Role::Soft,
-        }));
+        let is_asked = step
+            .event()
+            .is_some_and(|event| event.happening().is_some());
+        let role = if is_asked { Role::Signal } else { Role::Soft };
+        marks.push(edge(input, stage_idx).mark(role));
     }
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(&held.output))).linked("output"));
     marks.extend(names(&input.vertices, vertex_symbol, Role::Soft, &[], &[]));
@@ -256,7 +227,6 @@ fn marks(step: &Step<'_, Pipeline>) -> Vec<Mark> {
     marks
 }
 
-/// What the clipper at work holds.
 fn memory(held: &Held<Point>, now: &Now) -> Vec<Mark> {
     let Some(stage) = now.stage_idx.map(|i| held.stages[i]) else {
         return Vec::new();
@@ -277,13 +247,7 @@ fn moment(held: &Held<Point>, now: &Now) -> Vec<Mark> {
     let signal =
         |shape: Shape, label: Value| Mark::new(Role::Signal, shape).labelled(label).strong();
     let vertex = |p: Point, is_inside: bool, symbol: &'static str| {
-        let at = p.to_array();
-        let shape = if is_inside {
-            Shape::Dot(at)
-        } else {
-            Shape::Ring(at)
-        };
-        signal(shape, name(symbol))
+        signal(Shape::dot_or_ring(is_inside, p.to_array()), name(symbol))
     };
     match (now.asked.test, now.moving) {
         (Some(test), moving) => {

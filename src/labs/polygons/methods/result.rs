@@ -1,18 +1,11 @@
 //! What the last list of Sutherland–Hodgman amounts to, and the bridges in it.
 
-use serde_json::{Value as Json, json};
-
-use crate::{
-    algo::polygon::{ClipRegion, ClippedRing, RingOutcome, Vertex},
-    figure::{Mark, Role, Shape},
-    geom::Point,
-    labs::Answer,
-    text::Value,
-};
+use crate::algo::polygon::{ClipRegion, ClippedRing, RingOutcome, Vertex};
 
 use super::{
     clip_edge::{ClipEdge, EdgeLook},
     lists::{NAMED, outline},
+    prelude::*,
     skin::LabVertex,
 };
 
@@ -28,7 +21,6 @@ impl<V: LabVertex> Answer for ClippedRing<V> {
     }
 }
 
-/// What is left, in a role, and its bridges.
 pub fn result<V: Vertex>(
     ring: &[V],
     (outcome, role): (RingOutcome, Role),
@@ -90,7 +82,6 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
     found.enumerate().map(mark).collect()
 }
 
-/// Have two edges of one line more than a point in common?
 fn overlap([a, b]: [Point; 2], other: [Point; 2]) -> bool {
     let along = |p: Point| (p.x() - a.x()) * (b.x() - a.x()) + (p.y() - a.y()) * (b.y() - a.y());
     let [p, q] = other.map(along);

@@ -15,7 +15,6 @@ pub const FORK: [[f64; 2]; 6] = [
     [2.0, -2.0],
 ];
 
-/// A comb of `n` vertices and two for its back, its teeth in the middle of the lab.
 pub fn comb(n: u32) -> Vec<[f64; 2]> {
     let teeth = (0..n).map(|i| {
         let x = if i % 2 == 0 { 3.0 } else { 5.0 };
@@ -24,13 +23,11 @@ pub fn comb(n: u32) -> Vec<[f64; 2]> {
     [[7.0, -2.5], [7.0, 2.5]].into_iter().chain(teeth).collect()
 }
 
-/// The lists beside the drawing at a moment.
 pub fn at(run: &dyn Run, moment: &str) -> Lists {
     let step = run.find(&moment.parse().unwrap()).unwrap();
     at_step(run, step)
 }
 
-/// The lists beside the drawing at a step.
 pub fn at_step(run: &dyn Run, step: usize) -> Lists {
     let views = run.frame(step).views;
     match views.into_iter().map(|view| view.body).nth(1) {
@@ -39,7 +36,6 @@ pub fn at_step(run: &dyn Run, step: usize) -> Lists {
     }
 }
 
-/// Names of the entries of a list that have a role, or of all.
 pub fn names_of(list: &ListColumn, role: Option<Role>) -> String {
     let catalog = Catalog::of(Lang::En);
     let entries = list.entries.iter();
@@ -48,7 +44,6 @@ pub fn names_of(list: &ListColumn, role: Option<Role>) -> String {
     names.join(" ")
 }
 
-/// Of long lists the step's neighbourhood is shown, with what the step is about in it.
 pub fn assert_are_short(lists: &Lists) {
     for list in &lists.lists {
         assert!(list.entries.len() <= 40, "{} entries", list.entries.len());

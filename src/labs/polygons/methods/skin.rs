@@ -4,25 +4,21 @@ use serde::Serialize;
 
 use crate::{
     algo::polygon::{Textured, Vertex},
-    figure::{Mark, Role, Shape, Texel},
-    geom::Point,
+    figure::Texel,
     labs::crossing_formulas::Weights,
-    text::Formula,
 };
+
+use super::prelude::*;
 
 /// Rings with more vertices than this are shown without their texture: to cut them into triangles takes time
 /// that grows with the square.
 const MOST: usize = 400;
 
-/// A vertex as the lab clips it: with a place in a texture, or without.
 pub trait LabVertex: Vertex + Serialize + 'static {
-    /// Has every vertex a place in a texture?
     const IS_TEXTURED: bool = true;
 
-    /// At a place, and with a place in the texture if it has one.
     fn with_uv(at: Point, uv: [f64; 2]) -> Self;
 
-    /// Where in the texture.
     fn uv(&self) -> Option<[f64; 2]>;
 
     /// How a crossing came to its place in the texture:
@@ -33,11 +29,8 @@ pub trait LabVertex: Vertex + Serialize + 'static {
     }
 }
 
-/// A vertex, and how it is called.
 pub struct NamedVertex<V> {
-    /// `V₃`
     pub symbol: String,
-    /// The vertex.
     pub vertex: V,
 }
 
@@ -63,7 +56,6 @@ impl LabVertex for Textured {
     }
 }
 
-/// The texture on a ring, where its vertices have places in one.
 pub fn skin<V: LabVertex>(ring: &[V]) -> Option<Mark> {
     let texels = ring.iter().map(|v| Some((v.at().to_array(), v.uv()?)));
     let texels: Vec<Texel> = texels.collect::<Option<_>>()?;

@@ -6,37 +6,27 @@ use crate::{
             ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman,
             SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input, Textured,
         },
-        ring::{Crossing, Happening, RingEvent},
+        ring::{Crossing, EdgeTest, Happening, Known, RingEvent},
     },
-    figure::{
-        Body, Run,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchSection,
-    },
-    geom::Point,
+    figure::Run,
     labs::{
-        CodeLine,
-        polygons::{GivenSubject, PolygonTelling, Scene, Texture, UnfitScene},
+        polygons::{GivenSubject, Texture},
         recorded::Recorded,
         rings::{Asked, asked_vertex, is_crossed, rules},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{name, vertex_symbol},
     },
-    trace::Step,
 };
 
 use super::{
     super::handles::corner_link,
-    drawing::marks,
+    drawing::{Picture, edge, marks},
     faulty::Kept,
     list_view::lists,
     lists::{LISTS, output_symbol, rows as list_rows},
-    picture::{Picture, edge},
+    prelude::*,
     skin::{LabVertex, NamedVertex},
     variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
 };
 
-/// The paper.
 pub const SOURCE: &str = "Sutherland & Hodgman, 1974";
 
 impl Variant for Right {
@@ -91,7 +81,6 @@ impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
     }
 }
 
-/// Where an event finds an intersection.
 pub fn crossing_of(event: &impl RingEvent<Point>) -> Option<Point> {
     if let Some(Happening::Cross(Crossing { at, .. })) = event.happening() {
         Some(at)
@@ -112,7 +101,6 @@ pub fn input(scene: &Scene) -> Result<Input, UnfitScene> {
     Ok(Input::new(region(scene)?, &scene.subject))
 }
 
-/// With a place in the texture at every vertex.
 fn textured<V: LabVertex>(scene: &Scene) -> Result<Input<V>, UnfitScene> {
     let texel = scene.texels();
     let vertices = scene.subject.vertices().iter();
@@ -138,50 +126,6 @@ const fn output(line: usize) -> Row {
     Row::new(Test, line, "sh-output").so(PUTS_OUT)
 }
 
-rows! { [V: LabVertex, L: Variant] |event, step: SutherlandHodgman<V, L>|
-    edge_side: Event::Edge { .. } if is_window(step) => Row::new(Phase, EACH, "sh-edge-side");
-    edge: Event::Edge { .. } =>
-        Row::new(Phase, EACH, "sh-edge").so(&["n = {normal}", "E = {E}"]);
-    first_inside: Event::First { inside: true, .. } =>
-        Row::new(Test, FIRST, "sh-first-inside").so(&["{P lies}"]).answers("first").keeps("P");
-    first_outside: Event::First { inside: false, .. } =>
-        Row::new(Test, FIRST, "sh-first-outside").so(&["{P lies}"]).answers("first").drops("P");
-    // The edge that closes the ring puts out a crossing at most: its end has been asked before.
-    closes_in_in: Event::Test { idx: [_, 0], rule: Rule::InIn, .. } =>
-        test(IN_IN, "sh-closing").keeps("P");
-    closes_in_out: Event::Test { idx: [_, 0], rule: Rule::InOut, distances, .. }
-        if is_crossed(distances) => test(IN_OUT, "sh-closing-cross").about("P");
-    closes_leaving: Event::Test { idx: [_, 0], rule: Rule::InOut, .. } =>
-        test(IN_OUT, "sh-closing").about("P");
-    closes_out_in: Event::Test { idx: [_, 0], rule: Rule::OutIn, distances, .. }
-        if is_crossed(distances) => test(OUT_IN, "sh-closing-cross").keeps("P");
-    closes_coming: Event::Test { idx: [_, 0], rule: Rule::OutIn, .. } =>
-        test(OUT_IN, "sh-closing").keeps("P");
-    closes_out_out: Event::Test { idx: [_, 0], rule: Rule::OutOut, .. } =>
-        test(OUT_OUT, "sh-closing").about("P");
-    in_in: Event::Test { rule: Rule::InIn, .. } => test(IN_IN, "sh-in-in").keeps("P");
-    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
-        test(IN_OUT, "sh-in-out").drops("P");
-    leaves: Event::Test { rule: Rule::InOut, .. } => test(IN_OUT, "sh-in-out-touch").drops("P");
-    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
-        test(OUT_IN, "sh-out-in").keeps("P");
-    comes: Event::Test { rule: Rule::OutIn, .. } => test(OUT_IN, "sh-out-in-touch").keeps("P");
-    out_out: Event::Test { rule: Rule::OutOut, .. } => test(OUT_OUT, "sh-out-out").drops("P");
-    cuts_leaving: Event::Cross { .. } if rule(step) == Some(Rule::InOut) => cross(IN_OUT);
-    cuts_coming: Event::Cross { .. } => cross(OUT_IN);
-    puts_first: Event::Output { .. } if rule(step).is_none() => output(FIRST);
-    puts_in_in: Event::Output { .. } if rule(step) == Some(Rule::InIn) => output(IN_IN);
-    puts_in_out: Event::Output { .. } if rule(step) == Some(Rule::InOut) => output(IN_OUT);
-    puts_out_in: Event::Output { .. } => output(OUT_IN);
-    nothing_left: Event::Pass { n_vertices: 0, .. } => Row::new(Test, PASS, "sh-pass-empty");
-    pass: Event::Pass { .. } => Row::new(Test, PASS, "sh-pass");
-    empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, PASS, "sh-done-empty");
-    degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
-        Row::new(Reject, PASS, "sh-done-degenerate");
-    whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, PASS, "sh-done-whole");
-    cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, PASS, "sh-done-cut");
-}
-
 fn is_window<V: LabVertex, L: Variant>(step: &Step<'_, SutherlandHodgman<V, L>>) -> bool {
     matches!(step.input.region, ClipRegion::Window(_))
 }
@@ -199,17 +143,53 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
     const SOURCE: &'static str = SOURCE;
     const CODE: &'static [CodeLine] = &L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P", "t"])];
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        edge_side: Event::Edge { .. } if is_window(step) => Row::new(Phase, EACH, "sh-edge-side");
+        edge: Event::Edge { .. } =>
+            Row::new(Phase, EACH, "sh-edge").so(&["n = {normal}", "E = {E}"]);
+        first_inside: Event::First(Known { inside: true, .. }) =>
+            Row::new(Test, FIRST, "sh-first-inside").so(&["{P lies}"]).answers("first").keeps("P");
+        first_outside: Event::First(Known { inside: false, .. }) =>
+            Row::new(Test, FIRST, "sh-first-outside").so(&["{P lies}"]).answers("first").drops("P");
+        // The edge that closes the ring puts out a crossing at most: its end has been asked before.
+        closes_in_in: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InIn, .. }) =>
+            test(IN_IN, "sh-closing").keeps("P");
+        closes_in_out: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut, distances, .. })
+            if is_crossed(distances) => test(IN_OUT, "sh-closing-cross").about("P");
+        closes_leaving: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut, .. }) =>
+            test(IN_OUT, "sh-closing").about("P");
+        closes_out_in: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutIn, distances, .. })
+            if is_crossed(distances) => test(OUT_IN, "sh-closing-cross").keeps("P");
+        closes_coming: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutIn, .. }) =>
+            test(OUT_IN, "sh-closing").keeps("P");
+        closes_out_out: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutOut, .. }) =>
+            test(OUT_OUT, "sh-closing").about("P");
+        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => test(IN_IN, "sh-in-in").keeps("P");
+        in_out: Event::Test(EdgeTest { rule: Rule::InOut, distances, .. }) if is_crossed(distances) =>
+            test(IN_OUT, "sh-in-out").drops("P");
+        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => test(IN_OUT, "sh-in-out-touch").drops("P");
+        out_in: Event::Test(EdgeTest { rule: Rule::OutIn, distances, .. }) if is_crossed(distances) =>
+            test(OUT_IN, "sh-out-in").keeps("P");
+        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => test(OUT_IN, "sh-out-in-touch").keeps("P");
+        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => test(OUT_OUT, "sh-out-out").drops("P");
+        cuts_leaving: Event::Cross { .. } if rule(step) == Some(Rule::InOut) => cross(IN_OUT);
+        cuts_coming: Event::Cross { .. } => cross(OUT_IN);
+        puts_first: Event::Output { .. } if rule(step).is_none() => output(FIRST);
+        puts_in_in: Event::Output { .. } if rule(step) == Some(Rule::InIn) => output(IN_IN);
+        puts_in_out: Event::Output { .. } if rule(step) == Some(Rule::InOut) => output(IN_OUT);
+        puts_out_in: Event::Output { .. } => output(OUT_IN);
+        nothing_left: Event::Pass { n_vertices: 0, .. } => Row::new(Test, PASS, "sh-pass-empty");
+        pass: Event::Pass { .. } => Row::new(Test, PASS, "sh-pass");
+        empty: Event::Done { outcome: RingOutcome::Empty } => Row::new(Reject, PASS, "sh-done-empty");
+        degenerate: Event::Done { outcome: RingOutcome::Degenerate } =>
+            Row::new(Reject, PASS, "sh-done-degenerate");
+        whole: Event::Done { outcome: RingOutcome::Whole } => Row::new(Accept, PASS, "sh-done-whole");
+        cut: Event::Done { outcome: RingOutcome::Cut } => Row::new(Accept, PASS, "sh-done-cut");
     }
 
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, EACH, "sh-opening");
-        &OPENING
-    }
+    const OPENING: Row = Row::new(Phase, EACH, "sh-opening");
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let Step { input, held, past } = at.step;
@@ -244,7 +224,6 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
     }
 }
 
-/// What a name stands for that says something of the vertex that is asked or put out.
 fn of_vertex<V: LabVertex, L: Variant>(
     at: &At<'_, SutherlandHodgman<V, L>>,
     name_of: &str,
@@ -269,7 +248,6 @@ fn of_vertex<V: LabVertex, L: Variant>(
     })
 }
 
-/// What a name stands for that says how a vertex or an edge lies to the clip edge, or what that is.
 fn of_edge<V: LabVertex, L: Variant>(
     at: &At<'_, SutherlandHodgman<V, L>>,
     name_of: &str,
@@ -283,7 +261,7 @@ fn of_edge<V: LabVertex, L: Variant>(
         ("border", _) => edge.border().into(),
         ("normal", Event::Edge { normal, .. }) => normal.into(),
         ("E", Event::Edge { origin, .. }) => origin.to_array().into(),
-        ("uv(I)", Event::Cross { at, .. }) => {
+        ("uv(I)", Event::Cross(Crossing { at, .. })) => {
             let test = asked.test?;
             let ends = [0, 1].map(|i| NamedVertex {
                 symbol: symbol(i),
@@ -299,7 +277,6 @@ fn of_edge<V: LabVertex, L: Variant>(
     })
 }
 
-/// The distances of S and P from the clip edge, and where between them it is crossed.
 pub fn scalars<V: LabVertex, L: Variant>(
     at: &At<'_, SutherlandHodgman<V, L>>,
 ) -> Option<WatchSection> {
@@ -307,16 +284,9 @@ pub fn scalars<V: LabVertex, L: Variant>(
     (!section.rows.is_empty()).then_some(section)
 }
 
-/// Both lists.
 pub fn lists_watched<V: LabVertex, L: Variant>(
     at: &At<'_, SutherlandHodgman<V, L>>,
 ) -> Vec<WatchSection> {
-    let Step { held, past, .. } = at.step;
-    let is_growing = past.last().is_some_and(|event| event.happening().is_some());
-    let output = if is_growing {
-        &held.lists.other()[..]
-    } else {
-        &[]
-    };
-    list_rows(held.lists.list(), output, Asked::of(past).place())
+    let rings = Picture::of(&at.step).rings;
+    list_rows(rings.list, rings.output, rings.asked.place())
 }

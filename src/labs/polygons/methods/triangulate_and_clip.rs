@@ -1,32 +1,19 @@
 //! Ear clipping first, then each triangle clipped on its own, shown.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::polygon::{
         EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman, Triangle,
         TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
         TriangulateAndClipInput as Input,
     },
-    figure::{
-        Body, Mark, Role, Shape,
-        Tick::{self, Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchSection,
-    },
-    geom::{Point, SimplePolygon},
-    labs::{
-        Answer, CodeLine, code_line,
-        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
-        telling::{At, Named, Row, Telling, Watched, all_rows, rows},
-    },
-    text::Value,
-    trace::Step,
+    geom::SimplePolygon,
 };
 
 use super::{
-    drawing, ear_clipping,
+    drawing::{self, Picture},
+    ear_clipping,
     fates::{FATES, fates, is_done, is_triangulating, triangle_now},
-    picture::Picture,
+    prelude::*,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
 };
@@ -36,28 +23,64 @@ const EACH: usize = 1;
 const CLIP: usize = 2;
 const PIECE: usize = 3;
 
-/// Up to this number of triangles or pieces each has its outline.
 const FEW_ENOUGH: usize = 200;
 
-rows! { |event, step: TriangulateAndClip|
-    triangle: Event::Each(Each::Triangle { .. }) =>
-        Row::new(Phase, EACH, "tac-triangle").so(&["V₁ = {V₁}", "V₂ = {V₂}", "V₃ = {V₃}"]);
-    whole: Event::Each(Each::Piece { outcome: RingOutcome::Whole, .. }) => piece("tac-whole").keeps("triangle");
-    cut: Event::Each(Each::Piece { outcome: RingOutcome::Cut, .. }) => piece("tac-piece").cuts("triangle");
-    touch: Event::Each(Each::Piece { outcome: RingOutcome::Degenerate, .. }) =>
-        piece("tac-touch").drops("triangle");
-    none: Event::Each(Each::Piece { outcome: RingOutcome::Empty, .. }) => piece("tac-none").drops("triangle");
-    nothing: Event::Each(Each::Finish { n_pieces: 0 }) => Row::new(Reject, PIECE, "tac-finish");
-    // What the parts tell they tell by their own rows.
-    finish: Event::Each(Each::Finish { .. }) | Event::Triangulate(_) | Event::Clip(_) =>
-        Row::new(Accept, PIECE, "tac-finish");
-}
+const EARS: &[Row] = EarClipping::ROWS;
+const CLIPS: &[Row] = <SutherlandHodgman>::ROWS;
+const N: usize = OWN.len() + EARS.len() + CLIPS.len();
 
-const PARTS: [&[Row]; 3] = [ROWS, EarClipping::ROWS, <SutherlandHodgman>::ROWS];
+/// What happens between the parts.
+const OWN: &[Row] = &[
+    Row::new(Phase, EACH, "tac-triangle").so(&["V₁ = {V₁}", "V₂ = {V₂}", "V₃ = {V₃}"]),
+    piece("tac-whole").keeps("triangle"),
+    piece("tac-piece").cuts("triangle"),
+    piece("tac-touch").drops("triangle"),
+    piece("tac-none").drops("triangle"),
+    Row::new(Reject, PIECE, "tac-finish"),
+    Row::new(Accept, PIECE, "tac-finish"),
+];
+
+const fn own_idx(event: Each) -> usize {
+    match event {
+        Each::Triangle { .. } => 0,
+        Each::Piece { outcome, .. } => match outcome {
+            RingOutcome::Whole => 1,
+            RingOutcome::Cut => 2,
+            RingOutcome::Degenerate => 3,
+            RingOutcome::Empty => 4,
+        },
+        Each::Finish { n_pieces: 0 } => 5,
+        Each::Finish { .. } => 6,
+    }
+}
 
 const fn piece(key: &'static str) -> Row {
     Row::new(Test, PIECE, key).answers("piece")
 }
+
+/// A row of a part, on the line that stands for the part here. What ends a part does not end the method.
+const fn of_part_on(line: usize, row: Row) -> Row {
+    let tick = match (line, row.tick) {
+        (TRIANGULATE, Accept) | (CLIP, Phase | Accept | Reject) => Test,
+        (_, tick) => tick,
+    };
+    Row { tick, line, ..row }
+}
+
+const ALL: [Row; N] = {
+    let (mut all, mut i) = ([OWN[0]; N], 0);
+    while i < N {
+        all[i] = if i < OWN.len() {
+            OWN[i]
+        } else if i < OWN.len() + EARS.len() {
+            of_part_on(TRIANGULATE, EARS[i - OWN.len()])
+        } else {
+            of_part_on(CLIP, CLIPS[i - OWN.len() - EARS.len()])
+        };
+        i += 1;
+    }
+    all
+};
 
 impl PolygonTelling for TriangulateAndClip {
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
@@ -103,39 +126,22 @@ impl Telling for TriangulateAndClip {
         code_line(1, "code-tac-clip", "words-tac-clip"),
         code_line(1, "code-tac-piece", "words-tac-piece"),
     ];
-    const ROWS: &'static [Row] =
-        &all_rows::<{ PARTS[0].len() + PARTS[1].len() + PARTS[2].len() }>(&PARTS);
+    const ROWS: &'static [Row] = &ALL;
     const WATCH: &'static [Watched] = &[Watched::Names(&["now", "pieces"])];
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        of_part(
-            step,
-            |at| EarClipping::row(&at.step),
-            |at| <SutherlandHodgman>::row(&at.step),
-        )
-        .unwrap_or_else(|| row(step))
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, TRIANGULATE, "tac-opening");
-        &OPENING
-    }
-
-    fn line(row: &Row) -> usize {
-        match Part::of(row) {
-            Part::Triangulate => TRIANGULATE,
-            Part::Clip => CLIP,
-            Part::Each => row.line,
+    fn row_idx(step: &Step<'_, Self>) -> usize {
+        if let Some(Event::Each(event)) = step.event() {
+            return own_idx(event);
         }
+        let of_ears = |at: &At<'_, EarClipping>| OWN.len() + EarClipping::row_idx(&at.step);
+        let of_clip = |at: &At<'_, SutherlandHodgman>| {
+            OWN.len() + EARS.len() + <SutherlandHodgman>::row_idx(&at.step)
+        };
+        // Only the opening has no event, and nobody asks for its row here.
+        of_part(step, of_ears, of_clip).unwrap_or_default()
     }
 
-    fn tick(row: &Row) -> Tick {
-        match (Part::of(row), row.tick) {
-            (Part::Triangulate, Accept) => Test,
-            (Part::Clip, tick) if tick != Cut => Test,
-            (_, tick) => tick,
-        }
-    }
+    const OPENING: Row = Row::new(Phase, TRIANGULATE, "tac-opening");
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         if let Some(Event::Each(event)) = at.step.event() {
@@ -184,25 +190,6 @@ impl Telling for TriangulateAndClip {
     }
 }
 
-/// What a row is about: the triangulation, the clipping of a triangle, or what happens between these.
-enum Part {
-    Triangulate,
-    Clip,
-    Each,
-}
-
-impl Part {
-    /// By its sentence; of 100,000 rows that must be quick.
-    fn of(row: &Row) -> Self {
-        match row.key.as_bytes() {
-            [b'e', b'a', b'r', b'-', ..] => Self::Triangulate,
-            [b's', b'h', b'-', ..] => Self::Clip,
-            _ => Self::Each,
-        }
-    }
-}
-
-/// Of a step of the triangulation or of the clipping of a triangle, what is looked up there.
 fn of_part<T>(
     step: &Step<'_, TriangulateAndClip>,
     of_ears: impl FnOnce(&At<'_, EarClipping>) -> T,
@@ -235,7 +222,6 @@ fn ears_at<T>(
     })
 }
 
-/// The step of the clipping of the triangle whose turn it is.
 fn clip_at<T>(
     step: &Step<'_, TriangulateAndClip>,
     look: impl FnOnce(&At<'_, SutherlandHodgman>) -> T,
@@ -263,7 +249,6 @@ fn clip_at<T>(
     })
 }
 
-/// Before, between and after the triangles.
 fn each_named(step: &Step<'_, TriangulateAndClip>, event: Each, name: &str) -> Option<Named> {
     let held = step.held;
     Some(match (name, event) {
@@ -294,7 +279,6 @@ fn watched(step: &Step<'_, TriangulateAndClip>, name: &str) -> Option<Named> {
     })
 }
 
-/// The drawing.
 fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     let held = step.held;
     if is_triangulating(step) {
@@ -309,7 +293,6 @@ fn marks(step: &Step<'_, TriangulateAndClip>) -> Vec<Mark> {
     marks
 }
 
-/// The triangles, as thin lines.
 fn triangle_marks(held: &Held) -> Vec<Mark> {
     let whole = &held.ears.cut_off;
     let triangles = whole.triangles();

@@ -7,7 +7,6 @@ use crate::{
 
 use super::clip_edge::EdgeLook;
 
-/// Lines of the pseudocode.
 pub const EACH: usize = 0;
 pub const FIRST: usize = 1;
 pub const EDGES: usize = 2;
@@ -17,10 +16,8 @@ pub const OUT_IN: usize = 5;
 pub const OUT_OUT: usize = 6;
 pub const PASS: usize = 7;
 
-/// The pseudocode of any variant.
 pub type Pseudocode = [CodeLine; PASS + 1];
 
-/// As Sutherland and Hodgman have it.
 pub const CODE: Pseudocode = [
     code_line(0, "code-sh-each", "words-sh-each"),
     code_line(1, "code-sh-first", "words-sh-first"),
@@ -32,15 +29,10 @@ pub const CODE: Pseudocode = [
     code_line(1, "code-sh-pass", "words-sh-pass"),
 ];
 
-/// Rules that can be shown: the right ones, or some with a mistake.
 pub trait Variant: Rules + 'static {
-    /// As JSON spells the method.
     const ID: &'static str;
-    /// Catalogue key of its name.
     const NAME_KEY: &'static str;
-    /// Its clip edges.
     const LOOK: EdgeLook = EdgeLook::RIGHT;
-    /// The right pseudocode, but for the lines with the mistake.
     const CODE: Pseudocode = CODE;
     /// Of a mistake: what is said at the first step that the right rules do not do.
     const DIFFERS_KEY: Option<&'static str> = None;

@@ -1,10 +1,9 @@
 //! The box from −1 to 1 in the observer's view: its edges go on, and so part space into 27 regions.
 
 use crate::{
-    figure::{Body, Mark3, Role, Seer, Shape3, Space, View},
+    figure::{Seer, Space},
     geom::VolumeSide,
-    labs::words::name,
-    text::Formula,
+    labs::prelude::*,
 };
 
 use super::{
@@ -15,10 +14,8 @@ use super::{
 
 /// So far edges go on, and axes and what lies beyond a face are drawn.
 const REACH: f64 = 2.0;
-/// The tips of the axes.
 const TIP: f64 = 2.5;
 
-/// The observer's view of the box, and the step's own marks over it.
 pub fn cube_view(scene: &Scene, own: Vec<Mark3>) -> View {
     let mut marks = cube();
     marks.extend(own);
@@ -79,7 +76,6 @@ fn cube() -> Vec<Mark3> {
     marks
 }
 
-/// The face that is asked at this step: all of its plane, and its equation.
 pub fn face_at_work(side: VolumeSide) -> Vec<Mark3> {
     let height = if side.is_high() { 1.0 } else { -1.0 };
     let equation = Formula::default()

@@ -1,6 +1,6 @@
 //! A grid under everything, and where things stand over it.
 
-use crate::figure::{Mark3, Role, Shape3};
+use crate::labs::prelude::*;
 
 use super::super::Scene;
 
@@ -9,7 +9,6 @@ const MOST_LINES: f64 = 16.0;
 /// Beyond so many objects a line down from each tells nothing.
 const MOST_DROPPED: usize = 24;
 
-/// Grid lines a round number apart, and a line down to the ground from the camera and from each object.
 pub fn ground(scene: &Scene) -> Vec<Mark3> {
     let corners = scene.culler().corners_in_world();
     let [position, ..] = scene.camera.places();

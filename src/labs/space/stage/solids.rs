@@ -12,23 +12,17 @@ use crate::{
 
 use super::super::Object;
 
-/// What becomes of an object, as far as the run has come.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fate {
-    /// It has not been asked.
     ToCome,
-    /// All of it is kept.
     Kept,
     /// It straddles: what is beyond the volume is shown cut away.
     Cut,
-    /// It is left out.
     Culled,
 }
 
-/// How a face is drawn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FaceLook {
-    /// As its object.
     Whole,
     /// By what becomes of itself.
     Own(Role),
@@ -51,7 +45,6 @@ const BOX_FACES: [[usize; 4]; 6] = [
     [4, 5, 7, 6],
 ];
 
-/// Faces and edges of many solids.
 #[derive(Default)]
 pub struct Solids {
     facets: Vec<Facet>,
@@ -59,12 +52,10 @@ pub struct Solids {
 }
 
 impl Solids {
-    /// Shared, as a view holds them.
     pub fn into_parts(self) -> (Arc<[Facet]>, Arc<[Edge3]>) {
         (self.facets.into(), self.edges.into())
     }
 
-    /// As lists that can still be changed.
     pub fn into_lists(self) -> (Vec<Facet>, Vec<Edge3>) {
         (self.facets, self.edges)
     }
@@ -188,7 +179,6 @@ impl Solids {
         }
     }
 
-    /// The small box that stands for a camera.
     pub fn camera(&mut self, camera: &Camera, size: f64) {
         let corner = |i: usize| {
             let along = |axis: usize, low: f64, high: f64| {

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    figure::{Body, Edge3, Facet, Link, Mark3, Role, Seer, Shape3, Space, View},
+    figure::{Edge3, Facet, Seer, Space},
     geom::Plane,
-    text::Value,
+    labs::prelude::*,
 };
 
 use super::{
@@ -17,9 +17,7 @@ use super::{
     volume::volume,
 };
 
-/// The observer's, who goes round.
 pub const OBSERVER_VIEW: &str = "observer";
-/// What the camera sees.
 pub const CAMERA_VIEW: &str = "camera";
 
 /// Beyond so many objects their numbers only cover the picture.
@@ -33,7 +31,6 @@ pub struct Scenery {
 }
 
 impl Scenery {
-    /// Of a scene.
     pub fn new(scene: &Scene) -> Self {
         Self {
             scene: scene.clone(),
@@ -41,7 +38,6 @@ impl Scenery {
         }
     }
 
-    /// What is drawn.
     pub const fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -166,7 +162,6 @@ impl Scenery {
         0.022 * eye.distance(DVec3::from(position))
     }
 
-    /// Each object's number over it.
     fn numbers(&self) -> Vec<Mark3> {
         let objects = self.scene.objects();
         if objects.len() > MOST_NUMBERED || !self.scene.shows_objects() {
@@ -203,17 +198,14 @@ fn label_place(object: &Object) -> Option<[f64; 3]> {
     Some([0.5 * (min[0] + max[0]), max[1], 0.5 * (min[2] + max[2])])
 }
 
-/// What facets and gauges about a face of the object in focus have in common.
 pub const fn face_link(face_idx: usize) -> Link {
     Link::nth("face", face_idx)
 }
 
-/// What marks of a vertex of the object in focus have in common.
 pub const fn vertex_link(vertex_idx: usize) -> Link {
     Link::nth("vertex", vertex_idx)
 }
 
-/// What facets, marks and rows about an object have in common.
 pub fn object_link(object_idx: usize) -> Link {
     Link::nth("object", object_idx)
 }

@@ -3,12 +3,10 @@
 use glam::DVec3;
 
 use crate::{
-    figure::{Link, Mark3, Role, Shape3},
     geom::{Camera, Sight, VolumeSide},
-    text::Value,
+    labs::prelude::*,
 };
 
-/// Catalogue key of a side of a view volume.
 pub const fn side_key(side: VolumeSide) -> &'static str {
     match side {
         VolumeSide::Near => "plane-near",
@@ -20,17 +18,14 @@ pub const fn side_key(side: VolumeSide) -> &'static str {
     }
 }
 
-/// The name of a side as it stands in a sentence.
 pub const fn side_name(side: VolumeSide) -> Value {
     Value::Term(side_key(side))
 }
 
-/// What marks, rows and gauges about a side have in common.
 pub const fn side_link(side: VolumeSide) -> Link {
     Link::nth("side", side as usize)
 }
 
-/// The corners of a side, going round it.
 fn outline(camera: &Camera, side: VolumeSide) -> Vec<[f64; 3]> {
     let corners = camera.corners_in_world();
     let has = |i: usize| (i >> side.axis() & 1 == 1) == side.is_high();
@@ -72,7 +67,6 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     marks
 }
 
-/// The side whose plane is asked at this step.
 pub fn plane_at_work(camera: &Camera, side: VolumeSide) -> Vec<Mark3> {
     let outline = outline(camera, side);
     vec![

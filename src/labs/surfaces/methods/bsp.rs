@@ -3,26 +3,11 @@
 mod names;
 mod tree;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide, Surfaces},
-    figure::{
-        Body, Mark3, Raster, Role, Shape3,
-        Tick::{self, Accept, Cut, Phase, Test},
-        View,
-    },
+    figure::Tick,
     geom::Camera,
-    labs::{
-        Answer, CodeLine, code_line,
-        space::{
-            Scene, SpaceTelling, Subject,
-            soup::surfaces_on_raster,
-            stage::{Fate, Scenery},
-        },
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    trace::Step,
+    labs::space::{prelude::*, soup::surfaces_on_raster},
 };
 
 use super::on_raster::{
@@ -38,11 +23,7 @@ const CUT: usize = 2;
 const VISIT: usize = 3;
 const PAINT: usize = 4;
 
-impl Answer for BspOutput {
-    fn json(&self) -> Json {
-        json!({ "ids": self.picture, "n_pieces": self.n_pieces })
-    }
-}
+impl AnswerAsItIs for BspOutput {}
 
 /// The tree of a scene's faces; of the first of them, where that of all would be too large.
 fn input_of(surfaces: Surfaces) -> BspInput {
@@ -64,22 +45,6 @@ impl SpaceTelling for Bsp {
         const MOST_FACES: usize = 300;
         input_of(surfaces_on_raster(scene).first(MOST_FACES))
     }
-}
-
-rows! { |event, _step: Bsp|
-    root: Event::Node { parent: None, .. } => node("bsp-node-root");
-    back: Event::Node { parent: Some((_, BspSide::Back)), .. } => node("bsp-node-back");
-    front: Event::Node { .. } => node("bsp-node-front");
-    ask_front: Event::Ask { side: BspSide::Front, .. } => asked(Test, ASK, "bsp-ask-front");
-    ask_back: Event::Ask { side: BspSide::Back, .. } => asked(Test, ASK, "bsp-ask-back");
-    ask_on: Event::Ask { side: BspSide::On, .. } => asked(Test, ASK, "bsp-ask-on").keeps("piece");
-    ask_cut: Event::Ask { side: BspSide::Cut, .. } => asked(Cut, CUT, "bsp-ask-cut").cuts("piece");
-    built: Event::Built { .. } => Row::new(Accept, ASK, "bsp-built");
-    visit_front: Event::Visit { eye: BspSide::Front, .. } => visited("bsp-visit-front");
-    visit_back: Event::Visit { eye: BspSide::Back, .. } => visited("bsp-visit-back");
-    visit_on: Event::Visit { .. } => visited("bsp-visit-on");
-    paint: Event::Paint { .. } => Row::new(Test, PAINT, "bsp-paint").about("piece");
-    done: Event::Done => Row::new(Accept, PAINT, "bsp-done");
 }
 
 const fn node(key: &'static str) -> Row {
@@ -109,21 +74,32 @@ impl Telling for Bsp {
         code_line(0, "code-bsp-visit", "words-bsp-visit"),
         code_line(1, "code-bsp-paint", "words-bsp-paint"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-nodes",
         "watch-pieces",
         "watch-visited",
         "watch-painted",
     ])];
+    const OPENING: Row = Row::new(Phase, NODE, "bsp-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, _step|
+        root: Event::Node { parent: None, .. } => node("bsp-node-root");
+        back: Event::Node { parent: Some((_, BspSide::Back)), .. } => node("bsp-node-back");
+        front: Event::Node { .. } => node("bsp-node-front");
+        ask_front: Event::Ask { side: BspSide::Front, .. } => asked(Test, ASK, "bsp-ask-front");
+        ask_back: Event::Ask { side: BspSide::Back, .. } => asked(Test, ASK, "bsp-ask-back");
+        ask_on: Event::Ask { side: BspSide::On, .. } => asked(Test, ASK, "bsp-ask-on").keeps("piece");
+        ask_cut: Event::Ask { side: BspSide::Cut, .. } => asked(Cut, CUT, "bsp-ask-cut").cuts("piece");
+        built: Event::Built { .. } => Row::new(Accept, ASK, "bsp-built");
+        visit_front: Event::Visit { eye: BspSide::Front, .. } => visited("bsp-visit-front");
+        visit_back: Event::Visit { eye: BspSide::Back, .. } => visited("bsp-visit-back");
+        visit_on: Event::Visit { .. } => visited("bsp-visit-on");
+        paint: Event::Paint { .. } => Row::new(Test, PAINT, "bsp-paint").about("piece");
+        done: Event::Done => Row::new(Accept, PAINT, "bsp-done");
     }
 
     fn opening(at: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, NODE, "bsp-opening");
-        on_raster::opening(&OPENING, at.step.input.surfaces(), at.scenery)
+        on_raster::opening(&Self::OPENING, at.step.input.surfaces(), at.scenery)
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -146,13 +122,11 @@ impl Telling for Bsp {
     }
 }
 
-/// The triangle whose plane is at work.
 fn own(at: &At<'_, Bsp>) -> Option<u32> {
     let node = names::node_of(at.step.event()?)?;
     Some(at.step.held.nodes[node as usize].id)
 }
 
-/// The plane at work as a wash, and the piece that is asked, or its parts.
 fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     let world = |corners: &[[f64; 3]]| -> Vec<[f64; 3]> {
         corners
@@ -186,7 +160,6 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     marks
 }
 
-/// A square in the plane of a triangle, around it.
 fn in_its_plane(triangle: &[[f64; 3]; 3]) -> [[f64; 3]; 4] {
     const REACH: f64 = 1.6;
     let [a, b, c] = triangle.map(glam::DVec3::from);

@@ -10,38 +10,26 @@ use crate::{
         surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
-    figure::{Body, Mark3, Pixel, Raster, RasterMark, RasterShape, Role, Shape3, Tick, View},
+    figure::Tick,
     geom::{Camera, Plane},
     labs::{
         Document,
         space::{
-            Scene,
+            prelude::*,
             soup::{place_of, surface_link, surface_name},
-            stage::{FaceLook, Fate, Scenery},
         },
-        telling::{Named, Row},
     },
-    text::{Message, Value},
-    trace::silent,
 };
 
 /// Greys of neighbouring triangles, a clear step apart.
 const TONES: [f64; 4] = [0.4, 1.0, 0.05, 0.7];
-/// The one that the step is about.
 const OWN_TONE: f64 = 0.9;
-
-/// Depths as JSON has them: none where nothing is seen.
-pub fn depth_list(depths: &[f64]) -> Vec<Option<f64>> {
-    let depth = |&depth: &f64| depth.is_finite().then_some(depth);
-    depths.iter().map(depth).collect()
-}
 
 /// What a triangle is called: `A₇`, or its number where there is no scene.
 pub fn name_of(scenery: Option<&Scenery>, id: u32) -> Value {
     surface_name(scenery.map(Scenery::scene), id)
 }
 
-/// The same, linked with what is drawn of its object.
 pub fn triangle(scenery: Option<&Scenery>, id: u32) -> Named {
     Named {
         link: scenery.and_then(|scenery| surface_link(scenery.scene(), id)),
@@ -49,7 +37,6 @@ pub fn triangle(scenery: Option<&Scenery>, id: u32) -> Named {
     }
 }
 
-/// Names that mean the same in every method.
 pub fn named(surfaces: &Surfaces, scenery: Option<&Scenery>, name: &str) -> Option<Named> {
     let [columns, rows] = surfaces.size().map(|side| side as usize);
     let n_triangles = surfaces.triangles().len();
@@ -82,7 +69,6 @@ pub fn text_of(name: Value, number: usize) -> String {
     }
 }
 
-/// How two numbers compare.
 pub fn sign(one: f64, other: f64) -> &'static str {
     match one.total_cmp(&other) {
         Ordering::Less => "<",
@@ -124,7 +110,6 @@ pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
     views
 }
 
-/// What a triangle is drawn with wherever it is seen as an area; `own` is the one that the step is about.
 pub fn tone(id: u32, own: Option<u32>) -> (Role, f64) {
     if Some(id) == own {
         (Role::Accent, OWN_TONE)
@@ -133,7 +118,6 @@ pub fn tone(id: u32, own: Option<u32>) -> (Role, f64) {
     }
 }
 
-/// The picture so far; `own` is the triangle that the step is about, `value` what a pixel says of itself.
 pub fn pixels(
     picture: &Picture,
     own: Option<u32>,
@@ -178,7 +162,6 @@ pub fn lettered(picture: &Picture, name: impl Fn(u32) -> Value) -> impl Fn(usize
     move |place| named.get(&place).cloned()
 }
 
-/// Of these pixels the nearest to their mean.
 pub fn middle(places: &[usize], width: usize) -> Option<usize> {
     let at = |place: usize| [place % width, place / width].map(|x| x as f64);
     let n = places.len() as f64;
@@ -209,7 +192,6 @@ pub fn seen_corners(surfaces: &Surfaces, id: u32) -> Vec<[f64; 2]> {
     seen.vertices().iter().map(place).collect()
 }
 
-/// The middle of what is seen of a triangle: the mean of its corners.
 pub fn middle_of(surfaces: &Surfaces, id: u32) -> Option<[f64; 2]> {
     let corners = seen_corners(surfaces, id);
     let n = corners.len() as f64;
@@ -254,7 +236,6 @@ pub fn plane_of(surfaces: &Surfaces, id: u32) -> Option<Plane> {
     Plane::new([x, y, z, -normal.dot(a)]).ok()
 }
 
-/// The outline of what is seen of a triangle, over the pixels.
 pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
     let places = seen_corners(surfaces, id);
     let next = places.iter().cycle().skip(1);
@@ -281,12 +262,10 @@ pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<R
     })
 }
 
-/// A sign between two numbers.
 pub fn spaced(sign: &str) -> Named {
     Value::Name(format!(" {sign} ")).into()
 }
 
-/// The picture so far, over the whole raster.
 pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMark>) -> Raster {
     Raster {
         title: Value::Term("raster-so-far"),
@@ -298,7 +277,6 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
     }
 }
 
-/// A raster's title; where pixels are wrong, how many.
 pub fn titled(title: Value, n_wrong: usize) -> Value {
     if n_wrong == 0 {
         return title;
@@ -338,7 +316,6 @@ pub fn sight(surfaces: &Surfaces, camera: &Camera, pixel: [u32; 2], t: f64) -> V
     ]
 }
 
-/// The corners of a pixel on the near plane, in the world.
 fn on_near(surfaces: &Surfaces, camera: &Camera, [column, row]: [u32; 2]) -> [[f64; 3]; 4] {
     let [width, height] = surfaces.size().map(f64::from);
     let corners = camera.corners_in_world();

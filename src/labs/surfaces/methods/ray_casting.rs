@@ -3,26 +3,13 @@
 mod names;
 mod views;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{
         Meeting::{BeforeNear, Behind, Beside, BeyondFar, Culled, Hit, Parallel},
         PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
     },
-    figure::{
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View,
-    },
-    labs::{
-        Answer, CodeLine, code_line,
-        space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    trace::Step,
+    labs::space::{prelude::*, soup::surfaces_on_raster},
 };
-
-use super::on_raster::depth_list;
 
 const PIXEL: usize = 0;
 const TRIANGLE: usize = 1;
@@ -33,11 +20,7 @@ const NEAREST: usize = 4;
 /// More questions than these are not recorded: one ray is, through the pixel that is looked at.
 const MOST_QUESTIONS: usize = 100_000;
 
-impl Answer for RayCastingOutput {
-    fn json(&self) -> Json {
-        json!({ "ids": self.picture, "depth": depth_list(&self.depth) })
-    }
-}
+impl AnswerAsItIs for RayCastingOutput {}
 
 impl SpaceTelling for RayCasting {
     const SUBJECT: Subject = Subject::Surfaces;
@@ -56,43 +39,13 @@ impl SpaceTelling for RayCasting {
     }
 }
 
-rows! { |event, step: RayCasting|
-    pixel: Event::Pixel { .. } => Row::new(Phase, PIXEL, "ray-pixel").so(&["r = {r}"]).about("at");
-    culled: Event::Ask { found: PlaneHit { meeting: Culled, .. }, .. } =>
-        misses(TRIANGLE, "ray-says-culled").so(&[]);
-    parallel: Event::Ask { found: PlaneHit { meeting: Parallel, .. }, .. } =>
-        misses(PLANE, "ray-says-parallel");
-    behind: Event::Ask { found: PlaneHit { meeting: Behind, .. }, .. } =>
-        misses(PLANE, "ray-says-behind");
-    before_near: Event::Ask { found: PlaneHit { meeting: BeforeNear, .. }, .. } =>
-        misses(PLANE, "ray-says-before-near");
-    beyond_far: Event::Ask { found: PlaneHit { meeting: BeyondFar, .. }, .. } =>
-        misses(PLANE, "ray-says-beyond-far");
-    beside: Event::Ask { found: PlaneHit { meeting: Beside, .. }, .. } =>
-        misses(INSIDE, "ray-says-beside");
-    first: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. }
-        if names::nearest_before(step.past).is_none() => nearest("ray-hit-first");
-    nearer: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. } =>
-        nearest("ray-hit-nearer");
-    farther: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: false, .. } =>
-        Row::new(Test, INSIDE, "ray-hit-farther").so(QUOTIENT)
-            .answers_as("meets", "ray-answer-farther").drops("triangle");
-    seen: Event::Seen { hit: Some(_), .. } =>
-        Row::new(Accept, NEAREST, "ray-seen").so(&["t = {t}"]).picks("seen", "hits").keeps("at");
-    nothing: Event::Seen { hit: None, .. } =>
-        Row::new(Reject, NEAREST, "ray-seen-nothing").picks("seen", "hits").drops("at");
-    done: Event::Done => Row::new(Accept, NEAREST, "ray-done").so(&["{questions}"]);
-}
-
 const QUOTIENT: &[&str] = &["{quotient}"];
 
-/// A triangle that the ray does not meet.
 const fn misses(line: usize, key: &'static str) -> Row {
     let row = Row::new(Test, line, key).so(QUOTIENT);
     row.answers("meets").drops("triangle")
 }
 
-/// The nearest so far.
 const fn nearest(key: &'static str) -> Row {
     let row = Row::new(Cut, INSIDE, key).so(QUOTIENT);
     row.answers_as("meets", "ray-hit-first").keeps("triangle")
@@ -111,7 +64,6 @@ impl Telling for RayCasting {
         code_line(2, "code-ray-inside", "words-ray-inside"),
         code_line(1, "code-ray-nearest", "words-ray-nearest"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-pixel",
         "r",
@@ -120,14 +72,34 @@ impl Telling for RayCasting {
         "nearest t",
         "watch-asked",
     ])];
+    const OPENING: Row = Row::new(Phase, PIXEL, "ray-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, PIXEL, "ray-opening");
-        &OPENING
+    table! { |event, step|
+        pixel: Event::Pixel { .. } => Row::new(Phase, PIXEL, "ray-pixel").so(&["r = {r}"]).about("at");
+        culled: Event::Ask { found: PlaneHit { meeting: Culled, .. }, .. } =>
+            misses(TRIANGLE, "ray-says-culled").so(&[]);
+        parallel: Event::Ask { found: PlaneHit { meeting: Parallel, .. }, .. } =>
+            misses(PLANE, "ray-says-parallel");
+        behind: Event::Ask { found: PlaneHit { meeting: Behind, .. }, .. } =>
+            misses(PLANE, "ray-says-behind");
+        before_near: Event::Ask { found: PlaneHit { meeting: BeforeNear, .. }, .. } =>
+            misses(PLANE, "ray-says-before-near");
+        beyond_far: Event::Ask { found: PlaneHit { meeting: BeyondFar, .. }, .. } =>
+            misses(PLANE, "ray-says-beyond-far");
+        beside: Event::Ask { found: PlaneHit { meeting: Beside, .. }, .. } =>
+            misses(INSIDE, "ray-says-beside");
+        first: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. }
+            if names::nearest_before(step.past).is_none() => nearest("ray-hit-first");
+        nearer: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. } =>
+            nearest("ray-hit-nearer");
+        farther: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: false, .. } =>
+            Row::new(Test, INSIDE, "ray-hit-farther").so(QUOTIENT)
+                .answers_as("meets", "ray-answer-farther").drops("triangle");
+        seen: Event::Seen { hit: Some(_), .. } =>
+            Row::new(Accept, NEAREST, "ray-seen").so(&["t = {t}"]).picks("seen", "hits").keeps("at");
+        nothing: Event::Seen { hit: None, .. } =>
+            Row::new(Reject, NEAREST, "ray-seen-nothing").picks("seen", "hits").drops("at");
+        done: Event::Done => Row::new(Accept, NEAREST, "ray-done").so(&["{questions}"]);
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -4,12 +4,11 @@ use glam::DVec3;
 
 use crate::{
     geom::Orbit,
-    input::{Field, Shape, Table},
+    input::{At, Field, Shape, Table},
     labs::space::{Opening, TaughtCamera},
     lesson::{
-        scene_file::parts::{array, exact},
-        sink::Sink,
-        toml_fields::{Item, got},
+        scene_file::parts::{array, exact, table},
+        toml_fields::Node,
     },
     text::Message,
 };
@@ -26,23 +25,27 @@ const EYE: Shape = Shape::Table(&Table {
     both_key: "",
 });
 
-/// As [`CAMERA_IN_FILE`](crate::input::CAMERA_IN_FILE) is read.
 pub(super) fn camera_to_toml(camera: &TaughtCamera) -> String {
-    let [position, target, up] = camera.places().map(|place| array(&place));
+    let [position, target, up] = camera.places().map(|place| Some(array(&place)));
     let opening = match camera.opening() {
-        Opening::FovY(degrees) => format!("fov_y_deg = {}", exact(degrees)),
-        Opening::Height(height) => format!("height = {}", exact(height)),
+        Opening::FovY(degrees) => ("fov_y_deg", Some(exact(degrees))),
+        Opening::Height(height) => ("height", Some(exact(height))),
     };
-    let [near, far] = camera.depths().map(exact);
-    let aspect = exact(camera.aspect());
-    format!(
-        "{{ position = {position}, target = {target}, up = {up}, {opening}, aspect = {aspect}, near = {near}, far = {far} }}"
-    )
+    let [near, far] = camera.depths().map(|depth| Some(exact(depth)));
+    table([
+        ("position", position),
+        ("target", target),
+        ("up", up),
+        opening,
+        ("aspect", Some(exact(camera.aspect()))),
+        ("near", near),
+        ("far", far),
+    ])
 }
 
 /// An eye; a number that it cannot have is refused, where [`Orbit::new`] takes the nearest.
-pub(super) fn eye(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Orbit> {
-    let got = got(item, &EYE, "expect-eye", sink)?;
+pub(super) fn eye(node: Node<'_>) -> Option<Orbit> {
+    let got = node.got(&EYE, "expect-eye")?;
     let [yaw, pitch, distance, fov] =
         ["yaw_deg", "pitch_deg", "distance", "fov_y_deg"].map(|name| got.number_in(name));
     let eye = Orbit::new(got.get("target")?.array(), [yaw, pitch], distance, fov);
@@ -51,24 +54,24 @@ pub(super) fn eye(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Orbit> {
         ("distance", distance, eye.distance()),
         ("fov_y_deg", fov, eye.fov_y_deg()),
     ];
-    let n_errors = sink.n_errors();
+    let n_errors = node.sink.n_errors();
     for (name, given, _) in taken.into_iter().filter(|(_, given, taken)| given != taken) {
-        let span = item.get_ref().get(name).unwrap_or(item).span();
         let message = Message::new("problem-out-of-range").with("value", exact(given));
-        sink.error(span, message, [Message::new("expect-eye")]);
+        let field = node.at(At::Field(name));
+        field.error(message, [Message::new("expect-eye")]);
     }
-    (sink.n_errors() == n_errors).then_some(eye)
+    (node.sink.n_errors() == n_errors).then_some(eye)
 }
 
-/// As [`eye`] reads it.
 pub(super) fn eye_to_toml(eye: &Orbit) -> String {
-    let [yaw, pitch] = eye.angles_deg().map(exact);
-    format!(
-        "{{ target = {}, yaw_deg = {yaw}, pitch_deg = {pitch}, distance = {}, fov_y_deg = {} }}",
-        array(&eye.target()),
-        exact(eye.distance()),
-        exact(eye.fov_y_deg()),
-    )
+    let [yaw, pitch] = eye.angles_deg().map(|angle| Some(exact(angle)));
+    table([
+        ("target", Some(array(&eye.target()))),
+        ("yaw_deg", yaw),
+        ("pitch_deg", pitch),
+        ("distance", Some(exact(eye.distance()))),
+        ("fov_y_deg", Some(exact(eye.fov_y_deg()))),
+    ])
 }
 
 /// An eye from which all of a camera's volume is seen, where a file does not say where it stands.

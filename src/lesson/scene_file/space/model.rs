@@ -6,13 +6,13 @@ use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
-    input::{Dim, Got, Shape},
+    input::{At, Dim, Got, Shape},
     labs::space::{Model, NamedMesh, Object, Picture},
     lesson::{
+        nearest::clipped,
         picture_of, read_obj, read_picture,
-        scene_file::parts::{array, exact, span_of},
-        sink::{Sink, clipped},
-        toml_fields::{Item, TomlFields, got, number, one_of, text},
+        scene_file::parts::{Spelt, array, exact, list, quoted, rows, table},
+        toml_fields::{Node, TomlFields},
     },
     text::Message,
 };
@@ -26,52 +26,46 @@ const MESH: [&str; 6] = ["name", "vertices", "uvs", "faces", "obj", "picture"];
 /// the memory to read.
 const MAX_INLINE: usize = 10_000;
 
-/// An object.
-pub(super) fn object(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Object> {
-    let fields = TomlFields::of(item, &OBJECT, sink)?;
-    let model = model(&fields, sink);
-    let mut place = |name| match fields.get(name) {
-        Some(item) => Some(got(item, &Shape::PLACE, "expect-place", sink)?.array()),
+pub(super) fn object(node: Node<'_>) -> Option<Object> {
+    let fields = node.fields(&OBJECT)?;
+    let model = model(&fields);
+    let place = |name| match fields.get(name) {
+        Some(node) => Some(node.got(&Shape::PLACE, "expect-place")?.array()),
         None => Some([0.0; 3]),
     };
     let (at, turn_deg) = (place("at"), place("turn_deg"));
-    let size = match fields.get("size") {
-        Some(item) => number(item, "expect-number", sink),
-        None => Some(1.0),
+    let size = fields.get("size");
+    let size = size.map_or(Some(1.0), |node| node.number("expect-number"));
+    let object = Object::new(model?, at?, turn_deg?, size?);
+    let refuse = |error| {
+        let name = match error {
+            SpaceError::Size(_) => "size",
+            _ => "at",
+        };
+        node.at(At::Field(name)).error(error, []);
     };
-    match Object::new(model?, at?, turn_deg?, size?) {
-        Ok(object) => Some(object),
-        Err(error) => {
-            let name = match error {
-                SpaceError::Size(_) => "size",
-                _ => "at",
-            };
-            let span = fields.get(name).map_or_else(|| fields.span(), Item::span);
-            sink.refuse(span, error, []);
-            None
-        }
-    }
+    object.map_err(refuse).ok()
 }
 
 /// What it looks like: `solid` or `mesh`.
-fn model(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Model> {
+fn model(fields: &TomlFields<'_>) -> Option<Model> {
     match (fields.get("solid"), fields.get("mesh")) {
         (Some(_), Some(mesh)) => {
-            sink.error(mesh.span(), Message::new("problem-two-models"), []);
+            mesh.error(Message::new("problem-two-models"), []);
             None
         }
-        (None, Some(item)) => {
-            let mesh = match item.get_ref().as_str() {
-                Some(name) => mesh_beside(item, name, sink),
-                None => mesh(item, sink),
+        (None, Some(node)) => {
+            let mesh = match node.as_str() {
+                Some(name) => mesh_beside(node, name),
+                None => mesh(node),
             };
             Some(Model::Mesh(Arc::new(mesh?)))
         }
         _ => {
-            let item = fields.require("solid", sink)?;
             let mut known: Vec<&str> = Solid::ALL.map(Solid::id).to_vec();
             known.push(spot::ID);
-            one_of(item, &known, "problem-unknown-value", sink, |name| {
+            let node = fields.require("solid")?;
+            node.one_of(&known, "problem-unknown-value", |name| {
                 let solid = Solid::ALL.into_iter().find(|solid| solid.id() == name);
                 let spot = || (name == spot::ID).then(spot::model);
                 solid.map(Model::Solid).or_else(spot)
@@ -81,57 +75,42 @@ fn model(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Model> {
 }
 
 /// The mesh of an OBJ file in the lesson's folder, around the origin and between −1 and 1.
-fn mesh_beside(item: &Item<'_>, name: &str, sink: &mut Sink<'_>) -> Option<NamedMesh> {
-    let stem = name
-        .strip_suffix(".obj")
-        .filter(|_| !name.contains(['/', '\\']));
-    let found = stem.and_then(|_| sink.source().beside(name));
-    let Some((path, bytes)) = found else {
+fn mesh_beside(node: Node<'_>, name: &str) -> Option<NamedMesh> {
+    let source = node.sink.source;
+    let stem = name.strip_suffix(".obj");
+    let stem = stem.filter(|_| !name.contains(['/', '\\']));
+    let expected = || [Message::new("expect-mesh-file")];
+    let found = stem.and_then(|stem| Some((stem, source.beside(name)?)));
+    let Some((stem, (path, bytes))) = found else {
         let message = Message::new("problem-no-such-mesh").with("name", clipped(name));
-        sink.error(item.span(), message, [Message::new("expect-mesh-file")]);
+        node.error(message, expected());
         return None;
     };
-    let bytes = match bytes {
-        Ok(bytes) => bytes,
-        Err(error) => {
-            sink.refuse(item.span(), error, [Message::new("expect-mesh-file")]);
-            return None;
-        }
-    };
-    match read_obj(&path, &bytes) {
-        Ok(read) => {
-            sink.report(read.warnings);
-            let name = stem.unwrap_or_default().to_owned();
-            let mesh = read.mesh.fitted();
-            let picture = read.material.as_ref().and_then(|material| {
-                let bytes = |name: &str| sink.source().beside(name)?.1.ok();
-                picture_of(material, &bytes)
-            });
-            Some(NamedMesh {
-                name,
-                mesh,
-                picture,
-            })
-        }
-        Err(problems) => {
-            sink.report(problems);
-            None
-        }
-    }
+    let bytes = bytes.map_err(|error| node.error(error, expected())).ok()?;
+    let read = read_obj(&path, &bytes).map_err(|problems| node.sink.report(problems));
+    let read = read.ok()?;
+    node.sink.report(read.warnings);
+    let picture = read.material.as_ref().and_then(|material| {
+        let bytes = |name: &str| source.beside(name)?.1.ok();
+        picture_of(material, &bytes)
+    });
+    Some(NamedMesh {
+        name: stem.to_owned(),
+        mesh: read.mesh.fitted(),
+        picture,
+    })
 }
 
-fn mesh(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<NamedMesh> {
-    let fields = TomlFields::of(item, &MESH, sink)?;
-    let name = fields
-        .require("name", sink)
-        .and_then(|item| text(item, sink));
+fn mesh(node: Node<'_>) -> Option<NamedMesh> {
+    let fields = node.fields(&MESH)?;
+    let name = fields.require("name").and_then(Node::text);
     let picture = match fields.get("picture") {
-        Some(item) => Some(picture(item, sink)?),
+        Some(node) => Some(picture(node)?),
         None => None,
     };
     let mesh = match fields.get("obj") {
-        Some(item) => obj(item, &fields, sink),
-        None => listed(&fields, sink),
+        Some(node) => obj(node, &fields),
+        None => listed(node, &fields),
     };
     Some(NamedMesh {
         name: name?.to_owned(),
@@ -141,99 +120,72 @@ fn mesh(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<NamedMesh> {
 }
 
 /// A PNG or a JPEG file, in base64.
-fn picture(item: &Item<'_>, sink: &mut Sink<'_>) -> Option<Picture> {
-    let bytes = BASE64.decode(text(item, sink)?);
+fn picture(node: Node<'_>) -> Option<Picture> {
+    let bytes = BASE64.decode(node.text()?);
     let picture = bytes.ok().and_then(|bytes| read_picture(&bytes));
     if picture.is_none() {
         let expected = [Message::new("expect-picture")];
-        sink.error(item.span(), Message::new("problem-no-picture"), expected);
+        node.error(Message::new("problem-no-picture"), expected);
     }
     picture
 }
 
 /// The text of an OBJ file, whose vertices stay where they are.
-fn obj(item: &Item<'_>, fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
-    for other in ["vertices", "uvs", "faces"] {
-        if let Some(other) = fields.get(other) {
-            sink.error(other.span(), Message::new("problem-two-meshes"), []);
-            return None;
-        }
+fn obj(node: Node<'_>, fields: &TomlFields<'_>) -> Option<Mesh> {
+    let mut others = ["vertices", "uvs", "faces"].into_iter();
+    if let Some(other) = others.find_map(|name| fields.get(name)) {
+        other.error(Message::new("problem-two-meshes"), []);
+        return None;
     }
-    match read_obj("obj", text(item, sink)?.as_bytes()) {
-        Ok(read) => Some(read.mesh),
-        Err(problems) => {
-            sink.report(problems);
-            None
-        }
-    }
+    let read = read_obj("obj", node.text()?.as_bytes());
+    let read = read.map_err(|problems| node.sink.report(problems));
+    Some(read.ok()?.mesh)
 }
 
-/// All of its numbers in lists.
-fn listed(fields: &TomlFields<'_>, sink: &mut Sink<'_>) -> Option<Mesh> {
+fn listed(node: Node<'_>, fields: &TomlFields<'_>) -> Option<Mesh> {
     const VERTICES: Shape = Shape::Numbers(&[Dim::ANY, Dim::Exactly(3)]);
     const FACES: Shape = Shape::Wholes(&[Dim::ANY, Dim::Exactly(3)], 0, MAX_INLINE as i64 - 1);
-    let positions = rows(fields, "vertices", &VERTICES, sink);
+    let positions = listed_rows(fields, "vertices", &VERTICES);
     let uvs = match fields.get("uvs") {
         None => Some(Got::Numbers(Vec::new())),
-        Some(_) => rows(fields, "uvs", &Shape::POINTS, sink),
+        Some(_) => listed_rows(fields, "uvs", &Shape::POINTS),
     };
-    let faces = rows(fields, "faces", &FACES, sink);
+    let faces = listed_rows(fields, "faces", &FACES);
     let (positions, uvs, faces) = (positions?, uvs?, faces?);
-    let positions = positions
-        .rows()
-        .iter()
-        .map(|at: &[f64; 3]| at.map(|x| x as f32));
+    let positions = positions.rows().iter();
+    let positions = positions.map(|at: &[f64; 3]| at.map(|x| x as f32));
     let uvs = uvs.rows().iter().map(|uv: &[f64; 2]| uv.map(|x| x as f32));
-    let faces = faces
-        .whole_rows()
-        .iter()
-        .map(|face: &[i64; 3]| face.map(|i| i as u32));
+    let faces = faces.whole_rows().iter();
+    let faces = faces.map(|face: &[i64; 3]| face.map(|i| i as u32));
     let made = Mesh::new(positions.collect(), uvs.collect(), faces.collect());
-    match made {
-        Ok(mesh) => Some(mesh),
-        Err(error) => {
-            let (list, index) = match error {
-                MeshError::NotFinite { vertex_idx } => ("vertices", Some(vertex_idx)),
-                MeshError::NoSuchVertex { face_idx } => ("faces", Some(face_idx)),
-                MeshError::NoFaces => ("faces", None),
-                MeshError::UvLength { .. } => ("uvs", None),
-            };
-            let span = fields.get(list).map_or_else(
-                || fields.span(),
-                |item| index.map_or_else(|| item.span(), |i| span_of(item, i)),
-            );
-            sink.refuse(span, error, [Message::new("expect-mesh")]);
-            None
-        }
-    }
+    let refuse = |error| {
+        let (list, at) = match error {
+            MeshError::NotFinite { vertex_idx } => ("vertices", At::Entry(vertex_idx)),
+            MeshError::NoSuchVertex { face_idx } => ("faces", At::Entry(face_idx)),
+            MeshError::NoFaces => ("faces", At::Whole),
+            MeshError::UvLength { .. } => ("uvs", At::Whole),
+        };
+        let place = fields.get(list).map_or(node, |list| list.at(at));
+        place.error(error, [Message::new("expect-mesh")]);
+    };
+    made.map_err(refuse).ok()
 }
 
 /// A list of a mesh, as far as a file may hold it.
-fn rows(
-    fields: &TomlFields<'_>,
-    name: &'static str,
-    shape: &Shape,
-    sink: &mut Sink<'_>,
-) -> Option<Got> {
-    let item = fields.require(name, sink)?;
-    let n_rows = item.get_ref().as_array().map_or(0, |rows| rows.len());
+fn listed_rows(fields: &TomlFields<'_>, name: &'static str, shape: &Shape) -> Option<Got> {
+    let node = fields.require(name)?;
+    let n_rows = node.entries().map_or(0, |rows| rows.len());
     if n_rows > MAX_INLINE {
-        let message = Message::new("problem-mesh-too-large")
-            .with("count", n_rows)
-            .with("limit", MAX_INLINE);
-        sink.error(item.span(), message, []);
+        let message = Message::new("problem-mesh-too-large").with("count", n_rows);
+        node.error(message.with("limit", MAX_INLINE), []);
         return None;
     }
-    got(item, shape, "expect-mesh", sink)
+    node.got(shape, "expect-mesh")
 }
 
-/// How a model is spelt.
 enum Spelling<'a> {
-    /// By its name.
     Named(&'static str),
-    /// With all its numbers, in lists.
     Listed(&'a NamedMesh),
-    /// As the text of an OBJ file.
     Obj(&'a NamedMesh),
 }
 
@@ -260,48 +212,43 @@ pub(super) fn n_faces_listed(object: &Object) -> usize {
     }
 }
 
-/// As [`object`] reads it.
 pub(super) fn object_to_toml(object: &Object) -> String {
     let model = match spelling(object.model()) {
-        Spelling::Named(id) => format!("solid = \"{id}\""),
-        Spelling::Listed(named) => mesh_to_toml(named, &lists(&named.mesh)),
+        Spelling::Named(id) => ("solid", Some(quoted(id))),
+        Spelling::Listed(named) => ("mesh", Some(mesh_to_toml(named, lists(&named.mesh)))),
         Spelling::Obj(named) => {
-            let obj = format!("obj = '''\n{}'''", obj_text(&named.mesh));
-            mesh_to_toml(named, &obj)
+            let obj = format!("'''\n{}'''", obj_text(&named.mesh));
+            ("mesh", Some(mesh_to_toml(named, [("obj", Some(obj))])))
         }
     };
-    format!(
-        "{{ {model}, at = {}, turn_deg = {}, size = {} }}",
-        array(&object.at()),
-        array(&object.turn_deg()),
-        exact(object.size()),
-    )
+    table([
+        model,
+        ("at", Some(array(&object.at()))),
+        ("turn_deg", Some(array(&object.turn_deg()))),
+        ("size", Some(exact(object.size()))),
+    ])
 }
 
-/// `numbers` are those of its surface.
-fn mesh_to_toml(named: &NamedMesh, numbers: &str) -> String {
-    let mut text = format!("mesh = {{ name = {}, {numbers}", quoted(&named.name));
-    if let Some(picture) = &named.picture {
-        let _ = write!(text, ", picture = \"{}\"", BASE64.encode(&picture.file));
-    }
-    text + " }"
+/// `surface` is spelt in one of two ways.
+fn mesh_to_toml(named: &NamedMesh, surface: impl IntoIterator<Item = Spelt>) -> String {
+    let picture = named.picture.as_ref();
+    let picture = picture.map(|picture| quoted(&BASE64.encode(&picture.file)));
+    let name = ("name", Some(quoted(&named.name)));
+    let fields = [name].into_iter().chain(surface);
+    table(fields.chain([("picture", picture)]))
 }
 
-fn lists(mesh: &Mesh) -> String {
-    fn list(name: &str, rows: impl Iterator<Item = String>) -> String {
-        format!("{name} = [{}]", rows.collect::<Vec<_>>().join(", "))
-    }
-    let exactly = |row: &[f32]| array(&row.iter().map(|&x| x.into()).collect::<Vec<f64>>());
-    let mut parts = vec![list(
-        "vertices",
-        mesh.positions().iter().map(|p| exactly(p)),
-    )];
-    if !mesh.uvs().is_empty() {
-        parts.push(list("uvs", mesh.uvs().iter().map(|uv| exactly(uv))));
-    }
+fn lists(mesh: &Mesh) -> [Spelt; 3] {
     let faces = mesh.faces().iter().map(|face| format!("{face:?}"));
-    parts.push(list("faces", faces));
-    parts.join(", ")
+    let (vertices, uvs) = (mesh.positions().iter(), mesh.uvs().iter());
+    let vertices = rows(vertices.map(|at| at.map(f64::from)));
+    let uvs = rows(uvs.map(|uv| uv.map(f64::from)));
+    let spelt = |entries: Vec<String>| Some(list(&entries, usize::MAX));
+    [
+        ("vertices", spelt(vertices)),
+        ("uvs", spelt(uvs).filter(|_| !mesh.uvs().is_empty())),
+        ("faces", spelt(faces.collect())),
+    ]
 }
 
 /// Vertices and texture coordinates have the same numbers, from 1.
@@ -321,19 +268,4 @@ fn obj_text(mesh: &Mesh) -> String {
         };
     }
     text
-}
-
-/// A text in quotes.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if c.is_control() => {
-                let _ = write!(quoted, "\\u{:04X}", u32::from(c));
-            }
-            c => quoted.push(c),
-        }
-    }
-    quoted + "\""
 }

@@ -4,6 +4,7 @@ use crate::{
     algo::surface::{DepthBits, DepthFormat, DepthNumber, DepthSteps},
     input::{Dim, Field, Got, Part, Shape, Table},
     labs::space::{RasterPlan, Tones},
+    lesson::scene_file::parts::{quoted, table},
 };
 
 const STEPS: [(&str, DepthSteps); 3] = [
@@ -79,16 +80,16 @@ const fn names<T: Copy>(all: [(&'static str, T); 3]) -> [&'static str; 3] {
     [all[0].0, all[1].0, all[2].0]
 }
 
-/// What one of these names stands for.
 fn named<T: Copy>(name: &str, all: [(&'static str, T); 3]) -> Option<T> {
     let known = all.into_iter().find(|(known, _)| *known == name);
     known.map(|(_, value)| value)
 }
 
-/// The name that stands for this.
-fn name_of<T: Copy + PartialEq>(value: T, all: [(&'static str, T); 3]) -> Option<&'static str> {
-    let known = all.into_iter().find(|(_, known)| *known == value);
-    known.map(|(name, _)| name)
+/// The name that stands for `value`, where it is not the usual one.
+fn name_of<T: Copy + PartialEq>(value: T, usual: T, all: [(&'static str, T); 3]) -> Option<String> {
+    let mut others = all.into_iter().filter(|_| value != usual);
+    let known = others.find(|(_, known)| *known == value);
+    known.map(|(name, _)| quoted(name))
 }
 
 fn format_of(name: &str) -> Option<DepthFormat> {
@@ -105,30 +106,21 @@ fn format_of(name: &str) -> Option<DepthFormat> {
     })
 }
 
-/// Writes what a file would not have by itself.
+/// None where all is as usual.
 pub(super) fn raster_to_toml(plan: &RasterPlan) -> Option<String> {
     let usual = RasterPlan::default();
-    let mut parts = Vec::new();
-    if plan.rows() != usual.rows() {
-        parts.push(format!("rows = {}", plan.rows()));
-    }
-    let steps = name_of(plan.steps, STEPS).filter(|_| plan.steps != usual.steps);
-    parts.extend(steps.map(|name| format!("steps = \"{name}\"")));
-    let depth = DEPTHS
-        .into_iter()
-        .find(|name| format_of(name) == Some(plan.format));
-    if let Some(name) = depth.filter(|_| plan.format != usual.format) {
-        parts.push(format!("depth = \"{name}\""));
-    }
-    if plan.culls_backs {
-        parts.push(format!("cull = \"{BACK}\""));
-    }
-    parts.extend(plan.shuffle.map(|seed| format!("shuffle = {seed}")));
-    parts.extend(
-        plan.pixel
-            .map(|[column, row]| format!("pixel = [{column}, {row}]")),
-    );
-    let tones = name_of(plan.tones, TONES).filter(|_| plan.tones != usual.tones);
-    parts.extend(tones.map(|name| format!("tones = \"{name}\"")));
-    (!parts.is_empty()).then(|| format!("{{ {} }}", parts.join(", ")))
+    let has_rows = plan.rows() != usual.rows();
+    let mut depths = DEPTHS.into_iter().filter(|_| plan.format != usual.format);
+    let depth = depths.find(|name| format_of(name) == Some(plan.format));
+    let fields = [
+        ("rows", has_rows.then(|| plan.rows().to_string())),
+        ("steps", name_of(plan.steps, usual.steps, STEPS)),
+        ("depth", depth.map(quoted)),
+        ("cull", plan.culls_backs.then(|| quoted(BACK))),
+        ("shuffle", plan.shuffle.map(|seed| seed.to_string())),
+        ("pixel", plan.pixel.map(|pixel| format!("{pixel:?}"))),
+        ("tones", name_of(plan.tones, usual.tones, TONES)),
+    ];
+    let is_usual = fields.iter().all(|(_, value)| value.is_none());
+    (!is_usual).then(|| table(fields))
 }

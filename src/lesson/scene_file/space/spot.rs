@@ -8,7 +8,6 @@ use crate::{
     lesson::{read_obj, read_picture},
 };
 
-/// As scene files spell it.
 pub const ID: &str = "spot";
 
 /// Around the origin, between −1 and 1.

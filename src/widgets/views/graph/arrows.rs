@@ -1,27 +1,22 @@
 //! Arrows from chip to chip: bent where they would run through another one, or back along another arrow.
 
-use egui::{Pos2, Rect, Shape, Vec2, vec2};
+use crate::figure::{ArrowKind, Graph, GraphArrow, Places};
 
-use crate::figure::{ArrowKind, Graph, GraphArrow, Places, Role};
+use super::{
+    super::{prelude::*, slate::cross},
+    plan::Plan,
+};
 
-use super::super::slate::{Slate, colour};
-use super::plan::Plan;
-
-/// A curve is drawn in so many pieces.
 const PIECES: usize = 16;
 /// How far an arrow bends, over its length: away from the middle of the graph first.
 const BENDS: [f32; 9] = [0.14, 0.08, -0.14, 0.02, 0.28, -0.28, 0.45, -0.45, 0.65];
 /// Of one that another leads back along, to its left.
 const BACK: [f32; 5] = [0.22, 0.1, 0.38, 0.55, -0.1];
-/// Between an arrow and the chips it leads from and to.
 const GAP: f32 = 4.0;
 
-/// Where an arrow runs.
 pub struct Route<'g> {
     pub arrow: &'g GraphArrow,
-    /// From its beginning to its tip.
     pub path: Vec<Pos2>,
-    /// To the side that it bends to.
     outward: Vec2,
 }
 
@@ -30,7 +25,6 @@ impl Route<'_> {
         self.path[self.path.len() / 2]
     }
 
-    /// Middles of a text of this size beside it, the best first.
     pub fn beside(&self, size: Vec2, aside: f32) -> Vec<Pos2> {
         let last = self.path.len() - 1;
         let mut places = Vec::new();
@@ -48,32 +42,45 @@ impl Route<'_> {
     }
 }
 
-/// Of all arrows between chips that are seen.
+pub fn centre(places: impl Iterator<Item = Pos2>) -> Option<Pos2> {
+    let (mut sum, mut n) = (Vec2::ZERO, 0);
+    for place in places {
+        sum += place.to_vec2();
+        n += 1;
+    }
+    (n > 0).then(|| (sum / n as f32).to_pos2())
+}
+
 pub fn routes<'g>(slate: &Slate<'_>, graph: &'g Graph, plan: &Plan) -> Vec<Route<'g>> {
-    let sum = plan
-        .chips
-        .iter()
-        .fold(Vec2::ZERO, |sum, chip| sum + chip.place.center().to_vec2());
-    let middle = (sum / plan.chips.len().max(1) as f32).to_pos2();
+    let places = plan.chips.iter().map(|chip| chip.place.center());
+    let middle = centre(places).unwrap_or_default();
     let route = |arrow: &'g GraphArrow| {
         let ends = [plan.place(arrow.from)?, plan.place(arrow.to)?];
         let path = match graph.places {
-            Places::Layers(_) => branch(slate, arrow, ends),
+            Places::Layers(_) => {
+                let gap = slate.pts(match arrow.kind {
+                    ArrowKind::Branch => 0.0,
+                    ArrowKind::Holds
+                    | ArrowKind::Allowed
+                    | ArrowKind::Refused
+                    | ArrowKind::Ring => 2.0,
+                });
+                let from = ends[0].center_bottom();
+                let to = ends[1].center_top() - vec2(0.0, gap);
+                vec![from, from.lerp(to, 0.5), to]
+            }
             Places::Free(_) => {
-                let leads_back =
-                    |other: &GraphArrow| [other.to, other.from] == [arrow.from, arrow.to];
-                let is_doubled = graph.arrows.iter().any(leads_back);
+                let back = [arrow.to, arrow.from];
+                let is_doubled = graph.arrows.iter().any(|a| [a.from, a.to] == back);
                 bent(slate, plan, ends, middle, is_doubled)
             }
         };
-        let along = (path[path.len() - 1] - path[0]).normalized();
-        let left = along.rot90();
-        let bulge = path[path.len() / 2] - path[0].lerp(path[path.len() - 1], 0.5);
-        let off = if bulge.length() > 0.5 {
-            bulge
-        } else {
-            path[path.len() / 2] - middle
-        };
+        let (first, half_way, last) = (path[0], path[path.len() / 2], path[path.len() - 1]);
+        let left = (last - first).normalized().rot90();
+        let mut off = half_way - first.lerp(last, 0.5);
+        if off.length() <= 0.5 {
+            off = half_way - middle;
+        }
         let outward = if left.dot(off) < 0.0 { -left } else { left };
         Some(Route {
             arrow,
@@ -82,19 +89,6 @@ pub fn routes<'g>(slate: &Slate<'_>, graph: &'g Graph, plan: &Plan) -> Vec<Route
         })
     };
     graph.arrows.iter().filter_map(route).collect()
-}
-
-/// Straight down a tree.
-fn branch(slate: &Slate<'_>, arrow: &GraphArrow, [above, below]: [Rect; 2]) -> Vec<Pos2> {
-    let gap = match arrow.kind {
-        ArrowKind::Branch => 0.0,
-        ArrowKind::Holds | ArrowKind::Allowed | ArrowKind::Refused | ArrowKind::Ring => {
-            slate.pts(2.0)
-        }
-    };
-    let from = above.center_bottom();
-    let to = below.center_top() - vec2(0.0, gap);
-    vec![from, from.lerp(to, 0.5), to]
 }
 
 /// The first of the bends that keeps clear of all other chips, or the one that comes closest to that.
@@ -109,18 +103,12 @@ fn bent(
     let along = ends[1] - ends[0];
     let left = along.rot90();
     let half_way = ends[0].lerp(ends[1], 0.5);
-    let sign = if left.dot(half_way - middle) < 0.0 {
-        -1.0
-    } else {
-        1.0
-    };
-    let others: Vec<Rect> = plan
-        .chips
-        .iter()
-        .map(|chip| chip.place)
-        .filter(|place| *place != from && *place != to)
-        .map(|place| place.expand(slate.pts(GAP)))
-        .collect();
+    let is_inside = left.dot(half_way - middle) < 0.0;
+    let sign = if is_inside { -1.0 } else { 1.0 };
+    let gap = slate.pts(GAP);
+    let others = plan.chips.iter().map(|chip| chip.place);
+    let others = others.filter(|place| *place != from && *place != to);
+    let others: Vec<Rect> = others.map(|place| place.expand(gap)).collect();
     let inside = plan.room.shrink(slate.pts(5.0));
     let curve = |bend: f32| -> Vec<Pos2> {
         let pull = half_way + 2.0 * bend * left;
@@ -136,18 +124,16 @@ fn bent(
         let is_hit = |at: &&Pos2| others.iter().any(|other| other.contains(**at));
         3 * n_out + path.iter().filter(is_hit).count()
     };
-    let bends: Vec<f32> = if is_doubled {
-        BACK.to_vec()
+    let (bends, sign) = if is_doubled {
+        (&BACK[..], 1.0)
     } else {
-        BENDS.map(|bend| sign * bend).to_vec()
+        (&BENDS[..], sign)
     };
-    let curves = bends.into_iter().map(curve);
+    let curves = bends.iter().map(|bend| curve(sign * bend));
     let best = curves.min_by_key(|path| hits(path)).unwrap_or_default();
-    let gap = slate.pts(GAP);
     cut(&best, [from.expand(gap), to.expand(gap)])
 }
 
-/// Without what lies in the chips at either end.
 fn cut(path: &[Pos2], [from, to]: [Rect; 2]) -> Vec<Pos2> {
     let is_in = |rect: Rect, at: Pos2| {
         // Chips are round at their ends.
@@ -160,11 +146,8 @@ fn cut(path: &[Pos2], [from, to]: [Rect; 2]) -> Vec<Pos2> {
         let (mut a, mut b) = (inside, outside);
         for _ in 0..12 {
             let m = a.lerp(b, 0.5);
-            if is_in(rect, m) {
-                a = m;
-            } else {
-                b = m;
-            }
+            let end = if is_in(rect, m) { &mut a } else { &mut b };
+            *end = m;
         }
         b
     };
@@ -182,7 +165,6 @@ fn cut(path: &[Pos2], [from, to]: [Rect; 2]) -> Vec<Pos2> {
     cut
 }
 
-/// Draws it: heavy in a cycle, dashed where it is only asked about.
 pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
     let arrow = route.arrow;
     let ink = colour(slate.theme(), arrow.role);
@@ -216,9 +198,7 @@ pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
             slate.painter.add(Shape::line(path.clone(), stroke));
         }
         ArrowKind::Allowed | ArrowKind::Refused => {
-            let dash = slate.pts(4.5);
-            let dashes = Shape::dashed_line(&path, stroke, dash, 0.75 * dash);
-            slate.painter.extend(dashes);
+            slate.dashes(&path, stroke, 4.5, 0.75);
         }
     }
     if has_head {
@@ -226,13 +206,13 @@ pub fn draw(slate: &mut Slate<'_>, plan: &Plan, route: &Route<'_>) {
     }
     if arrow.kind == ArrowKind::Refused {
         let arm = slate.pts(5.5);
-        let cross = |at: Pos2| Rect::from_center_size(at, Vec2::splat(2.0 * arm));
-        let is_clear = |at: &Pos2| !plan.is_taken(cross(*at));
+        let place = |at: Pos2| Rect::from_center_size(at, Vec2::splat(2.0 * arm));
+        let is_clear = |at: &Pos2| !plan.is_taken(place(*at));
         let last = route.path.len() - 1;
         let parts = [5, 4, 6, 3, 7].map(|part| route.path[part * last / 10]);
         let at = parts.into_iter().find(is_clear).unwrap_or(parts[0]);
-        for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
-            slate.line([at - diagonal, at + diagonal], slate.stroke(2.5, ink));
+        for ends in cross(at, arm).into_iter().rev() {
+            slate.line(ends, slate.stroke(2.5, ink));
         }
     }
 }

@@ -1,44 +1,31 @@
 //! Where the nodes of a graph stand in a room.
 
-use egui::{Pos2, Rect, Vec2, pos2, vec2};
-
 use crate::figure::{Graph, GraphNode, NodeStage, Places, Spot, Stands, layers, spread};
 
-use super::super::slate::{Face, Slate};
+use super::super::prelude::*;
 
-/// Height of a node; one with a short name is round.
 const CHIP: f32 = 23.0;
-/// White space left and right of a name.
 const PAD: f32 = 8.0;
 pub const NAME_PTS: f32 = 12.5;
-/// Height of the title, with the white space under it.
 const TITLE: f32 = 24.0;
-/// Height of the disc with a node's number.
 const NUMBER: f32 = 14.0;
-/// Of nodes that stand freely no more are drawn.
 const MOST_FREE: usize = 12;
 /// Their room is no wider than this part of its height: things that are close are seen together.
 const WIDEST: f32 = 2.3;
-/// White space about them, where arrows may run.
 const AROUND: f32 = 9.0;
-/// Their distance, in heights of a chip.
 const APART: f32 = 3.4;
-/// Width of a column of a tree: the least beside the widest name, and the most.
 const COLUMN_GAP: f32 = 6.0;
 const MOST_COLUMN: f32 = 74.0;
-/// Height of a layer: the least, and the most.
 const LAYERS: [f32; 2] = [32.0, 54.0];
 /// Below this part of its size text does not shrink: the tree is folded.
 const FOLD_BELOW: f32 = 0.85;
 
-/// A place, and what stands there.
 pub struct Chip {
     pub place: Rect,
     pub stands: Stands,
 }
 
 impl Chip {
-    /// The node that it is.
     pub fn node<'g>(&self, graph: &'g Graph) -> Option<&'g GraphNode> {
         match self.stands {
             Stands::Node(idx) => graph.nodes.get(idx),
@@ -46,7 +33,6 @@ impl Chip {
         }
     }
 
-    /// `+12`.
     pub fn words(&self) -> String {
         match self.stands {
             Stands::Node(idx) => idx.to_string(),
@@ -55,16 +41,12 @@ impl Chip {
     }
 }
 
-/// Where everything stands.
 pub struct Plan {
     pub chips: Vec<Chip>,
-    /// What reasons and notes keep clear of.
     pub taken: Vec<Rect>,
     /// Lines from a node to what is folded below it, or from that down to a node.
     pub folds: Vec<[Pos2; 2]>,
-    /// What arrows keep in.
     pub room: Rect,
-    /// How many nodes are not drawn.
     pub n_left_out: usize,
 }
 
@@ -76,30 +58,25 @@ impl Plan {
             Places::Layers(below) => tree(slate, room, graph, below),
         };
         let is_drawn = |chip: &&Chip| {
-            chip.node(graph)
-                .is_none_or(|node| node.stage != NodeStage::ToCome)
+            let node = chip.node(graph);
+            node.is_none_or(|node| node.stage != NodeStage::ToCome)
         };
         let chips = plan.chips.iter().filter(is_drawn);
         plan.taken = chips.map(|chip| chip.place.expand(3.0)).collect();
         plan
     }
 
-    /// Is there a node or a count within this place?
     pub fn is_taken(&self, place: Rect) -> bool {
         self.taken.iter().any(|taken| taken.intersects(place))
     }
 
-    /// The place of a node.
     pub fn place(&self, node: usize) -> Option<Rect> {
-        let chip = self
-            .chips
-            .iter()
-            .find(|chip| chip.stands == Stands::Node(node));
-        chip.map(|chip| chip.place)
+        let mut chips = self.chips.iter();
+        let chip = chips.find(|chip| chip.stands == Stands::Node(node))?;
+        Some(chip.place)
     }
 }
 
-/// As large as the room lets it be: a tree is folded before its text becomes too small.
 pub fn fitted<'a>(slate: Slate<'a>, graph: &Graph, room: Vec2) -> Slate<'a> {
     let least = FOLD_BELOW * slate.scale;
     slate.shrunk_to(least, room, |slate| match &graph.places {
@@ -109,23 +86,23 @@ pub fn fitted<'a>(slate: Slate<'a>, graph: &Graph, room: Vec2) -> Slate<'a> {
         }
         Places::Layers(below) => {
             let spots = layers(below, graph.focus, [usize::MAX; 2]);
-            let columns = spots.iter().map(|spot| spot.column + 1).max();
-            let n_layers = spots.iter().map(|spot| spot.layer + 1).max();
-            let [columns, n_layers] = [columns, n_layers].map(|n| n.unwrap_or(1) as f32);
-            vec2(
-                columns * column_width(slate, graph),
-                slate.pts(TITLE + n_layers * LAYERS[0]),
-            )
+            let [n_columns, n_layers] = size_of(&spots);
+            let height = slate.pts(TITLE + n_layers * LAYERS[0]);
+            vec2(n_columns * column_width(slate, graph), height)
         }
     })
 }
 
-fn name_width(slate: &Slate<'_>, node: &GraphNode) -> f32 {
-    let style = (Face::Strong, NAME_PTS, slate.theme().ink);
-    slate.value(&node.name, style).size().x
+fn size_of(spots: &[Spot]) -> [f32; 2] {
+    let n_columns = spots.iter().map(|spot| spot.column + 1).max();
+    let n_layers = spots.iter().map(|spot| spot.layer + 1).max();
+    [n_columns, n_layers].map(|n| n.unwrap_or(1) as f32)
 }
 
-/// Of the widest.
+fn name_width(slate: &Slate<'_>, node: &GraphNode) -> f32 {
+    slate.width(&node.name, Face::Strong, NAME_PTS)
+}
+
 fn chip_size(slate: &Slate<'_>, graph: &Graph) -> Vec2 {
     let widths = graph.nodes.iter().map(|node| name_width(slate, node));
     size_for(slate, widths.fold(0.0, f32::max))
@@ -155,10 +132,8 @@ fn free(slate: &Slate<'_>, room: Rect, graph: &Graph, places: &[[f64; 2]]) -> Pl
     let [width, height] = [inner.width(), inner.height()].map(|side| f64::from(side.max(1.0)));
     let n = shown.len().max(1) as f64;
     let apart = f64::from(slate.pts(APART * CHIP)).min(0.85 * (width * height / n).sqrt());
-    let of_shown: Vec<[f64; 2]> = shown
-        .iter()
-        .map(|&idx| places.get(idx).copied().unwrap_or([0.5; 2]))
-        .collect();
+    let of_shown = |&idx: &usize| places.get(idx).copied().unwrap_or([0.5; 2]);
+    let of_shown: Vec<[f64; 2]> = shown.iter().map(of_shown).collect();
     let places = spread(&of_shown, [width, height], apart);
     let chips = shown.iter().zip(places).map(|(&idx, [x, y])| {
         let size = size_for(slate, name_width(slate, &graph.nodes[idx]));
@@ -185,9 +160,7 @@ fn tree(slate: &Slate<'_>, room: Rect, graph: &Graph, below: &[[Option<usize>; 2
         fits(room.height(), slate.pts(LAYERS[0])),
     ];
     let spots = layers(below, graph.focus, n_fit);
-    let n_columns = spots.iter().map(|spot| spot.column + 1).max();
-    let n_layers = spots.iter().map(|spot| spot.layer + 1).max();
-    let [n_columns, n_layers] = [n_columns, n_layers].map(|n| n.unwrap_or(1) as f32);
+    let [n_columns, n_layers] = size_of(&spots);
     let column = (room.width() / n_columns).min(slate.pts(MOST_COLUMN).max(least));
     let [low, high] = LAYERS.map(|height| slate.pts(height));
     let layer = (room.height() / n_layers).clamp(low, high);
@@ -208,22 +181,19 @@ fn tree(slate: &Slate<'_>, room: Rect, graph: &Graph, below: &[[Option<usize>; 2
         let is_folded = !is_node(spot.stands) || !is_node(above.stands);
         is_folded.then(|| [place(above).center_bottom(), place(spot).center_top()])
     });
+    let chips = spots.iter().map(|spot| Chip {
+        place: place(spot),
+        stands: spot.stands,
+    });
     Plan {
         folds: folds.collect(),
-        chips: spots
-            .iter()
-            .map(|spot| Chip {
-                place: place(spot),
-                stands: spot.stands,
-            })
-            .collect(),
+        chips: chips.collect(),
         taken: Vec::new(),
         room,
         n_left_out: 0,
     }
 }
 
-/// The disc for a number of this width.
 pub fn number_size(slate: &Slate<'_>, width: f32) -> Vec2 {
     let height = slate.pts(NUMBER);
     vec2((width + slate.pts(6.0)).max(height), height)
@@ -239,7 +209,6 @@ pub fn number_places(slate: &Slate<'_>, chip: Rect, width: f32) -> [Rect; 4] {
     })
 }
 
-/// Points around a chip, its ends half circles.
 pub fn rim(place: Rect) -> impl Iterator<Item = Pos2> {
     const QUARTERS: usize = 6;
     let radius = 0.5 * place.height();

@@ -1,12 +1,9 @@
 //! Two vectors from one point, and the foot of the perpendicular from the one to the other.
 
-use egui::{Pos2, Rect, Vec2, vec2};
-
 use crate::figure::{Product, Vector};
 
-use super::super::slate::{Face, Slate, colour, text_colour};
+use super::super::prelude::*;
 
-/// White space around a drawing, for the names.
 const MARGIN: Vec2 = vec2(20.0, 18.0);
 const NAME_SIZE: f32 = 13.0;
 /// How much longer than the others a normal may be drawn, and how much shorter; it is only drawn in proportion to
@@ -14,10 +11,8 @@ const NAME_SIZE: f32 = 13.0;
 const NORMAL: [f64; 2] = [0.3, 1.0];
 /// A vector that would be drawn shorter than this part of its drawing is drawn larger.
 const LEAST_PART: f32 = 0.45;
-/// The line through the normal goes on for so long.
 const BEYOND: f32 = 12.0;
 
-/// The corners of a product's drawing, y up: the ends of both vectors, and the foot of the perpendicular.
 struct Figure {
     onto: [f64; 2],
     of: [f64; 2],
@@ -47,7 +42,6 @@ impl Figure {
         }
     }
 
-    /// From its lower left to its upper right corner.
     fn extent(&self) -> [[f64; 2]; 2] {
         let ends = [self.onto, self.of, self.foot];
         let axis = |i: usize| {
@@ -59,7 +53,6 @@ impl Figure {
         [[x[0], y[0]], [x[1], y[1]]]
     }
 
-    /// The scale at which it fills a room.
     fn scale(&self, room: Vec2) -> f64 {
         let [low, high] = self.extent();
         let fit = |i: usize, room: f32| f64::from(room) / (high[i] - low[i]).max(1e-12);
@@ -67,22 +60,16 @@ impl Figure {
     }
 }
 
-fn longest(products: &[Product]) -> f64 {
-    let lengths = products.iter().map(|product| length(product.of.to));
-    lengths.fold(0.0, f64::max)
-}
-
 /// The scale, and the longest vector: the same for all products, so that lengths can be compared.
 pub fn common_scale(slate: &Slate<'_>, products: &[Product], drawing: Vec2) -> (f64, f64) {
-    let longest = longest(products);
+    let lengths = products.iter().map(|product| length(product.of.to));
+    let longest = lengths.fold(0.0, f64::max);
     let room = drawing - 2.0 * MARGIN * slate.scale;
-    let scales = products
-        .iter()
-        .map(|product| Figure::of(product, longest).scale(room));
+    let figures = products.iter().map(|product| Figure::of(product, longest));
+    let scales = figures.map(|figure| figure.scale(room));
     (scales.fold(f64::INFINITY, f64::min), longest)
 }
 
-/// Draws a product in its place.
 pub fn draw(slate: &mut Slate<'_>, place: Rect, product: &Product, (common, longest): (f64, f64)) {
     let theme = slate.theme();
     let figure = Figure::of(product, longest);
@@ -101,7 +88,12 @@ pub fn draw(slate: &mut Slate<'_>, place: Rect, product: &Product, (common, long
             let stroke = slate.stroke(1.0, theme.soft);
             slate.dashed([of, foot], stroke, 3.0);
         } else {
-            right_angle(slate, origin, [onto, of]);
+            // The product is 0: the vectors stand at a right angle.
+            let side = slate.pts(8.0);
+            let [a, b] = [onto, of].map(|tip| (tip - origin).normalized() * side);
+            let stroke = slate.stroke(1.0, theme.ink);
+            slate.line([origin + a, origin + a + b], stroke);
+            slate.line([origin + b, origin + a + b], stroke);
         }
     }
     for (vector, tip) in [(&product.of, of), (&product.onto, onto)] {
@@ -111,17 +103,14 @@ pub fn draw(slate: &mut Slate<'_>, place: Rect, product: &Product, (common, long
         }
     }
     for dot in [origin, foot] {
-        let r = slate.pts(2.75);
-        slate
-            .painter
-            .circle(dot, r, theme.ink, slate.stroke(0.75, theme.background));
+        let (r, rim) = (slate.pts(2.75), slate.stroke(0.75, theme.background));
+        slate.painter.circle(dot, r, theme.ink, rim);
     }
     for (vector, tip, other) in [(&product.onto, onto, of), (&product.of, of, onto)] {
         name(slate, place, vector, [origin, tip, other]);
     }
 }
 
-/// The line through the normal, on which the foot stands.
 fn through(slate: &mut Slate<'_>, [origin, onto, foot]: [Pos2; 3]) {
     let along = (onto - origin).normalized();
     let places = [origin, onto, foot].map(|at| (at - origin).dot(along));
@@ -131,36 +120,18 @@ fn through(slate: &mut Slate<'_>, [origin, onto, foot]: [Pos2; 3]) {
     slate.line([from, to].map(|t| origin + along * t), stroke);
 }
 
-/// The product is 0: the vectors stand at a right angle.
-fn right_angle(slate: &mut Slate<'_>, origin: Pos2, tips: [Pos2; 2]) {
-    let side = slate.pts(8.0);
-    let [a, b] = tips.map(|tip| (tip - origin).normalized() * side);
-    let stroke = slate.stroke(1.0, slate.theme().ink);
-    slate.line([origin + a, origin + a + b], stroke);
-    slate.line([origin + b, origin + a + b], stroke);
-}
-
-/// Beside the tip, on the side that is away from the other vector.
 fn name(slate: &mut Slate<'_>, place: Rect, vector: &Vector, [origin, tip, other]: [Pos2; 3]) {
-    let style = (
-        Face::Strong,
-        NAME_SIZE,
-        text_colour(slate.theme(), vector.role),
-    );
-    let name = slate.value(&vector.name, style);
+    let ink = text_colour(slate.theme(), vector.role);
+    let name = slate.value(&vector.name, (Face::Strong, NAME_SIZE, ink));
     let half = 0.5 * name.size();
-    let along = (tip - origin).normalized();
-    let along = if along == Vec2::ZERO {
-        vec2(0.0, -1.0)
-    } else {
-        along
-    };
-    let across = along.rot90();
-    let away = if across.dot(other - origin) > 0.0 {
-        -across
-    } else {
-        across
-    };
+    let mut along = (tip - origin).normalized();
+    if along == Vec2::ZERO {
+        along = vec2(0.0, -1.0);
+    }
+    let mut away = along.rot90();
+    if away.dot(other - origin) > 0.0 {
+        away = -away;
+    }
     let middle = origin + 0.6 * (tip - origin);
     let sides = [
         (tip, away),
@@ -180,15 +151,10 @@ fn name(slate: &mut Slate<'_>, place: Rect, vector: &Vector, [origin, tip, other
         })
     });
     let centres: Vec<Pos2> = centres.collect();
-    if slate
-        .put_free(&name, place.expand(slate.pts(8.0)), centres)
-        .is_none()
-    {
+    let room = place.expand(slate.pts(8.0));
+    if slate.put_free(&name, room, centres).is_none() {
         // A drawing without names says nothing: over a line it is still read.
-        slate.put(
-            &name,
-            tip + along * half.length(),
-            egui::Align2::CENTER_CENTER,
-        );
+        let at = tip + along * half.length();
+        slate.put(&name, at, Align2::CENTER_CENTER);
     }
 }

@@ -1,23 +1,16 @@
 //! What was held, as stairs: filled dots on them were kept, hollow ones above them were not.
 
-use egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
+use crate::figure::{Story, StoryCard, StoryFate};
 
-use crate::figure::{CellStage, Story, StoryCard, StoryFate};
-
-use super::super::{
-    on_slate::Links,
-    slate::{Face, Slate},
+use super::{
+    super::prelude::*,
+    plan::{NUMBER_PTS, Plan, label},
 };
-use super::plan::{NUMBER_PTS, Plan, label};
 
-/// Radius of a dot.
 const DOT: f32 = 4.5;
-/// White space over the highest dot and under the lowest.
 const AIR: f32 = 8.0;
-/// Of the height, what is not a number is so far from the farthest number.
 const BEYOND: f32 = 0.24;
 
-/// Heights of numbers, what wins further down.
 struct Scale {
     room: Rect,
     ends: [f64; 2],
@@ -28,18 +21,16 @@ struct Scale {
 impl Scale {
     /// Of everything that comes, from the start, so that nothing moves.
     fn of(slate: &Slate<'_>, story: &Story, stairs: Rect) -> Self {
-        let held =
-            std::iter::once(story.opening.0).chain(story.cards.iter().map(|card| card.new.0));
-        let numbers = held.clone().filter(|x| x.is_finite());
-        let [low, high] = [
-            numbers.clone().fold(f64::INFINITY, f64::min),
-            numbers.fold(f64::NEG_INFINITY, f64::max),
-        ];
+        let cards = story.cards.iter().map(|card| card.new.0);
+        let held: Vec<f64> = std::iter::once(story.opening.0).chain(cards).collect();
+        let numbers = held.iter().copied().filter(|x| x.is_finite());
+        let low = numbers.clone().fold(f64::INFINITY, f64::min);
+        let high = numbers.fold(f64::NEG_INFINITY, f64::max);
         Self {
             room: stairs.shrink2(vec2(0.0, slate.pts(AIR))),
             ends: [low, high],
             is_reversed: story.is_reversed,
-            has_infinite: held.clone().any(|x| !x.is_finite()),
+            has_infinite: held.iter().any(|x| !x.is_finite()),
         }
     }
 
@@ -48,11 +39,8 @@ impl Scale {
         if !x.is_finite() {
             // Farther than everything, or nearer.
             let is_far = (x > 0.0) != self.is_reversed;
-            return if is_far {
-                self.room.top()
-            } else {
-                self.room.bottom()
-            };
+            let room = self.room.y_range();
+            return if is_far { room.min } else { room.max };
         }
         let part = if high > low {
             ((x - low) / (high - low)) as f32
@@ -65,40 +53,45 @@ impl Scale {
     }
 }
 
-/// One on the stairs, or beside them, and whether it is this step's.
 type Dot<'s> = (Pos2, &'s StoryCard, bool);
 
-/// Draws them; what is under the pointer stands out.
 pub fn draw(slate: &mut Slate<'_>, story: &Story, plan: &Plan, links: &mut Links) {
-    shown_range(slate, plan);
+    if plan.fold.before + plan.fold.after > 0 {
+        // Where on the whole stairs the cards stand that are shown.
+        let half = 0.5 * plan.columns[1];
+        let left = plan.column(plan.fold.shown.start) - half;
+        let right = plan.column(plan.fold.shown.end.saturating_sub(1)) + half;
+        let band = Rect::from_x_y_ranges(left..=right, plan.stairs.y_range());
+        slate.painter.rect_filled(band, 3.0, slate.theme().panel);
+    }
     // Strokes first: numbers find their places beside them.
     let dots = treads(slate, story, plan);
+    let square = |at: Pos2, side: f32| Rect::from_center_size(at, Vec2::splat(side));
     for &(at, card, is_now) in &dots {
         dot(slate, at, card, is_now);
-        let around = Rect::from_center_size(at, Vec2::splat(slate.pts(4.0 * DOT)));
-        links.touch(around, card.link);
+        links.touch(square(at, slate.pts(4.0 * DOT)), card.link);
     }
     // The current one's number first, then the last ones': where there is little room, the first ones have none.
     let now = dots.iter().filter(|(.., is_now)| *is_now);
     let others = dots.iter().rev().filter(|(.., is_now)| !is_now);
-    let reach = Vec2::splat(slate.pts(2.0 * DOT));
-    let around: Vec<Rect> = dots
-        .iter()
-        .map(|(at, ..)| Rect::from_center_size(*at, reach))
-        .collect();
+    let reach = slate.pts(2.0 * DOT);
+    let around: Vec<Rect> = dots.iter().map(|(at, ..)| square(*at, reach)).collect();
     for &(at, card, is_now) in now.chain(others) {
         number(slate, plan, (at, &around), card, is_now);
     }
 }
 
-/// The stairs of what has come, and where each that has come stands.
 fn treads<'s>(slate: &mut Slate<'_>, story: &'s Story, plan: &Plan) -> Vec<Dot<'s>> {
     let scale = Scale::of(slate, story, plan.stairs);
     let theme = slate.theme();
     let line = slate.stroke(2.25, theme.accent);
     let mut held = story.opening.0;
     let mut from = pos2(plan.stairs.left(), scale.y(held));
-    opening(slate, story, plan, from);
+    // What was held at first, left of where the stairs begin.
+    let opening = label(slate, &story.opening.1, theme.soft);
+    let left = from - vec2(slate.pts(5.0), 0.0);
+    let opening = slate.put(&opening, left, Align2::RIGHT_CENTER);
+    axis(slate, story, plan, opening);
     let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
     let mut dots = Vec::new();
     for (idx, card) in story.cards.iter().take_while(has_come).enumerate() {
@@ -125,15 +118,6 @@ fn treads<'s>(slate: &mut Slate<'_>, story: &'s Story, plan: &Plan) -> Vec<Dot<'
     dots
 }
 
-/// What was held at first, left of where the stairs begin.
-fn opening(slate: &mut Slate<'_>, story: &Story, plan: &Plan, from: Pos2) {
-    let opening = label(slate, &story.opening.1, slate.theme().soft);
-    let left = from - vec2(slate.pts(5.0), 0.0);
-    let opening = slate.put(&opening, left, Align2::RIGHT_CENTER);
-    axis(slate, story, plan, opening);
-}
-
-/// From one to the next: dashed as long as nothing is held.
 fn tread(slate: &mut Slate<'_>, ends: [Pos2; 2], stroke: Stroke, is_number: bool) {
     if is_number {
         slate.line(ends, stroke);
@@ -145,18 +129,13 @@ fn tread(slate: &mut Slate<'_>, ends: [Pos2; 2], stroke: Stroke, is_number: bool
 fn dot(slate: &Slate<'_>, at: Pos2, card: &StoryCard, is_now: bool) {
     let theme = slate.theme();
     let radius = slate.pts(DOT);
-    let ink = if is_now { theme.signal } else { theme.accent };
-    match card.fate {
-        StoryFate::Kept => {
-            let rim = slate.stroke(1.5, theme.background);
-            slate.painter.circle(at, radius + 1.0, ink, rim);
-        }
-        StoryFate::Lost | StoryFate::Tie => {
-            let ink = if is_now { theme.signal } else { theme.soft };
-            let rim = slate.stroke(1.75, ink);
-            slate.painter.circle(at, radius, theme.background, rim);
-        }
-    }
+    let ink = |ink| if is_now { theme.signal } else { ink };
+    let (radius, fill, width, rim) = match card.fate {
+        StoryFate::Kept => (radius + 1.0, ink(theme.accent), 1.5, theme.background),
+        StoryFate::Lost | StoryFate::Tie => (radius, theme.background, 1.75, ink(theme.soft)),
+    };
+    let rim = slate.stroke(width, rim);
+    slate.painter.circle(at, radius, fill, rim);
 }
 
 /// What it brings, beside its dot; of one that is as good as what is held, with a sign of equality.
@@ -174,14 +153,13 @@ fn number(
         (StoryFate::Lost | StoryFate::Tie, false) => theme.soft,
     };
     let words = match card.fate {
-        StoryFate::Tie => label(slate, &card.against, ink),
-        StoryFate::Kept | StoryFate::Lost => label(slate, &card.new.1, ink),
+        StoryFate::Tie => &card.against,
+        StoryFate::Kept | StoryFate::Lost => &card.new.1,
     };
+    let words = label(slate, words, ink);
     let off = 0.5 * words.size() + Vec2::splat(slate.pts(DOT + 4.0));
-    let above = vec2(0.0, -off.y);
-    let below = vec2(0.0, off.y);
-    let left = vec2(-off.x, 0.0);
-    let right = vec2(off.x, 0.0);
+    let [above, below] = [vec2(0.0, -off.y), vec2(0.0, off.y)];
+    let [left, right] = [vec2(-off.x, 0.0), vec2(off.x, 0.0)];
     let low = vec2(0.0, 0.6 * off.y);
     let places = match card.fate {
         StoryFate::Kept => [left, left + low, below, right - low, right + low, above],
@@ -197,19 +175,6 @@ fn number(
     slate.put_free(&words, room, places);
 }
 
-/// Where on the whole stairs the cards stand that are shown.
-fn shown_range(slate: &Slate<'_>, plan: &Plan) {
-    if plan.fold.before + plan.fold.after == 0 {
-        return;
-    }
-    let half = 0.5 * plan.columns[1];
-    let left = plan.column(plan.fold.shown.start) - half;
-    let right = plan.column(plan.fold.shown.end.saturating_sub(1)) + half;
-    let band = Rect::from_x_y_ranges(left..=right, plan.stairs.y_range());
-    slate.painter.rect_filled(band, 3.0, slate.theme().panel);
-}
-
-/// An arrow down the left edge, towards what wins: under what was held at first, or over it.
 fn axis(slate: &mut Slate<'_>, story: &Story, plan: &Plan, opening: Rect) {
     let theme = slate.theme();
     let down = slate.value(&story.down, (Face::Plain, NUMBER_PTS, theme.soft));

@@ -1,9 +1,8 @@
 //! What the prototypes C1 to C4 show.
 
 pub mod frustum;
-pub mod graph;
 pub mod polygons;
-pub mod story;
+pub mod surfaces;
 
 use crate::{
     figure::{
@@ -26,20 +25,12 @@ fn code(of: &str, bits: [u8; 4], role: Role) -> BitRow {
     }
 }
 
-fn sides() -> Vec<Value> {
-    ["side-top", "side-bottom", "side-right", "side-left"]
-        .map(Value::Term)
-        .to_vec()
-}
-
-/// C1: both codes have the first bit.
 pub fn and_of_codes() -> Bits {
+    let sides = ["side-top", "side-bottom", "side-right", "side-left"];
+    let first = code("P₁", [1, 0, 0, 1], Role::Ink);
     Bits {
-        columns: sides(),
-        rows: vec![
-            code("P₁", [1, 0, 0, 1], Role::Ink),
-            code("P₂", [1, 0, 0, 0], Role::Ink),
-        ],
+        columns: sides.map(Value::Term).to_vec(),
+        rows: vec![first, code("P₂", [1, 0, 0, 0], Role::Ink)],
         result: Some(code("AND", [1, 0, 0, 0], Role::Signal)),
         deciding: Some(0),
         note: Some(Message::new("cs-note-and")),
@@ -48,15 +39,13 @@ pub fn and_of_codes() -> Bits {
 
 /// The second code has just been found.
 pub fn codes_found() -> Bits {
+    let mut shown = and_of_codes();
+    shown.rows[1].role = Role::Signal;
     Bits {
-        rows: vec![
-            code("P₁", [1, 0, 0, 1], Role::Ink),
-            code("P₂", [1, 0, 0, 0], Role::Signal),
-        ],
         result: None,
         deciding: None,
         note: None,
-        ..and_of_codes()
+        ..shown
     }
 }
 
@@ -68,7 +57,6 @@ fn number(role: Role, [num, den]: [f64; 2]) -> Cell {
     Cell::new(role, Some(Value::Ratio { num, den }))
 }
 
-/// A row of C2: `p, q`, does it enter, both bounds and which of them is new.
 fn row(edge: &'static str, [p, q]: [f64; 2], bounds: [[f64; 2]; 2], new: usize) -> TableRow {
     let does = if p < 0.0 { "enters" } else { "leaves" };
     let bound = |nth: usize| {
@@ -91,41 +79,27 @@ fn row(edge: &'static str, [p, q]: [f64; 2], bounds: [[f64; 2]; 2], new: usize) 
     }
 }
 
-/// C2: the last edge pulls u_max below u_min.
 pub fn empty_interval() -> Table {
-    let ratio = sym("r = ").over(sym("q"), sym("p"));
     let mut top = row("side-top", [4.0, 1.0], [[3.0, 8.0], [1.0, 4.0]], 2);
     top.is_current = true;
     top.cells[2].role = Role::Signal;
     top.cells[5].role = Role::Signal;
-    let nothing = || Cell::new(Role::Soft, None::<Value>);
+    let mut cells = vec![Cell::new(Role::Soft, None::<Value>); 4];
+    cells.extend([0.0, 1.0].map(|u| number(Role::Ink, [u, 1.0])));
     let start = TableRow {
         name: name("start"),
-        cells: vec![
-            nothing(),
-            nothing(),
-            nothing(),
-            nothing(),
-            number(Role::Ink, [0.0, 1.0]),
-            number(Role::Ink, [1.0, 1.0]),
-        ],
-        is_current: false,
-        link: None,
+        cells,
+        ..row("side-top", [4.0, 1.0], [[3.0, 8.0], [1.0, 4.0]], 2)
     };
-    let note = |text: &'static str, applies| TableNote {
-        text: Message::new(text),
+    let note = |applies| TableNote {
+        text: Message::new("cs-note-and"),
         applies,
     };
+    let mut header = ["edge", "p", "q", "r", "", "u_min", "u_max"].map(sym);
+    header[3] = sym("r = ").over(sym("q"), sym("p"));
+    header[4] = Formula::default();
     Table {
-        header: vec![
-            sym("edge"),
-            sym("p"),
-            sym("q"),
-            ratio,
-            Formula::default(),
-            sym("u_min"),
-            sym("u_max"),
-        ],
+        header: header.to_vec(),
         rows: vec![
             start,
             row("side-left", [-8.0, -3.0], [[3.0, 8.0], [1.0, 1.0]], 0),
@@ -133,19 +107,14 @@ pub fn empty_interval() -> Table {
             row("side-bottom", [-4.0, 1.0], [[3.0, 8.0], [3.0, 4.0]], 2),
             top,
         ],
-        notes: vec![note("cs-note-and", false), note("cs-note-and", true)],
+        notes: vec![note(false), note(true)],
     }
 }
 
-/// A polygon of very many edges, at one of them.
 pub fn many_edges(n: usize, current: usize) -> Table {
     let rows = (0..n).map(|i| {
-        let mut row = row(
-            "side-left",
-            [-8.0, i as f64 - 3.0],
-            [[3.0, 8.0], [1.0, 1.0]],
-            0,
-        );
+        let bounds = [[3.0, 8.0], [1.0, 1.0]];
+        let mut row = row("side-left", [-8.0, i as f64 - 3.0], bounds, 0);
         row.name = name(&format!("e{i}"));
         row.is_current = i == current;
         row
@@ -174,14 +143,14 @@ fn product(of: Vector, decision: Message, arithmetic: &'static str, is_current: 
     }
 }
 
-/// C4: the line enters, P₁ is outside.
 pub fn normal() -> Products {
     let d = vector("D", [11.0, -3.0], Role::Accent);
     let enters = Message::new("cb-sign-enters").with("product", name("n·D"));
-    let outside = Message::new("cb-sign-outside")
-        .with("product", name("n·(P₁ − E)"))
-        .with("end", name("P₁"));
+    let outside = Message::new("cb-sign-outside").with("end", name("P₁"));
+    let outside = outside.with("product", name("n·(P₁ − E)"));
     let e = vector("P₁ − E", [-3.0, 0.0], Role::Ink);
+    let outside_span = ([-9.0, 0.0], name("9"), Role::Signal);
+    let whole_span = ([-9.0, 18.0], name("n·D = 27"), Role::Accent);
     Products {
         products: vec![
             product(d, enters, "3·11 + 2·(−3) = 27", true),
@@ -191,15 +160,11 @@ pub fn normal() -> Products {
             title: Message::new("cb-measured").with("normal", name("n")),
             zero: name("edge"),
             ends: [(name("P₁"), -9.0), (name("P₂"), 18.0)],
-            spans: vec![
-                ([-9.0, 0.0], name("9"), Role::Signal),
-                ([-9.0, 18.0], name("n·D = 27"), Role::Accent),
-            ],
+            spans: vec![outside_span, whole_span],
         }),
     }
 }
 
-/// The line runs beside the border.
 pub fn parallel() -> Products {
     let mut shown = normal();
     shown.products[0].of = vector("D", [-20.0, 30.0], Role::Accent);

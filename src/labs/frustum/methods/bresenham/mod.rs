@@ -1,34 +1,17 @@
 //! A line to its pixels, shown: the segment in the view volume, and the screen in large pixels.
 
-mod known;
 mod picture;
 
 use serde_json::{Value as Json, json};
 
 use crate::{
     algo::pipeline::{DrawnSegment, LineToPixels, LineToPixelsEvent as Event, LineToPixelsInput},
-    figure::{
-        Body, Link,
-        Tick::{Cut, Phase, Reject, Test},
-        View,
-    },
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{end_name, name},
-    },
-    text::{Formula, Value},
-    trace::Step,
+    labs::frustum::prelude::*,
 };
 
-use super::super::{
-    Scene, Subject,
-    screen::screen,
-    stage::{Fate, Scenery},
-};
+use super::super::screen::screen;
 
-use known::Known;
+use picture::Known;
 
 const RASTER_VIEW: &str = "raster";
 
@@ -56,40 +39,14 @@ impl SpaceTelling for LineToPixels {
     }
 }
 
-rows! { |event, step: LineToPixels|
-    project: Event::Project { clip: [.., w], .. } if w > 0.0 =>
-        Row::new(Phase, 0, "drawn-line-project").so(&["~ {end} = {clip}"]);
-    project_behind: Event::Project { .. } =>
-        Row::new(Phase, 0, "drawn-line-project-behind").so(&["~ {end} = {clip}"]);
-    whole: Event::Clip { ends } if Known::of(step.past).projected == ends.map(Some) =>
-        Row::new(Cut, 1, "drawn-line-clip-whole").so(LEFT).keeps("segment").answers("clip");
-    cut: Event::Clip { .. } =>
-        Row::new(Cut, 1, "drawn-line-clip-cut").so(LEFT).cuts("segment").answers("clip");
-    reject: Event::Reject =>
-        Row::new(Reject, 1, "drawn-line-reject").drops("segment").answers("clip");
-    divide: Event::Divide { .. } =>
-        Row::new(Phase, 2, "drawn-line-divide").so(&["~ S₁ = {S₁}", "~ S₂ = {S₂}"]);
-    round: Event::Round { .. } => Row::new(Phase, 3, "drawn-line-round").so(&["{from → to}"]);
-    first: Event::Pixel { .. } if step.held.len() == 1 =>
-        Row::new(Test, 4, "drawn-line-first").so(&["~ e = 2b − a = 2 · {b} − {a}{=error}"]);
-    tie_diagonal: Event::Pixel { diagonal: true, .. } if error_before(step) == Some(0) =>
-        put(5, "drawn-line-tie-diagonal").so(DIAGONAL);
-    diagonal: Event::Pixel { diagonal: true, .. } => put(5, "drawn-line-diagonal").so(DIAGONAL);
-    tie_straight: Event::Pixel { .. } if error_before(step) == Some(0) =>
-        put(6, "drawn-line-tie-straight").so(STRAIGHT);
-    straight: Event::Pixel { .. } => put(6, "drawn-line-straight").so(STRAIGHT);
-}
-
 const LEFT: &[&str] = &["~ P₁′ = {P₁′}", "~ P₂′ = {P₂′}"];
 const DIAGONAL: &[&str] = &["~ e = {e} − 2 · {a} + 2 · {b}{=error}"];
 const STRAIGHT: &[&str] = &["~ e = {e} + 2 · {b}{=error}"];
 
-/// The next pixel: one of two.
 const fn put(line: usize, key: &'static str) -> Row {
     Row::new(Test, line, key).picks("at", "candidates")
 }
 
-/// e at the pixel before.
 fn error_before(step: &Step<'_, LineToPixels>) -> Option<i64> {
     Known::of(&step.past[..step.past.len().checked_sub(1)?]).error
 }
@@ -109,20 +66,39 @@ impl Telling for LineToPixels {
         code_line(1, "code-drawn-diagonal", "words-drawn-diagonal"),
         code_line(1, "code-drawn-straight", "words-drawn-straight"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "P₁", "P₂", "P₁′", "P₂′", "S₁", "S₂", "a", "b", "x, y", "error",
     ])];
+    const OPENING: Row = Row::new(Phase, 0, "drawn-line-opening").so(&["{from → to}"]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        project: Event::Project { clip: [.., w], .. } if w > 0.0 =>
+            Row::new(Phase, 0, "drawn-line-project").so(&["~ {end} = {clip}"]);
+        project_behind: Event::Project { .. } =>
+            Row::new(Phase, 0, "drawn-line-project-behind").so(&["~ {end} = {clip}"]);
+        whole: Event::Clip { ends } if Known::of(step.past).projected == ends.map(Some) =>
+            Row::new(Cut, 1, "drawn-line-clip-whole").so(LEFT).keeps("segment").answers("clip");
+        cut: Event::Clip { .. } =>
+            Row::new(Cut, 1, "drawn-line-clip-cut").so(LEFT).cuts("segment").answers("clip");
+        reject: Event::Reject =>
+            Row::new(Reject, 1, "drawn-line-reject").drops("segment").answers("clip");
+        divide: Event::Divide { .. } =>
+            Row::new(Phase, 2, "drawn-line-divide").so(&["~ S₁ = {S₁}", "~ S₂ = {S₂}"]);
+        round: Event::Round { .. } => Row::new(Phase, 3, "drawn-line-round").so(&["{from → to}"]);
+        first: Event::Pixel { .. } if step.held.len() == 1 =>
+            Row::new(Test, 4, "drawn-line-first").so(&["~ e = 2b − a = 2 · {b} − {a}{=error}"]);
+        tie_diagonal: Event::Pixel { diagonal: true, .. } if error_before(step) == Some(0) =>
+            put(5, "drawn-line-tie-diagonal").so(DIAGONAL);
+        diagonal: Event::Pixel { diagonal: true, .. } => put(5, "drawn-line-diagonal").so(DIAGONAL);
+        tie_straight: Event::Pixel { .. } if error_before(step) == Some(0) =>
+            put(6, "drawn-line-tie-straight").so(STRAIGHT);
+        straight: Event::Pixel { .. } => put(6, "drawn-line-straight").so(STRAIGHT);
     }
 
     fn opening(at: &At<'_, Self>) -> &'static Row {
-        const PIXELS: Row = Row::new(Phase, 0, "drawn-line-opening").so(&["{from → to}"]);
-        const SEGMENT: Row = PIXELS.so(&["~ P₁ = {given P₁}", "~ P₂ = {given P₂}"]);
+        const SEGMENT: Row = LineToPixels::OPENING.so(&["~ P₁ = {given P₁}", "~ P₂ = {given P₂}"]);
         match at.step.input {
-            LineToPixelsInput::Pixels(_) => &PIXELS,
+            LineToPixelsInput::Pixels(_) => &Self::OPENING,
             LineToPixelsInput::Segment(_) => &SEGMENT,
         }
     }
@@ -208,7 +184,6 @@ fn list(numbers: &[f64]) -> Named {
     formula.into()
 }
 
-/// Pixels are told in brackets.
 fn pixel(formula: Formula, at: [i64; 2]) -> Formula {
     let formula = formula.sym("[");
     formula.list(&at.map(|x| x as f64)).sym("]")

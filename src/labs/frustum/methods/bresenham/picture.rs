@@ -1,25 +1,63 @@
-//! The segment in the view volume, and the pixels of the screen.
+//! What a run has worked out at a step: the segment in the view volume, and the pixels of the screen.
 
 use glam::DVec3;
 
 use crate::{
     algo::{
         parameter::End,
-        pipeline::{DrawnSegment, LineToPixelsEvent as Event},
+        pipeline::{BresenhamInput, DrawnSegment, LineToPixelsEvent as Event, LineToPixelsInput},
     },
-    figure::{Mark3, Pixel, Raster, RasterMark, RasterShape, Role, Shape3},
+    figure::{Pixel, Raster, RasterMark, RasterShape},
     geom::Sight,
-    labs::words::name,
-    text::{Message, Value},
+    labs::frustum::prelude::*,
 };
 
-use super::known::Known;
+/// What has been told before the first pixel, and of the last one.
+#[derive(Clone, Copy, Default)]
+pub struct Known {
+    /// Ends in clip space.
+    pub projected: [Option<[f64; 4]>; 2],
+    pub clipped: Option<[[f64; 4]; 2]>,
+    pub is_rejected: bool,
+    /// In pixels, with fractions.
+    pub screen: Option<[[f64; 2]; 2]>,
+    /// The pixels that they lie in.
+    pub rounded: Option<[[i64; 2]; 2]>,
+    /// e at the last pixel.
+    pub error: Option<i64>,
+}
+
+impl Known {
+    pub fn of(past: &[Event]) -> Self {
+        let mut known = Self::default();
+        for event in past.iter().take(5).chain(past.last()) {
+            match *event {
+                Event::Project { end, clip } => known.projected[end.idx()] = Some(clip),
+                Event::Clip { ends } => known.clipped = Some(ends),
+                Event::Reject => known.is_rejected = true,
+                Event::Divide { screen } => known.screen = Some(screen),
+                Event::Round { from, to } => known.rounded = Some([from, to]),
+                Event::Pixel { error, .. } => known.error = Some(error),
+            }
+        }
+        known
+    }
+
+    pub fn ends(&self, input: &LineToPixelsInput) -> Option<BresenhamInput> {
+        match input {
+            LineToPixelsInput::Pixels(ends) => Some(*ends),
+            LineToPixelsInput::Segment(_) => {
+                let [from, to] = self.rounded?;
+                BresenhamInput::new(from, to).ok()
+            }
+        }
+    }
+}
 
 /// How dark a pixel of the line is, and one that an end lies in.
 const PUT: f64 = 0.9;
 const END: f64 = 0.4;
 
-/// What is seen in space.
 pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<Mark3> {
     let ends = drawn.ends;
     let mut marks: Vec<Mark3> = ["P₁", "P₂"]
@@ -28,11 +66,8 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
         .map(|(symbol, at)| Mark3::new(Role::Ink, Shape3::Dot(at)).labelled(name(symbol)))
         .collect();
     let Some(kept) = kept(drawn, known) else {
-        let role = if known.is_rejected {
-            Role::Discarded
-        } else {
-            Role::Ink
-        };
+        let is_lost = known.is_rejected;
+        let role = if is_lost { Role::Discarded } else { Role::Ink };
         marks.push(Mark3::new(role, Shape3::Segment(ends)));
         if let Some(Event::Project { end, .. }) = event {
             marks.extend(projected(drawn, end));
@@ -68,7 +103,6 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
     marks
 }
 
-/// From the eye to an end, and its image.
 fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
     let at = drawn.ends[end.idx()];
     let image = image(drawn, at);
@@ -81,7 +115,6 @@ fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
     std::iter::once(sight).chain(image).collect()
 }
 
-/// Where on the near plane a place is seen, if it is before the eye.
 fn image(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
     let camera = &drawn.camera;
     let near = camera.volume().near();
@@ -119,7 +152,6 @@ fn kept(drawn: &DrawnSegment, known: &Known) -> Option<[[f64; 3]; 2]> {
     Some([(a, from), (b, to)].map(world))
 }
 
-/// The screen in large pixels.
 pub fn raster(
     drawn: &DrawnSegment,
     known: &Known,
@@ -142,14 +174,7 @@ pub fn raster(
     }
     let current = match event {
         Some(Event::Pixel { at, .. }) => Some(at.map(|x| x as usize)),
-        None
-        | Some(
-            Event::Project { .. }
-            | Event::Clip { .. }
-            | Event::Reject
-            | Event::Divide { .. }
-            | Event::Round { .. },
-        ) => None,
+        _ => None,
     };
     let title = match known.error {
         Some(error) => Message::new("raster-line-error").with("e", error as f64),
@@ -165,7 +190,6 @@ pub fn raster(
     }
 }
 
-/// The line itself, and the midpoint that has decided.
 fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark> {
     let mut over = Vec::new();
     let mark = |role, shape| RasterMark { role, shape };

@@ -5,15 +5,13 @@ use crate::{
         ring::Right,
         volume::{HomogeneousTriangle, IntersectionPolygon},
     },
-    figure::{Body, Cell, Role, Table, TableNote, TableRow, View},
-    labs::space::Scene,
-    text::{Formula, Message, Value},
-    trace::silent,
+    labs::frustum::prelude::*,
 };
 
 use super::{
-    super::super::stage::Scenery,
+    LISTS_VIEW,
     clip_space::{Uv, in_world, triangle},
+    marks::vertex_symbol,
     variant::{self, EvenOnScreen, Homogeneous, OnePolygon, Variant},
 };
 
@@ -28,17 +26,30 @@ pub fn is_alone(scenery: &Scenery) -> bool {
 
 /// Do the two methods on stage differ in what they cost or in what the camera sees, and not in their lists?
 pub fn is_about_pictures(scenery: Option<&Scenery>) -> bool {
-    let Some(scene) = scenery
-        .map(Scenery::scene)
-        .filter(|scene| !scene.beside.is_empty())
-    else {
+    let Some(scene) = scenery.filter(|it| !is_alone(it)).map(Scenery::scene) else {
         return false;
     };
     let mut on_stage = scene.on_stage().map(|method| method.card().id);
     agrees(scene) || on_stage.any(|id| id == <EvenOnScreen as Variant<OnePolygon>>::ID)
 }
 
-/// Are these two on stage?
+/// Rows of the vertices of a list, which stand in its view too where there is one.
+pub fn vertex_rows(
+    places: impl Iterator<Item = Value>,
+    prime: &str,
+    scenery: Option<&Scenery>,
+) -> WatchSection {
+    let row = |(i, place)| {
+        let symbol = format!("{}{prime}", vertex_symbol(i));
+        WatchRow::new(name(symbol), Some(place))
+    };
+    let mut rows = WatchSection::list(places.enumerate().map(row).collect());
+    if !is_about_pictures(scenery) {
+        rows = rows.seen_in(LISTS_VIEW);
+    }
+    rows
+}
+
 fn agrees(scene: &Scene) -> bool {
     let both = [
         <Right as Variant<OnePolygon>>::ID,
@@ -48,8 +59,7 @@ fn agrees(scene: &Scene) -> bool {
     both.iter().all(|id| on_stage.contains(id))
 }
 
-/// How many crossings and triangles each of world planes and clip space takes, and whether both leave the same; where these two
-/// stand beside each other.
+/// How many crossings and triangles world planes and clip space take, and whether both leave the same; where both are on stage.
 pub fn agreement_view(
     scenery: Option<&Scenery>,
     crossings_and_triangles: impl FnOnce() -> [usize; 2],
@@ -70,7 +80,6 @@ pub fn agreement_view(
     Some(View::new(AGREEMENT_VIEW, Body::Table(table)))
 }
 
-/// Of world planes and clip space on one triangle: to how many decimals what they leave is the same.
 fn agreement(scene: &Scene) -> Option<TableNote> {
     if !agrees(scene) {
         return None;
@@ -100,10 +109,8 @@ fn apart(these: &[[f64; 3]], those: &[[f64; 3]]) -> f64 {
         (square(0) + square(1) + square(2)).sqrt()
     };
     let nearest = |a| {
-        those
-            .iter()
-            .map(|b| distance(a, b))
-            .fold(f64::INFINITY, f64::min)
+        let distances = those.iter().map(|b| distance(a, b));
+        distances.fold(f64::INFINITY, f64::min)
     };
     these.iter().map(nearest).fold(0.0, f64::max)
 }

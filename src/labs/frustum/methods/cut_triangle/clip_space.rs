@@ -3,22 +3,19 @@
 use crate::{
     algo::volume::{ClipVertex, HomogeneousTriangleEvent},
     geom::{Camera, Sight, VolumeSide},
-    labs::space::Scene,
-    text::Formula,
+    labs::frustum::prelude::*,
 };
 
 use super::variant::UV;
 
 /// Where in the texture a vertex is; in a scene that is its share of the corners.
 pub type Uv = Option<[f64; 2]>;
-/// A vertex in clip space.
 pub type Vertex = ClipVertex<Uv>;
-/// What happens.
 pub type Event = HomogeneousTriangleEvent<Uv>;
 
 /// `(1, −2, 0.5, 3)`
 pub fn point(at: [f64; 4]) -> Formula {
-    Formula::default().sym("(").list(&at).sym(")")
+    sym("(").list(&at).sym(")")
 }
 
 /// `w − x`, `w + x`: how far inside a side a point is.
@@ -28,7 +25,6 @@ pub fn bound_symbol(side: VolumeSide) -> String {
     format!("w {sign} {axis}")
 }
 
-/// The scene's triangle as the camera's matrix has it, each corner with its place in the texture.
 pub fn triangle(scene: &Scene) -> [Vertex; 3] {
     let clip_from_world = scene.culler().clip_from_world();
     let corners = scene.places.triangle();

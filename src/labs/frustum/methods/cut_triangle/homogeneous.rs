@@ -3,36 +3,24 @@
 use serde_json::{Value as Json, json};
 
 use crate::{
-    algo::volume::{ClipPolygon, HomogeneousTriangle, SideCode},
-    figure::{
-        Body, Link, Run,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
+    algo::{
+        ring::{Crossing, EdgeTest, Known},
+        volume::{ClipPolygon, HomogeneousTriangle, SideCode},
     },
     geom::VolumeSide,
     labs::{
-        Answer, CodeLine, Verdict,
-        recorded::Recorded,
+        frustum::prelude::*,
         rings::{RingStep, asked_vertex},
-        space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
     },
-    text::{Formula, Value},
-    trace::{Recording, Step, silent},
 };
 
 use super::{
-    super::super::{
-        Scene, Subject,
-        stage::{FaceLook, Fate, Scenery, side_link, side_name},
-    },
     LISTS_VIEW,
-    agreement::{agreement_view, is_about_pictures, is_alone},
+    agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows},
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
     homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
+    marks::vertex_symbol,
     parts::in_clip_space,
-    symbols::vertex_symbol,
     variant::{Homogeneous, Variant, homogeneous},
 };
 
@@ -41,15 +29,11 @@ type Shown<L> = HomogeneousTriangle<Uv, L>;
 impl Answer for ClipPolygon<Uv> {
     fn json(&self) -> Json {
         let triangles: Vec<[Vertex; 3]> = self.triangles().collect();
-        let places = |piece: &[Vertex; 3]| piece.map(|v| v.at);
-        let at: Vec<_> = triangles.iter().map(places).collect();
-        let mut json = json!({ "triangles": at });
+        let places = triangles.iter().map(|piece| piece.map(|v| v.at));
+        let mut json = json!({ "triangles": places.collect::<Vec<_>>() });
         if self.first_given().attributes.is_some() {
-            let uv: Vec<_> = triangles
-                .iter()
-                .map(|piece| piece.map(|v| v.attributes))
-                .collect();
-            json["uv"] = json!(uv);
+            let uv = triangles.iter().map(|piece| piece.map(|v| v.attributes));
+            json["uv"] = json!(uv.collect::<Vec<_>>());
         }
         json
     }
@@ -86,60 +70,24 @@ const fn asked(key: &'static str) -> Row {
     row.so(&["{bound of P}"]).answers("side")
 }
 
-rows! { [L: Variant<Homogeneous>] |event, step: Shown<L>|
-    divide: Event::Divide { .. } => Row::new(Phase, homogeneous::CODES, "ht-divide")
-        .so(&["V₀/w = {V₀/w}", "V₁/w = {V₁/w}", "V₂/w = {V₂/w}"]);
-    outside: Event::Codes { and, .. } if !and.is_inside() => codes("ht-codes-outside");
-    inside: Event::Codes { or, .. } if or.is_inside() => codes("ht-codes-inside");
-    cut: Event::Codes { .. } => codes("ht-codes-cut");
-    side: Event::Side { .. } =>
-        Row::new(Phase, homogeneous::EACH, "ht-side").so(&["{bound} ≥ 0"]);
-    first_inside: Event::First { inside: true, .. } => asked("ht-inside").keeps("P");
-    first_outside: Event::First { .. } => asked("ht-outside").drops("P");
-    test_inside: Event::Test { rule, .. } if rule.ends_inside() => asked("ht-inside").keeps("P");
-    // Of the edge that closes the ring the end has been asked before.
-    closes: Event::Test { idx: [_, 0], .. } => asked("ht-outside").about("P");
-    test_outside: Event::Test { .. } => asked("ht-outside").drops("P");
-    cuts: Event::Cross { .. } =>
-        Row::new(Cut, homogeneous::CROSS, "ht-cross").so(&["t{=t of I}", "I = {at}"]);
-    puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) =>
-        Row::new(Test, homogeneous::CROSS, "ip-output");
-    puts: Event::Output { .. } => Row::new(Test, homogeneous::BOUND, "ip-output");
-    pass: Event::Pass { .. } => Row::new(Test, homogeneous::BOUND, "ht-pass");
-    nothing: Event::Done { n_vertices: 0 } =>
-        Row::new(Reject, homogeneous::DECIDE, "ht-done-empty");
-    no_area: Event::Done { n_vertices: 1 | 2 } =>
-        Row::new(Reject, homogeneous::FAN, "ht-done-empty");
-    done: Event::Done { .. } => Row::new(Accept, homogeneous::FAN, "ht-done");
-}
-
-/// Both lists, and what has been told of the side at work.
 fn rings<'a, L: Variant<Homogeneous>>(step: &Step<'a, Shown<L>>) -> RingStep<'a, Vertex> {
     let is_turn = |event: &Event| matches!(event, Event::Side { .. });
     RingStep::of(step.held, step.past, is_turn)
 }
 
-/// The side whose turn it is.
 fn side(past: &[Event]) -> Option<VolumeSide> {
     let is_over = matches!(past.last(), Some(Event::Done { .. }));
     let mut turns = past.iter().rev().filter(|_| !is_over);
-    turns.find_map(|event| {
-        if let Event::Side { side } = *event {
-            Some(side)
-        } else {
-            None
-        }
+    turns.find_map(|event| match *event {
+        Event::Side { side } => Some(side),
+        _ => None,
     })
 }
 
-/// The codes of the vertices, their OR and their AND, once known.
 fn codes_in(past: &[Event]) -> Option<([SideCode; 3], SideCode, SideCode)> {
-    past.iter().find_map(|event| {
-        if let Event::Codes { codes, or, and } = *event {
-            Some((codes, or, and))
-        } else {
-            None
-        }
+    past.iter().find_map(|event| match *event {
+        Event::Codes { codes, or, and } => Some((codes, or, and)),
+        _ => None,
     })
 }
 
@@ -161,7 +109,6 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
     const SOURCE: &'static str = "Blinn & Newell, 1978";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "code(V₀)",
         "code(V₁)",
@@ -170,14 +117,33 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         "AND",
         "t",
     ])];
+    const OPENING: Row = Row::new(Phase, homogeneous::CODES, "ht-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, homogeneous::CODES, "ht-opening");
-        &OPENING
+    table! { |event, step|
+        divide: Event::Divide { .. } => Row::new(Phase, homogeneous::CODES, "ht-divide")
+            .so(&["V₀/w = {V₀/w}", "V₁/w = {V₁/w}", "V₂/w = {V₂/w}"]);
+        outside: Event::Codes { and, .. } if !and.is_inside() => codes("ht-codes-outside");
+        inside: Event::Codes { or, .. } if or.is_inside() => codes("ht-codes-inside");
+        cut: Event::Codes { .. } => codes("ht-codes-cut");
+        side: Event::Side { .. } =>
+            Row::new(Phase, homogeneous::EACH, "ht-side").so(&["{bound} ≥ 0"]);
+        first_inside: Event::First(Known { inside: true, .. }) => asked("ht-inside").keeps("P");
+        first_outside: Event::First { .. } => asked("ht-outside").drops("P");
+        test_inside: Event::Test(EdgeTest { rule, .. }) if rule.ends_inside() => asked("ht-inside").keeps("P");
+        // Of the edge that closes the ring the end has been asked before.
+        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) => asked("ht-outside").about("P");
+        test_outside: Event::Test { .. } => asked("ht-outside").drops("P");
+        cuts: Event::Cross { .. } =>
+            Row::new(Cut, homogeneous::CROSS, "ht-cross").so(&["t{=t of I}", "I = {at}"]);
+        puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) =>
+            Row::new(Test, homogeneous::CROSS, "ip-output");
+        puts: Event::Output { .. } => Row::new(Test, homogeneous::BOUND, "ip-output");
+        pass: Event::Pass { .. } => Row::new(Test, homogeneous::BOUND, "ht-pass");
+        nothing: Event::Done { n_vertices: 0 } =>
+            Row::new(Reject, homogeneous::DECIDE, "ht-done-empty");
+        no_area: Event::Done { n_vertices: 1 | 2 } =>
+            Row::new(Reject, homogeneous::FAN, "ht-done-empty");
+        done: Event::Done { .. } => Row::new(Accept, homogeneous::FAN, "ht-done");
     }
 
     fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
@@ -236,10 +202,8 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         views.extend(agreement_view(scenery, || {
             let recording = Recording::<Self>::new(*step.input);
             let parts = in_clip_space(*step.input, recording.events());
-            [
-                parts.n_cuts(),
-                silent::<Self>(step.input).triangles().count(),
-            ]
+            let left = silent::<Self>(step.input);
+            [parts.n_cuts(), left.triangles().count()]
         }));
         views
     }
@@ -247,16 +211,8 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
     fn watch(at: &At<'_, Self>) -> Watch {
         let RingStep { list, output, .. } = rings(&at.step);
         let section = |polygon: &[Vertex], prime: &str| {
-            let row = |(i, v): (usize, &Vertex)| {
-                let symbol = format!("{}{prime}", vertex_symbol(i));
-                WatchRow::new(name(symbol), Some(Value::Formula(point(v.at))))
-            };
-            let rows = WatchSection::list(polygon.iter().enumerate().map(row).collect());
-            if is_about_pictures(at.scenery) {
-                rows
-            } else {
-                rows.seen_in(LISTS_VIEW)
-            }
+            let places = polygon.iter().map(|v| Value::Formula(point(v.at)));
+            vertex_rows(places, prime, at.scenery)
         };
         let mut first = at.section(&Self::WATCH[0]);
         if at.scenery.is_none_or(is_alone) {
@@ -266,7 +222,6 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
     }
 }
 
-/// What a name stands for that says something of a vertex, or of a crossing.
 fn of_vertex<L: Variant<Homogeneous>>(
     at: &At<'_, Shown<L>>,
     rings: &RingStep<'_, Vertex>,
@@ -289,15 +244,14 @@ fn of_vertex<L: Variant<Homogeneous>>(
             Named::from(name(vertex_symbol(asked.place()))).linked(link)
         }
         ("bound of P", _) => {
-            let d = if let Event::First { distance, .. } = event {
-                distance
-            } else {
-                asked.test?.distances[1]
+            let d = match event {
+                Event::First(first) => first.distance,
+                _ => asked.test?.distances[1],
             };
             bound(side(at.step.past)?, asked_vertex(&event)?.at, d).into()
         }
-        ("t of I", Event::Cross { t, .. }) => (t.num / t.den).into(),
-        ("at", Event::Cross { at, .. }) => point(at.at).into(),
+        ("t of I", Event::Cross(Crossing { t, .. })) => (t.num / t.den).into(),
+        ("at", Event::Cross(Crossing { at, .. })) => point(at.at).into(),
         _ => return None,
     })
 }
@@ -305,11 +259,9 @@ fn of_vertex<L: Variant<Homogeneous>>(
 /// `w − x = 3 − 5 = −2 < 0`
 fn bound(side: VolumeSide, at: [f64; 4], d: f64) -> Formula {
     let sign = if side.is_high() { " − " } else { " + " };
-    let formula = Formula::default().sym(format!("{} = ", bound_symbol(side)));
-    let formula = formula
+    let formula = sym(format!("{} = ", bound_symbol(side)))
         .num(at[3])
-        .sym(sign)
-        .operand(at[side.axis()])
-        .equals(d);
+        .sym(sign);
+    let formula = formula.operand(at[side.axis()]).equals(d);
     formula.sym(if d < 0.0 { " < 0" } else { " ≥ 0" })
 }

@@ -5,70 +5,52 @@ use crate::{
         ring::Crossing,
         volume::{SideCode, side_distances},
     },
-    figure::{BitRow, Bits, ItemMarker, ListColumn, ListRow, Lists, Mark3, Role, Shape3},
+    figure::{BitRow, Bits, ListColumn, ListRow, Lists},
     geom::VolumeSide,
-    labs::{rings::RingStep, words::name},
-    text::{Formula, Value},
+    labs::{frustum::prelude::*, rings::RingStep},
 };
 
 use super::{
-    super::super::stage::{Scenery, side_name},
     clip_space::{Event, Vertex, bound_symbol, in_world, on_screen, point},
-    marks::{given, plane_mark},
+    list_view::{marker, row},
+    marks::{given, kept, plane_mark, vertex_symbol},
     parts::Parts,
-    symbols::vertex_symbol,
     variant::{Homogeneous, Variant},
 };
 
-/// The view of the outcodes.
 pub const BITS_VIEW: &str = "codes";
 
-/// A step, as it is drawn.
 pub struct Picture<'a> {
     pub rings: RingStep<'a, Vertex>,
     pub parts: Parts<Vertex>,
-    /// The three codes, their OR and AND, once known.
     pub codes: Option<([SideCode; 3], SideCode, SideCode)>,
-    /// The side whose turn it is.
     pub side: Option<VolumeSide>,
     pub event: Option<Event>,
 }
 
 impl Picture<'_> {
-    const fn is_done(&self) -> bool {
-        matches!(self.event, Some(Event::Done { .. }))
-    }
-
-    /// How a list is drawn in its course, and in the end.
     const fn role(&self) -> Role {
-        if self.is_done() {
-            Role::Accepted
-        } else {
-            Role::Accent
+        match self.event {
+            Some(Event::Done { .. }) => Role::Accepted,
+            _ => Role::Accent,
         }
     }
 }
 
-/// The corners' codes over each other, and what they come to: AND where it rejects, else OR.
 pub fn bits(now: &Picture<'_>) -> Bits {
-    let parts = &now.parts;
+    let (parts, known) = (&now.parts, now.codes);
     let is_now = matches!(now.event, Some(Event::Codes { .. }));
     let role = if is_now { Role::Signal } else { Role::Ink };
     let digits = |code: SideCode| SideCode::WRITTEN.map(|side| code.has(side)).to_vec();
     let row = |i: usize| BitRow {
         name: name(vertex_symbol(i)),
-        bits: now
-            .codes
-            .map_or_else(Vec::new, |(codes, ..)| digits(codes[i])),
+        bits: known.map_or_else(Vec::new, |(codes, ..)| digits(codes[i])),
         role,
         link: parts.link(&parts.corners[i]),
     };
-    let result = now.codes.map(|(_, or, and)| {
-        let (symbol, code) = if and.is_inside() {
-            ("OR", or)
-        } else {
-            ("AND", and)
-        };
+    let result = known.map(|(_, or, and)| {
+        let combined = [("AND", and), ("OR", or)];
+        let (symbol, code) = combined[usize::from(and.is_inside())];
         BitRow {
             name: name(symbol),
             bits: digits(code),
@@ -77,22 +59,21 @@ pub fn bits(now: &Picture<'_>) -> Bits {
         }
     });
     let deciding = |(_, _, and): ([SideCode; 3], SideCode, SideCode)| {
-        let written = SideCode::WRITTEN;
+        let mut written = SideCode::WRITTEN.into_iter();
         match now.side {
-            Some(side) => written.iter().position(|&other| other == side),
-            None => written.iter().position(|&side| and.has(side)),
+            Some(side) => written.position(|other| other == side),
+            None => written.position(|side| and.has(side)),
         }
     };
     Bits {
         columns: SideCode::WRITTEN.map(side_name).to_vec(),
         rows: (0..3).map(row).collect(),
         result,
-        deciding: now.codes.and_then(deciding),
+        deciding: known.and_then(deciding),
         note: None,
     }
 }
 
-/// The list in with the bound that is asked, and the list out.
 pub fn lists(now: &Picture<'_>) -> Lists {
     let has_passed = matches!(now.event, Some(Event::Pass { .. }));
     let side = now.side.filter(|_| !has_passed);
@@ -104,45 +85,41 @@ pub fn lists(now: &Picture<'_>) -> Lists {
     }
 }
 
-/// With the bound of the side at work.
 fn list_in(now: &Picture<'_>, side: Option<VolumeSide>) -> ListColumn {
     let current = now.rings.asked.test.map(|test| test.idx);
     let bounds = bounds(now);
     let entry = |(i, v): (usize, &Vertex)| {
         let d = bounds.get(i).copied().flatten();
-        let mut entry = ListRow::new(name(vertex_symbol(i)));
-        entry.role = match d {
+        let role = match d {
             _ if current.is_some_and(|idx| idx.contains(&i)) => Role::Signal,
             Some(d) if d < 0.0 => Role::Discarded,
             Some(_) | None => Role::Ink,
         };
-        entry.marker = d.map(|d| {
-            if d < 0.0 {
-                ItemMarker::Ring
-            } else {
-                ItemMarker::Dot
-            }
-        });
-        entry.details = vec![Some(Value::Formula(point(v.at)))];
-        entry
-            .details
-            .extend(side.map(|_| d.map(|d| Value::Formula(Formula::decimals().num(d)))));
-        entry.link = now.parts.link(v);
-        entry
+        let bound = side.map(|_| d.map(|d| Value::Formula(Formula::decimals().num(d))));
+        let place = Some(Value::Formula(point(v.at)));
+        ListRow {
+            details: [place].into_iter().chain(bound).collect(),
+            ..row(
+                vertex_symbol(i),
+                role,
+                d.map(|d| marker(d >= 0.0)),
+                now.parts.link(v),
+            )
+        }
     };
     let symbols = [name("(x, y, z, w)")].into_iter();
     let columns = symbols.chain(side.map(|side| name(bound_symbol(side))));
     let entries = now.rings.list.iter().enumerate().map(entry);
-    let title = if now.is_done() {
+    let title = Value::Term(if now.role() == Role::Accepted {
         "tri-list-left"
     } else {
         "tri-list-in"
-    };
+    });
     ListColumn {
         columns: columns.collect(),
         is_ring: true,
         focus: current.map(|idx| idx[1]),
-        ..ListColumn::new(Value::Term(title), entries.collect())
+        ..ListColumn::new(title, entries.collect())
     }
 }
 
@@ -151,16 +128,10 @@ fn list_out(now: &Picture<'_>) -> ListColumn {
     let is_output = matches!(now.event, Some(Event::Output { .. }));
     let entry = |(i, v): (usize, &Vertex)| {
         let from = input.iter().position(|other| other == v);
-        let is_new = is_output && i + 1 == output.len();
-        let mut entry = ListRow::new(name(from.map_or_else(|| "I".to_owned(), vertex_symbol)));
-        entry.role = if is_new || from.is_none() {
-            Role::Signal
-        } else {
-            Role::Accent
-        };
-        entry.marker = Some(ItemMarker::Dot);
-        entry.link = now.parts.link(v);
-        entry
+        let is_new = from.is_none() || is_output && i + 1 == output.len();
+        let role = if is_new { Role::Signal } else { Role::Accent };
+        let symbol = from.map_or_else(|| "I".to_owned(), vertex_symbol);
+        row(symbol, role, Some(marker(true)), now.parts.link(v))
     };
     let entries = output.iter().enumerate().map(entry);
     ListColumn::new(Value::Term("tri-list-out"), entries.collect())
@@ -195,7 +166,6 @@ fn place_of<L: Variant<Homogeneous>>(
     }
 }
 
-/// The triangle, what is left of it, and the side at work.
 pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     let corners = scenery.scene().places.triangle();
     let mut marks = given(&corners);
@@ -224,18 +194,16 @@ pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scen
     marks
 }
 
-/// What the camera sees: the list as it stands. What has been divided first is drawn where it lands on the screen, beside the right
-/// outline.
+/// The list as it stands. What has been divided first is drawn where it lands on the screen, beside the right outline.
 pub fn camera_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     let place = place_of::<L>(now.event, scenery);
     let list = now.rings.list.iter().map(place).collect();
     if !L::DIVIDES_FIRST {
         return area(list, now.role());
     }
-    let corners = scenery.scene().places.triangle();
-    let right = Mark3::new(Role::Accent, Shape3::Outline(corners.to_vec()));
+    let corners = scenery.scene().places.triangle().to_vec();
     let mut marks = area(list, Role::Signal);
-    marks.push(right);
+    marks.push(Mark3::new(Role::Accent, Shape3::Outline(corners)));
     marks
 }
 
@@ -243,8 +211,5 @@ fn area(outline: Vec<[f64; 3]>, role: Role) -> Vec<Mark3> {
     if outline.is_empty() {
         return Vec::new();
     }
-    vec![
-        Mark3::new(role, Shape3::Wash(outline.clone())),
-        Mark3::new(role, Shape3::Outline(outline)),
-    ]
+    kept(outline, role)
 }

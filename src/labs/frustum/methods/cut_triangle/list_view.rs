@@ -2,15 +2,14 @@
 
 use crate::{
     algo::volume::{IntersectionPolygonEvent as Event, SpaceVertex, TrianglePlanes},
-    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::{rings::RingStep, words::name},
-    text::{Formula, Value},
+    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists},
+    labs::{frustum::prelude::*, rings::RingStep},
 };
 
 use super::{
-    super::planes::place,
+    super::asked::place,
+    marks::{cut_symbol, vertex_symbol},
     parts::Parts,
-    symbols::{cut_symbol, vertex_symbol},
 };
 
 /// Between which vertices of the list in an entry of the list out lies; twice the same one for a vertex that was kept.
@@ -32,57 +31,61 @@ pub fn lists(
     };
     let is_textured = own.triangle[0].uv.is_some();
     let current = rings.current();
+    let n_columns = if is_over { 1 } else { 2 };
     let entry = |(i, v): (usize, &SpaceVertex)| {
         let side = rings.turn.sides.get(i).filter(|_| at_work);
-        let mut entry = ListRow::new(name(vertex_symbol(i)));
-        entry.role = match side {
+        let role = match side {
             _ if current.contains(&i) && at_work => Role::Signal,
             Some((_, true)) => Role::Ink,
             Some((_, false)) => Role::Discarded,
             None if is_over => Role::Ink,
             None => Role::Soft,
         };
-        entry.marker = side.map(|&(_, inside)| marker(inside));
-        entry.details = vec![Some(place_of(v, is_textured))];
-        if !is_over {
-            entry
-                .details
-                .push(side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d))));
+        let marker = side.map(|&(_, inside)| marker(inside));
+        let distance = side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d)));
+        let details = [Some(place_of(v, is_textured)), distance];
+        let details = details.into_iter().take(n_columns).collect();
+        let link = parts.link(v).filter(|_| at_work);
+        ListRow {
+            details,
+            ..row(vertex_symbol(i), role, marker, link)
         }
-        entry.link = parts.link(v).filter(|_| at_work);
-        entry
     };
-    let mut columns = vec![name(if is_textured { "(u, v)" } else { "(x, y, z)" })];
-    if !is_over {
-        columns.push(name("d"));
-    }
+    let symbols = [if is_textured { "(u, v)" } else { "(x, y, z)" }, "d"];
+    let title = Value::Term(if is_over {
+        "tri-list-given"
+    } else {
+        "tri-list-in"
+    });
     let in_list = ListColumn {
-        columns,
+        columns: symbols.into_iter().take(n_columns).map(name).collect(),
         is_ring: true,
         focus: current.last().copied().filter(|_| at_work),
-        ..ListColumn::new(
-            Value::Term(if is_over {
-                "tri-list-given"
-            } else {
-                "tri-list-in"
-            }),
-            input.iter().enumerate().map(entry).collect(),
-        )
+        ..ListColumn::new(title, input.iter().enumerate().map(entry).collect())
     };
     let origins = origins(input, output, rings);
     let out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
     let links = links(&origins, rings, (event, at_work));
     let sides = [(true, "sh-inside"), (false, "sh-outside")];
+    let legend = sides.map(|(inside, key)| (marker(inside), Value::Term(key)));
     Lists {
         lists: vec![in_list, out_list],
         links,
-        legend: sides
-            .map(|(inside, key)| (marker(inside), Value::Term(key)))
-            .to_vec(),
+        legend: legend.to_vec(),
     }
 }
 
-const fn marker(inside: bool) -> ItemMarker {
+/// An entry without details.
+pub fn row(symbol: String, role: Role, marker: Option<ItemMarker>, link: Option<Link>) -> ListRow {
+    ListRow {
+        role,
+        marker,
+        link,
+        ..ListRow::new(name(symbol))
+    }
+}
+
+pub const fn marker(inside: bool) -> ItemMarker {
     if inside {
         ItemMarker::Dot
     } else {
@@ -97,7 +100,6 @@ fn place_of(vertex: &SpaceVertex, is_textured: bool) -> Value {
     }
 }
 
-/// Where the entries of the list out come from; the step's own crossings first.
 fn origins(
     input: &[SpaceVertex],
     output: &[SpaceVertex],
@@ -128,38 +130,27 @@ fn out_list(
             Some(([from, _], None)) => (vertex_symbol(from), Role::Accent),
             None => (vertex_symbol(i), Role::Accent),
         };
-        let mut entry = ListRow::new(name(symbol));
-        entry.role = role;
-        entry.marker = Some(ItemMarker::Dot);
-        if is_textured || is_over {
-            entry.details = vec![Some(place_of(v, is_textured))];
+        let place = (is_textured || is_over).then(|| Some(place_of(v, is_textured)));
+        ListRow {
+            details: place.into_iter().collect(),
+            ..row(symbol, role, Some(ItemMarker::Dot), parts.link(v))
         }
-        entry.link = parts.link(v);
-        entry
     };
-    let columns = if is_textured {
-        vec![name("(u, v)")]
-    } else if is_over {
-        vec![name("(x, y, z)")]
+    let places = is_over.then_some("(x, y, z)");
+    let column = if is_textured { Some("(u, v)") } else { places };
+    let title = Value::Term(if is_over {
+        "tri-list-left"
     } else {
-        Vec::new()
-    };
+        "tri-list-out"
+    });
     ListColumn {
-        columns,
+        columns: column.into_iter().map(name).collect(),
         is_ring: is_over || has_passed,
         focus: output.len().checked_sub(1),
-        ..ListColumn::new(
-            Value::Term(if is_over {
-                "tri-list-left"
-            } else {
-                "tri-list-out"
-            }),
-            output.iter().enumerate().map(entry).collect(),
-        )
+        ..ListColumn::new(title, output.iter().enumerate().map(entry).collect())
     }
 }
 
-/// From vertices to themselves, and to crossings from the outer end of their edge.
 fn links(
     origins: &[Option<(Origin, Option<usize>)>],
     rings: &RingStep<'_, SpaceVertex>,
@@ -178,14 +169,11 @@ fn links(
             [s, p] if is_inside(s) && s < p => p,
             [s, _] => s,
         };
+        let is_new = is_now && last == Some(i);
         Some(ListLink {
             from: [0, from],
             to: [1, i],
-            role: if is_now && last == Some(i) {
-                Role::Signal
-            } else {
-                Role::Soft
-            },
+            role: if is_new { Role::Signal } else { Role::Soft },
         })
     };
     origins.iter().enumerate().filter_map(link).collect()

@@ -1,31 +1,112 @@
-//! A triangle and what is left of it, in the observer's view.
+//! A triangle and what is left of it in the observer's view, and what its vertices, cuts and pieces are called.
 
 use crate::{
     algo::volume::{SpaceVertex, clipped},
-    figure::{Link, Mark3, Role, Shape3},
     geom::{Plane, VolumeSide},
-    labs::words::name,
-    text::{Formula, Value},
+    labs::frustum::prelude::*,
 };
 
-use super::{
-    super::{
-        super::stage::{Scenery, plane_at_work},
-        planes::perpendicular,
-    },
-    symbols::{cut_symbol, vertex_symbol},
-};
+use super::super::asked::{distance_formula, perpendicular, place, plane_link, plane_name};
+
+/// `V₀`: vertices of lists are numbered from 0, as the triangle's corners are.
+pub fn vertex_symbol(idx: usize) -> String {
+    format!("V{}", subscript(idx))
+}
+
+pub fn cut_symbol(idx: usize) -> String {
+    format!("C{}", subscript(idx + 1))
+}
+
+pub fn triangle_symbol(idx: usize) -> String {
+    format!("T{}", subscript(idx + 1))
+}
+
+pub fn names(symbols: impl IntoIterator<Item = String>) -> Value {
+    let symbols: Vec<String> = symbols.into_iter().collect();
+    name(symbols.join(", "))
+}
+
+/// `d₂ = n·V₂ + D = …`
+pub fn distance(plane: &Plane, idx: usize, at: [f64; 3], d: f64) -> Formula {
+    let symbols = [format!("d{}", subscript(idx)), vertex_symbol(idx)];
+    let relation = if d > 0.0 {
+        " > 0"
+    } else if d < 0.0 {
+        " < 0"
+    } else {
+        ""
+    };
+    distance_formula([&symbols[0], &symbols[1]], plane, at, d).sym(relation)
+}
+
+/// `t = d₂ / (d₂ − d₃) = 1.26 / (1.26 − (−1.81)) = 0.41`
+pub fn parameter(symbol: &str, idx: [usize; 2], [d1, d2]: [f64; 2]) -> Formula {
+    let [s, p] = idx.map(|i| format!("d{}", subscript(i)));
+    let whole = sym(s.clone()).sym(" − ").sym(p);
+    let numbers = Formula::default().num(d1).sym(" − ").operand(d2);
+    sym(format!("{symbol} = "))
+        .over(sym(s), whole)
+        .sym(" = ")
+        .over(Formula::default().num(d1), numbers)
+        .equals(d1 / (d1 - d2))
+}
+
+pub fn of_plane(
+    name_of: &str,
+    planes: &[Plane],
+    plane_idx: Option<usize>,
+    scenery: Option<&Scenery>,
+) -> Option<Named> {
+    let plane = || planes.get(plane_idx?);
+    Some(match name_of {
+        "planes" => planes.len().into(),
+        "plane" => Named::from(plane_name(scenery, plane_idx?)).linked(plane_link(plane_idx?)),
+        "normal" => Named::from(place(plane()?.normal())).labelled(name("n")),
+        "D" => plane()?.d().into(),
+        _ => return None,
+    })
+}
+
+pub struct Cut {
+    pub nth: usize,
+    pub idx: [usize; 2],
+    /// How far inside they lie.
+    pub distances: [f64; 2],
+    pub at: SpaceVertex,
+}
+
+impl Cut {
+    pub fn named(&self, name_of: &str) -> Option<Named> {
+        let symbol = cut_symbol(self.nth);
+        Some(match name_of {
+            "from" => name(vertex_symbol(self.idx[0])).into(),
+            "to" => name(vertex_symbol(self.idx[1])).into(),
+            "cut" => name(symbol).into(),
+            "t of d" => parameter("t", self.idx, self.distances).into(),
+            "place of cut" => match self.at.uv {
+                Some(uv) => {
+                    let [s, p] = self.idx.map(|i| format!("uv{}", subscript(i)));
+                    let formula = format!("uv({symbol}) = {s} + t·({p} − {s}) = ");
+                    sym(formula).point(uv).into()
+                }
+                None => {
+                    let formula = sym(format!("{symbol} = "));
+                    formula.place(self.at.at).into()
+                }
+            },
+            _ => return None,
+        })
+    }
+}
 
 pub fn places(ring: &[SpaceVertex]) -> Vec<[f64; 3]> {
     ring.iter().map(|v| v.at).collect()
 }
 
-/// What marks and rows about an edge of the triangle have in common.
 pub const fn edge_link(idx: usize) -> Link {
     Link::nth("edge", idx)
 }
 
-/// The triangle as it was given, edge by edge.
 pub fn given(corners: &[[f64; 3]; 3]) -> Vec<Mark3> {
     let edge = |i: usize| {
         let ends = [corners[i], corners[(i + 1) % 3]];
@@ -35,21 +116,18 @@ pub fn given(corners: &[[f64; 3]; 3]) -> Vec<Mark3> {
     (0..3).map(edge).collect()
 }
 
-/// A convex part that is kept.
-pub fn kept(ring: &[SpaceVertex], role: Role) -> Vec<Mark3> {
+pub fn kept(outline: Vec<[f64; 3]>, role: Role) -> Vec<Mark3> {
     vec![
-        Mark3::new(role, Shape3::Wash(places(ring))),
-        Mark3::new(role, Shape3::Outline(places(ring))),
+        Mark3::new(role, Shape3::Wash(outline.clone())),
+        Mark3::new(role, Shape3::Outline(outline)),
     ]
 }
 
-/// What a plane takes away of a convex part.
 pub fn lost(ring: &[SpaceVertex], plane: &Plane) -> Option<Mark3> {
     let outside = clipped(&places(ring), &plane.turned());
     (outside.len() > 2).then(|| Mark3::new(Role::Discarded, Shape3::Wash(outside)))
 }
 
-/// The plane whose turn it is.
 pub fn plane_mark(scenery: &Scenery, plane_idx: usize) -> Vec<Mark3> {
     let side = VolumeSide::ALL.get(plane_idx);
     side.map_or_else(Vec::new, |&side| {
@@ -57,9 +135,8 @@ pub fn plane_mark(scenery: &Scenery, plane_idx: usize) -> Vec<Mark3> {
     })
 }
 
-/// The distance of the vertex that is looked at.
 pub fn distance_mark(plane: &Plane, at: [f64; 3], d: f64) -> Vec<Mark3> {
-    let label = Formula::default().sym("d").equals(d);
+    let label = sym("d").equals(d);
     perpendicular(plane, at, d, label)
 }
 
@@ -73,14 +150,12 @@ pub fn vertex(idx: usize, at: [f64; 3], inside: Option<bool>) -> Mark3 {
     Mark3::new(role, shape).labelled(name(vertex_symbol(idx)))
 }
 
-/// Where an edge crosses the plane.
 pub fn cut(idx: usize, at: [f64; 3]) -> Mark3 {
     Mark3::new(Role::Signal, Shape3::Dot(at))
         .labelled(name(cut_symbol(idx)))
         .strong()
 }
 
-/// From cut to cut.
 pub fn cut_edge(cuts: &[[f64; 3]]) -> Option<Mark3> {
     let ends: [[f64; 3]; 2] = cuts.try_into().ok()?;
     Some(Mark3::new(Role::Signal, Shape3::Segment(ends)))
@@ -89,9 +164,7 @@ pub fn cut_edge(cuts: &[[f64; 3]]) -> Option<Mark3> {
 /// `V₂: uv = (1, 1/4)` where it has a place in the texture.
 pub fn with_texel(mark: Mark3, symbol: &str, uv: Option<[f64; 2]>) -> Mark3 {
     match uv {
-        Some(uv) => mark.labelled(Value::Formula(
-            Formula::default().sym(format!("{symbol} ")).point(uv),
-        )),
+        Some(uv) => mark.labelled(Value::Formula(sym(format!("{symbol} ")).point(uv))),
         None => mark,
     }
 }

@@ -8,38 +8,21 @@ use crate::{
             TrianglePlanes,
         },
     },
-    figure::{
-        Body, Link, Mark3, Role, Run, Shape3,
-        Tick::{Accept, Cut as Cuts, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
-    labs::{
-        CodeLine, Verdict,
-        recorded::Recorded,
-        space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    text::Value,
-    trace::{Recording, Step},
+    figure::Tick::Cut as Cuts,
+    labs::frustum::prelude::*,
 };
 
 use super::{
-    super::{
-        super::{
-            Scene, Subject,
-            stage::{Fate, Scenery},
-        },
-        planes::place,
-    },
+    super::asked::place,
     LISTS_VIEW, PLANES_VIEW,
     agreement::is_alone,
-    marks::{cut, cut_edge, given, kept, lost, places, plane_mark, vertex},
+    marks::{
+        Cut, cut, cut_edge, cut_symbol, given, kept, lost, names, of_plane, places, plane_mark,
+        triangle_symbol, vertex, vertex_symbol,
+    },
     parts::of_triangles,
     pieces_view::{Pieces, pieces, triangle_link},
-    small::{Progress, small},
-    stages::{stages, tally},
-    symbols::{Cut, cut_symbol, names, of_plane, triangle_symbol, vertex_symbol},
+    stages::{Progress, small, stages, tally},
     variant::{self, OneByOne, Variant, one_by_one},
 };
 
@@ -78,37 +61,6 @@ const fn cross(line: usize) -> Row {
     Row::new(Cuts, line, "ip-cross").so(&["{t of d}", "{place of cut}"])
 }
 
-rows! { [L: Variant<OneByOne>] |event, step: Shown<L>|
-    plane: Event::Plane { .. } =>
-        Row::new(Phase, one_by_one::EACH, "pat-plane").so(&["n = {normal}", "D{=D}"]);
-    none: Event::Triangle { inside: [false, false, false], .. } =>
-        asked(one_by_one::NONE, "pat-none", "pat-option-none").drops("triangle");
-    three: Event::Triangle { inside: [true, true, true], .. } =>
-        asked(one_by_one::THREE, "pat-three", "pat-option-three").keeps("triangle");
-    on_one: Event::Triangle { inside, distances, .. }
-        if count(inside) == 1 && count_on(inside, distances) > 0 =>
-        asked(one_by_one::ONE, "pat-on", "pat-option-one").cuts("triangle");
-    one: Event::Triangle { inside, .. } if count(inside) == 1 =>
-        asked(one_by_one::ONE, "pat-one", "pat-option-one").cuts("triangle");
-    on_two: Event::Triangle { inside, distances, .. } if count_on(inside, distances) > 0 =>
-        asked(one_by_one::TWO, "pat-on", "pat-option-two").cuts("triangle");
-    two: Event::Triangle { .. } =>
-        asked(one_by_one::TWO, "pat-two", "pat-option-two").cuts("triangle");
-    cuts_one: Event::Cross { .. } if n_inside(step) == 1 => cross(one_by_one::ONE);
-    cuts: Event::Cross { .. } => cross(one_by_one::TWO);
-    piece_of_one: Event::Piece { .. } if n_inside(step) == 1 =>
-        Row::new(Test, one_by_one::ONE, "pat-piece");
-    piece_of_two: Event::Piece { .. } if n_inside(step) == 2 =>
-        Row::new(Test, one_by_one::TWO, "pat-piece");
-    piece: Event::Piece { .. } => Row::new(Test, one_by_one::THREE, "pat-piece");
-    pass_empty: Event::Pass { n_triangles: 0, .. } =>
-        Row::new(Test, one_by_one::PASS, "pat-pass-empty");
-    pass: Event::Pass { .. } => Row::new(Test, one_by_one::PASS, "pat-pass");
-    empty: Event::Done { n_triangles: 0 } =>
-        Row::new(Reject, one_by_one::PASS, "pat-done-empty");
-    done: Event::Done { .. } => Row::new(Accept, one_by_one::PASS, "pat-done");
-}
-
 fn count(inside: [bool; 3]) -> usize {
     inside.into_iter().filter(|&inside| inside).count()
 }
@@ -117,14 +69,10 @@ fn count_on(inside: [bool; 3], distances: [f64; 3]) -> usize {
     (0..3).filter(|&i| inside[i] && distances[i] == 0.0).count()
 }
 
-/// How many corners of the triangle that was asked last are inside.
 fn n_inside<L: Variant<OneByOne>>(step: &Step<'_, Shown<L>>) -> usize {
-    let asked = step.past.iter().rev().find_map(|event| {
-        if let Event::Triangle { inside, .. } = *event {
-            Some(count(inside))
-        } else {
-            None
-        }
+    let asked = step.past.iter().rev().find_map(|event| match *event {
+        Event::Triangle { inside, .. } => Some(count(inside)),
+        _ => None,
     });
     asked.unwrap_or_default()
 }
@@ -137,16 +85,38 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
     const SOURCE: &'static str = "Eberly, 2006";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["normal", "D", "t"])];
+    const OPENING: Row = Row::new(Phase, one_by_one::EACH, "pat-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, one_by_one::EACH, "pat-opening");
-        &OPENING
+    table! { |event, step|
+        plane: Event::Plane { .. } =>
+            Row::new(Phase, one_by_one::EACH, "pat-plane").so(&["n = {normal}", "D{=D}"]);
+        none: Event::Triangle { inside: [false, false, false], .. } =>
+            asked(one_by_one::NONE, "pat-none", "pat-option-none").drops("triangle");
+        three: Event::Triangle { inside: [true, true, true], .. } =>
+            asked(one_by_one::THREE, "pat-three", "pat-option-three").keeps("triangle");
+        on_one: Event::Triangle { inside, distances, .. }
+            if count(inside) == 1 && count_on(inside, distances) > 0 =>
+            asked(one_by_one::ONE, "pat-on", "pat-option-one").cuts("triangle");
+        one: Event::Triangle { inside, .. } if count(inside) == 1 =>
+            asked(one_by_one::ONE, "pat-one", "pat-option-one").cuts("triangle");
+        on_two: Event::Triangle { inside, distances, .. } if count_on(inside, distances) > 0 =>
+            asked(one_by_one::TWO, "pat-on", "pat-option-two").cuts("triangle");
+        two: Event::Triangle { .. } =>
+            asked(one_by_one::TWO, "pat-two", "pat-option-two").cuts("triangle");
+        cuts_one: Event::Cross { .. } if n_inside(step) == 1 => cross(one_by_one::ONE);
+        cuts: Event::Cross { .. } => cross(one_by_one::TWO);
+        piece_of_one: Event::Piece { .. } if n_inside(step) == 1 =>
+            Row::new(Test, one_by_one::ONE, "pat-piece");
+        piece_of_two: Event::Piece { .. } if n_inside(step) == 2 =>
+            Row::new(Test, one_by_one::TWO, "pat-piece");
+        piece: Event::Piece { .. } => Row::new(Test, one_by_one::THREE, "pat-piece");
+        pass_empty: Event::Pass { n_triangles: 0, .. } =>
+            Row::new(Test, one_by_one::PASS, "pat-pass-empty");
+        pass: Event::Pass { .. } => Row::new(Test, one_by_one::PASS, "pat-pass");
+        empty: Event::Done { n_triangles: 0 } =>
+            Row::new(Reject, one_by_one::PASS, "pat-done-empty");
+        done: Event::Done { .. } => Row::new(Accept, one_by_one::PASS, "pat-done");
     }
 
     fn named(at: &At<'_, Self>, name_of: &str) -> Option<Named> {
@@ -169,10 +139,8 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
         if let Some(scenery) = scenery {
             views.push(scenery.observer(|_| Fate::ToCome, marks(&step, &now, scenery)));
         }
-        views.push(View::new(
-            LISTS_VIEW,
-            Body::Lists(pieces(&now, step.event())),
-        ));
+        let lists = Body::Lists(pieces(&now, step.event()));
+        views.push(View::new(LISTS_VIEW, lists));
         if let Some(scenery) = scenery.filter(|scenery| is_alone(scenery)) {
             let (stages, progress) = (stages::<Self>(own), progress(&step, &now));
             let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
@@ -192,23 +160,19 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
             let rows = list.iter().enumerate().map(row).collect();
             WatchSection::table(vec!["V₀", "V₁", "V₂"], rows).seen_in(LISTS_VIEW)
         };
-        let mut sections = vec![at.section(&Self::WATCH[0])];
-        sections.push(list(now.list, ""));
+        let mut sections = vec![at.section(&Self::WATCH[0]), list(now.list, "")];
         if !now.next.is_empty() {
             sections.push(list(now.next, "′"));
         }
         if at.scenery.is_some() {
-            let stages = [
-                &stages::<IntersectionPolygon<Right>>(own)[..],
-                &stages::<Self>(own),
-            ];
+            let others = stages::<IntersectionPolygon<Right>>(own);
+            let stages = [&others[..], &stages::<Self>(own)];
             sections.push(tally(stages, progress(&at.step, &now).n_done));
         }
         sections
     }
 }
 
-/// What a name stands for that says something of the triangle that is asked, or of what comes of it.
 fn of_triangle(now: &Pieces<'_>, event: Event, name_of: &str) -> Option<Named> {
     let asked = now.asked.last();
     let distance = |i: usize| Some(Named::from(asked?.distances[i]));
@@ -271,17 +235,16 @@ fn marks<L: Variant<OneByOne>>(
         marks.extend(list.iter().filter_map(|triangle| lost(triangle, plane)));
     }
     let asked = now.asked.last().filter(|_| plane.is_some() && !has_passed);
-    let shown = now.list;
-    for (i, triangle) in shown.iter().enumerate() {
+    for (i, triangle) in now.list.iter().enumerate() {
         let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
         if plane.is_none() || has_passed || is_asked {
-            let kept = kept(triangle, Role::Accent).into_iter();
+            let kept = kept(places(triangle), Role::Accent).into_iter();
             marks.extend(kept.map(|mark| mark.linked(triangle_link(i))));
         } else {
             let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
             marks.push(outline.fine().linked(triangle_link(i)));
         }
-        if shown.len() > MOST_NAMED && !is_asked {
+        if now.list.len() > MOST_NAMED && !is_asked {
             continue;
         }
         let label = Mark3::new(Role::Ink, Shape3::Label(middle(triangle)));
@@ -296,8 +259,8 @@ fn marks<L: Variant<OneByOne>>(
         }
         let new = now.origins.iter().zip(now.next);
         let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
-        marks
-            .extend(new.map(|(_, piece)| Mark3::new(Role::Accent, Shape3::Outline(places(piece)))));
+        let outline = |piece| Mark3::new(Role::Accent, Shape3::Outline(places(piece)));
+        marks.extend(new.map(|(_, piece)| outline(piece)));
         let cuts: Vec<[f64; 3]> = now.crossings.iter().map(|(_, c)| c.at.at).collect();
         marks.extend(cut_edge(&cuts));
         let crossings = now.crossings.iter().enumerate();

@@ -4,45 +4,28 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     algo::{
-        ring::{Right, Rule},
+        ring::{Crossing, EdgeTest, Known, Right, Rule},
         volume::{
             CutTriangles, IntersectionPolygon, IntersectionPolygonEvent as Event, PlaneAtATime,
             SpaceVertex, TrianglePlanes,
         },
     },
-    figure::{
-        Body, Link, Role, Run,
-        Tick::{Accept, Cut as Cuts, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
+    figure::Tick::Cut as Cuts,
     labs::{
-        Answer, CodeLine, Verdict,
-        recorded::Recorded,
+        frustum::prelude::*,
         rings::{RingStep, asked_vertex, is_crossed, rules},
-        space::{SpaceTelling, scenery_of},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
     },
-    trace::{Recording, Step, silent},
 };
 
 use super::{
-    super::{
-        super::{
-            Scene, Subject,
-            stage::{FaceLook, Fate, Scenery},
-        },
-        planes::place,
-    },
+    super::asked::place,
     LISTS_VIEW, PLANES_VIEW,
-    agreement::{agreement_view, is_about_pictures, is_alone},
+    agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows},
     list_view::lists,
-    one_polygon_marks::{fan, marks, parts, plane_idx, rings},
+    marks::{Cut, cut_symbol, distance, names, of_plane, parameter, vertex_symbol},
+    one_polygon_marks::{checkered, checkered_on_screen, fan, marks, parts, plane_idx, rings},
     parts::of_polygon,
-    small::{Progress, small},
-    stages::{stages, tally},
-    symbols::{Cut, cut_symbol, distance, names, of_plane, parameter, vertex_symbol},
-    texture::{checkered, checkered_on_screen},
+    stages::{Progress, small, stages, tally},
     variant::{self, OnePolygon, Variant, polygon},
 };
 
@@ -50,14 +33,11 @@ type Shown<L> = IntersectionPolygon<L>;
 
 impl Answer for CutTriangles {
     fn json(&self) -> Json {
-        let places =
-            |piece: &[_; 3]| -> Json { json!(piece.each_ref().map(|v: &SpaceVertex| v.at)) };
-        let triangles: Vec<Json> = self.triangles.iter().map(places).collect();
-        let mut json = json!({ "triangles": triangles });
-        let uv = self.triangles.iter().map(|piece| piece.map(|v| v.uv));
-        let uv: Vec<_> = uv.collect();
+        let places = self.triangles.iter().map(|piece| piece.map(|v| v.at));
+        let mut json = json!({ "triangles": places.collect::<Vec<_>>() });
         if self.has_uv {
-            json["uv"] = json!(uv);
+            let uv = self.triangles.iter().map(|piece| piece.map(|v| v.uv));
+            json["uv"] = json!(uv.collect::<Vec<_>>());
         }
         json
     }
@@ -103,38 +83,6 @@ const fn pass(key: &'static str) -> Row {
     row.so(&["{t of C₁}", "{t of C₂}", "{t of C₃}"])
 }
 
-rows! { [L: Variant<OnePolygon>] |event, step: Shown<L>|
-    plane: Event::Plane { .. } =>
-        Row::new(Phase, polygon::EACH, "ip-plane").so(&["n = {normal}", "D{=D}"]);
-    first_inside: Event::First { inside: true, .. } => first("ip-first-inside").keeps("P");
-    first_outside: Event::First { .. } => first("ip-first-outside").drops("P");
-    // The edge that closes the ring puts out a crossing at most: its end has been asked before.
-    closes_cut: Event::Test { idx: [_, 0], rule: Rule::InOut | Rule::OutIn, distances, .. }
-        if is_crossed(distances) => test("ip-closing-cross").about("P");
-    closes: Event::Test { idx: [_, 0], .. } => test("sh-closing").about("P");
-    in_in: Event::Test { rule: Rule::InIn, .. } => test("sh-in-in").keeps("P");
-    out_out: Event::Test { rule: Rule::OutOut, .. } => test("sh-out-out").drops("P");
-    in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
-        test("ip-in-out").drops("P");
-    leaves: Event::Test { rule: Rule::InOut, .. } => test("ip-touch").drops("P");
-    out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
-        test("ip-out-in").keeps("P");
-    comes: Event::Test { rule: Rule::OutIn, .. } => test("ip-touch").keeps("P");
-    cuts: Event::Cross { .. } =>
-        Row::new(Cuts, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
-    puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
-    puts: Event::Output { .. } => output(polygon::INSIDE);
-    pass_empty: Event::Pass { n_vertices: 0, .. } => pass("ip-pass-empty");
-    pass_same: Event::Pass { .. } if dropped(&rings(step)).is_empty() => pass("ip-pass-same");
-    pass_drops: Event::Pass { .. } if rings(step).turn.crossings.is_empty() =>
-        pass("ip-pass-drops");
-    pass_cuts: Event::Pass { .. } => pass("ip-pass-cuts");
-    fan: Event::Fan { .. } => Row::new(Test, polygon::FAN, "ip-fan");
-    empty: Event::Done { n_triangles: 0 } => Row::new(Reject, polygon::FAN, "ip-done-empty");
-    done: Event::Done { .. } => Row::new(Accept, polygon::FAN, "ip-done");
-}
-
-/// The vertices that the plane drops.
 fn dropped(rings: &RingStep<'_, SpaceVertex>) -> Vec<String> {
     let sides = rings.turn.sides.iter().enumerate();
     let dropped = sides.filter(|(_, (_, inside))| !inside);
@@ -149,16 +97,38 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
     const SOURCE: &'static str = "Sutherland & Hodgman, 1974";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["normal", "D", "t"])];
+    const OPENING: Row = Row::new(Phase, polygon::EACH, "ip-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, polygon::EACH, "ip-opening");
-        &OPENING
+    table! { |event, step|
+        plane: Event::Plane { .. } =>
+            Row::new(Phase, polygon::EACH, "ip-plane").so(&["n = {normal}", "D{=D}"]);
+        first_inside: Event::First(Known { inside: true, .. }) => first("ip-first-inside").keeps("P");
+        first_outside: Event::First { .. } => first("ip-first-outside").drops("P");
+        // The edge that closes the ring puts out a crossing at most: its end has been asked before.
+        closes_cut: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut | Rule::OutIn, distances, .. })
+            if is_crossed(distances) => test("ip-closing-cross").about("P");
+        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) => test("sh-closing").about("P");
+        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => test("sh-in-in").keeps("P");
+        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => test("sh-out-out").drops("P");
+        in_out: Event::Test(EdgeTest { rule: Rule::InOut, distances, .. }) if is_crossed(distances) =>
+            test("ip-in-out").drops("P");
+        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => test("ip-touch").drops("P");
+        out_in: Event::Test(EdgeTest { rule: Rule::OutIn, distances, .. }) if is_crossed(distances) =>
+            test("ip-out-in").keeps("P");
+        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => test("ip-touch").keeps("P");
+        cuts: Event::Cross { .. } =>
+            Row::new(Cuts, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
+        puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
+        puts: Event::Output { .. } => output(polygon::INSIDE);
+        pass_empty: Event::Pass { n_vertices: 0, .. } => pass("ip-pass-empty");
+        pass_same: Event::Pass { .. } if dropped(&rings(step)).is_empty() => pass("ip-pass-same");
+        pass_drops: Event::Pass { .. } if rings(step).turn.crossings.is_empty() =>
+            pass("ip-pass-drops");
+        pass_cuts: Event::Pass { .. } => pass("ip-pass-cuts");
+        fan: Event::Fan { .. } => Row::new(Test, polygon::FAN, "ip-fan");
+        empty: Event::Done { n_triangles: 0 } => Row::new(Reject, polygon::FAN, "ip-done-empty");
+        done: Event::Done { .. } => Row::new(Accept, polygon::FAN, "ip-done");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -196,12 +166,10 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         if let Some(scenery) = scenery {
             views.push(scenery.observer(|_| Fate::ToCome, marks(&step, scenery)));
             if L::IS_TEXTURED {
-                let seen = if L::IS_EVEN_ON_SCREEN {
-                    let camera = scenery.scene().culler();
-                    checkered_on_screen(&fan(&step), camera, Role::Accent)
-                } else {
-                    checkered(&fan(&step), Role::Accent)
-                };
+                let fan = fan(&step);
+                let camera = scenery.scene().culler();
+                let even = L::IS_EVEN_ON_SCREEN.then(|| checkered_on_screen(&fan, camera));
+                let seen = even.unwrap_or_else(|| checkered(&fan));
                 views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, seen));
             }
         }
@@ -226,32 +194,19 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
     fn watch(at: &At<'_, Self>) -> Watch {
         let RingStep { list, output, .. } = rings(&at.step);
         let section = |ring: &[SpaceVertex], prime: &str| {
-            let row = |(i, v): (usize, &SpaceVertex)| {
-                let symbol = format!("{}{prime}", vertex_symbol(i));
-                WatchRow::new(name(symbol), Some(place(v.at)))
-            };
-            let rows = WatchSection::list(ring.iter().enumerate().map(row).collect());
-            if is_about_pictures(at.scenery) {
-                rows
-            } else {
-                rows.seen_in(LISTS_VIEW)
-            }
+            vertex_rows(ring.iter().map(|v| place(v.at)), prime, at.scenery)
         };
         let first = at.section(&Self::WATCH[0]);
         let mut sections = vec![first, section(list, ""), section(output, "′")];
         if at.scenery.is_some() {
-            let own = at.step.input;
-            let stages = [
-                &stages::<Self>(own)[..],
-                &stages::<PlaneAtATime<Right>>(own),
-            ];
+            let (own, others) = (at.step.input, stages::<PlaneAtATime<Right>>(at.step.input));
+            let stages = [&stages::<Self>(own)[..], &others];
             sections.push(tally(stages, progress(&at.step).n_done));
         }
         sections
     }
 }
 
-/// What a name stands for that says something of a vertex, or of a crossing.
 fn of_vertex<L: Variant<OnePolygon>>(
     at: &At<'_, Shown<L>>,
     rings: &RingStep<'_, SpaceVertex>,
@@ -259,17 +214,6 @@ fn of_vertex<L: Variant<OnePolygon>>(
 ) -> Option<Named> {
     let (event, RingStep { turn, asked, .. }) = (at.step.event()?, rings);
     let n_cuts = turn.crossings.len();
-    let crossing = |event: Event| {
-        let (Event::Cross { at, .. }, Some(test)) = (event, asked.test) else {
-            return None;
-        };
-        Some(Cut {
-            nth: n_cuts - 1,
-            idx: test.idx,
-            distances: test.distances,
-            at,
-        })
-    };
     let of_cut = |nth: usize| {
         let (idx, _) = turn.crossings.get(nth)?;
         let d = [turn.sides.get(idx[0])?.0, turn.sides.get(idx[1])?.0];
@@ -288,10 +232,9 @@ fn of_vertex<L: Variant<OnePolygon>>(
         }
         ("distance", _) => {
             let plane = at.step.input.planes.get(plane_idx(&at.step)?)?;
-            let d = if let Event::First { distance, .. } = event {
-                distance
-            } else {
-                asked.test?.distances[1]
+            let d = match event {
+                Event::First(first) => first.distance,
+                _ => asked.test?.distances[1],
             };
             distance(plane, asked.place(), asked_vertex(&event)?.at, d).into()
         }
@@ -299,11 +242,21 @@ fn of_vertex<L: Variant<OnePolygon>>(
         ("t of C₁", Event::Pass { .. }) => of_cut(0)?.into(),
         ("t of C₂", Event::Pass { .. }) => of_cut(1)?.into(),
         ("t of C₃", Event::Pass { .. }) => of_cut(2)?.into(),
-        _ => return crossing(event)?.named(name_of),
+        (_, Event::Cross(Crossing { at, .. })) => {
+            let EdgeTest { idx, distances, .. } = asked.test?;
+            let nth = n_cuts - 1;
+            let cut = Cut {
+                nth,
+                idx,
+                distances,
+                at,
+            };
+            cut.named(name_of)?
+        }
+        _ => return None,
     })
 }
 
-/// Where a run is.
 fn progress<L: Variant<OnePolygon>>(step: &Step<'_, Shown<L>>) -> Progress {
     let is_over = matches!(step.event(), Some(Event::Fan { .. } | Event::Done { .. }));
     let has_passed = matches!(step.event(), Some(Event::Pass { .. }));

@@ -1,29 +1,31 @@
-//! The drawing of a triangle that is cut as one polygon.
+//! The drawing of a triangle that is cut as one polygon, with a checkered texture where it has one.
 
 use crate::{
     algo::{
-        ring::{Crossing, Right},
-        volume::{IntersectionPolygon, IntersectionPolygonEvent as Event, SpaceVertex},
+        ring::Right,
+        volume::{
+            ClipVertex, HomogeneousTriangle, IntersectionPolygon,
+            IntersectionPolygonEvent as Event, SpaceVertex,
+        },
     },
-    figure::{Mark3, Role, Shape3},
-    geom::Plane,
-    labs::rings::{RingStep, asked_vertex},
-    trace::Step,
+    geom::{Camera, Plane},
+    labs::{
+        frustum::prelude::*,
+        rings::{RingStep, asked_vertex},
+    },
 };
 
 use super::{
-    super::super::stage::Scenery,
+    clip_space::on_screen,
     marks::{
-        cut, cut_edge, distance_mark, given, kept, lost, places, plane_mark, vertex, with_texel,
+        cut, cut_edge, cut_symbol, distance_mark, given, kept, lost, places, plane_mark, vertex,
+        vertex_symbol, with_texel,
     },
     parts::{Parts, of_polygon},
     stages::stages,
-    symbols::{cut_symbol, vertex_symbol},
-    texture::checkered,
     variant::{OnePolygon, Variant},
 };
 
-/// Both lists, and what has been told of the plane at work.
 pub fn rings<'a, L: Variant<OnePolygon>>(
     step: &Step<'a, IntersectionPolygon<L>>,
 ) -> RingStep<'a, SpaceVertex> {
@@ -31,7 +33,6 @@ pub fn rings<'a, L: Variant<OnePolygon>>(
     RingStep::of(&step.held.lists, step.past, is_turn)
 }
 
-/// The plane whose turn it is.
 pub fn plane_idx<L: Variant<OnePolygon>>(step: &Step<'_, IntersectionPolygon<L>>) -> Option<usize> {
     match step.event()? {
         Event::Plane { plane_idx } | Event::Pass { plane_idx, .. } => Some(plane_idx),
@@ -75,19 +76,14 @@ pub fn marks<L: Variant<OnePolygon>>(
         None => marks.extend(left_marks(step)),
     }
     if own.triangle[0].uv.is_some() {
-        marks.extend(checkered(&fan(step), Role::Accent));
+        marks.extend(checkered(&fan(step)));
     }
     for triangle in &step.held.left.triangles {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
     }
     if plane_idx.is_some() {
-        let cuts = || {
-            rings
-                .turn
-                .crossings
-                .iter()
-                .map(|(_, Crossing { at, .. })| at)
-        };
+        let crossings = &rings.turn.crossings;
+        let cuts = || crossings.iter().map(|(_, crossing)| &crossing.at);
         marks.extend(cut_edge(&cuts().map(|v| v.at).collect::<Vec<_>>()));
         marks.extend(cuts().enumerate().map(|(i, v)| {
             let mark = with_texel(cut(i, v.at), &cut_symbol(i), v.uv);
@@ -105,7 +101,6 @@ pub fn marks<L: Variant<OnePolygon>>(
     marks
 }
 
-/// While a plane is at work: the polygon that it takes, what it loses of that, and the distance that is measured.
 fn at_work_marks<L: Variant<OnePolygon>>(
     step: &Step<'_, IntersectionPolygon<L>>,
     list: &[SpaceVertex],
@@ -113,22 +108,14 @@ fn at_work_marks<L: Variant<OnePolygon>>(
 ) -> Vec<Mark3> {
     let mut marks: Vec<Mark3> = lost(list, plane).into_iter().collect();
     if matches!(step.event(), Some(Event::Pass { .. })) {
-        marks.extend(kept(step.held.lists.list(), Role::Accent));
+        marks.extend(kept(places(step.held.lists.list()), Role::Accent));
     } else {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
     }
     let d = match step.event() {
-        Some(Event::First { distance, .. }) => Some(distance),
-        Some(Event::Test { distances, .. }) => Some(distances[1]),
-        Some(
-            Event::Plane { .. }
-            | Event::Cross { .. }
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Fan { .. }
-            | Event::Done { .. },
-        )
-        | None => None,
+        Some(Event::First(first)) => Some(first.distance),
+        Some(Event::Test(test)) => Some(test.distances[1]),
+        _ => None,
     };
     let asked = step.event().and_then(|event| asked_vertex(&event));
     if let Some((v, d)) = asked.zip(d) {
@@ -137,19 +124,15 @@ fn at_work_marks<L: Variant<OnePolygon>>(
     marks
 }
 
-/// Before the first plane and after the last one: the polygon, and the right one where it is another.
 fn left_marks<L: Variant<OnePolygon>>(step: &Step<'_, IntersectionPolygon<L>>) -> Vec<Mark3> {
     let list = step.held.lists.list();
     let right = right_result::<L>(step);
-    let role = if right.is_some() {
-        Role::Signal
-    } else {
-        Role::Accent
-    };
+    let is_wrong = right.is_some();
+    let role = if is_wrong { Role::Signal } else { Role::Accent };
     let mut marks = if L::IS_TEXTURED {
         vec![Mark3::new(role, Shape3::Outline(places(list)))]
     } else {
-        kept(list, role)
+        kept(places(list), role)
     };
     let outline = |ring: Vec<_>| Mark3::new(Role::Accent, Shape3::Outline(places(&ring)));
     marks.extend(right.map(outline));
@@ -166,4 +149,63 @@ fn right_result<L: Variant<OnePolygon>>(
     let right = stages::<IntersectionPolygon<Right>>(step.input);
     let ring = right.last()?.after.first()?.clone();
     (places(&ring) != places(step.held.lists.list())).then_some(ring)
+}
+
+const FIELDS: usize = 6;
+
+/// The dark fields, and a light ground under them: of triangles whose corners have places in the texture.
+pub fn checkered(triangles: &[[SpaceVertex; 3]]) -> Vec<Mark3> {
+    let mut marks = Vec::new();
+    for triangle in triangles {
+        let Some(corners) = placed(triangle) else {
+            continue;
+        };
+        let dark = (0..FIELDS * FIELDS).map(|i| [i % FIELDS, i / FIELDS]);
+        for field in dark.filter(|[i, j]| (i + j) % 2 == 0) {
+            let part = part_in(&corners, field);
+            // Tint over tint: dark enough to be told from the ground at a glance.
+            for _ in 0..4 {
+                marks.extend((part.len() > 2).then(|| wash(part.clone())));
+            }
+        }
+        marks.push(wash(corners.iter().map(|(at, _)| *at).collect()));
+    }
+    marks
+}
+
+/// The same as the camera sees it where (u, v) is mixed evenly over the screen: as if all corners were at one depth.
+pub fn checkered_on_screen(triangles: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<Mark3> {
+    let clip_from_world = camera.clip_from_world();
+    let flat = triangles.iter().map(|triangle| {
+        triangle.map(|SpaceVertex { at: [x, y, z], uv }| SpaceVertex {
+            at: on_screen(camera, clip_from_world.times([x, y, z, 1.0])),
+            uv,
+        })
+    });
+    checkered(&flat.collect::<Vec<_>>())
+}
+
+fn wash(outline: Vec<[f64; 3]>) -> Mark3 {
+    Mark3::new(Role::Accent, Shape3::Wash(outline))
+}
+
+type Placed = ([f64; 3], [f64; 2]);
+
+fn placed(triangle: &[SpaceVertex; 3]) -> Option<[Placed; 3]> {
+    let [a, b, c] = triangle.map(|v| Some((v.at, v.uv?)));
+    Some([a?, b?, c?])
+}
+
+/// The part of a triangle that shows one field: clipped on the texture, where the field is a square, as the renderer clips; what
+/// travels along is the place in space.
+fn part_in(corners: &[Placed; 3], field: [usize; 2]) -> Vec<[f64; 3]> {
+    let on_field = corners.map(|(place, uv)| {
+        let [x, y] = [0, 1].map(|i| 2.0 * (uv[i] * FIELDS as f64 - field[i] as f64) - 1.0);
+        ClipVertex {
+            at: [x, y, 0.0, 1.0],
+            attributes: place,
+        }
+    });
+    let part = silent::<HomogeneousTriangle<[f64; 3]>>(&on_field);
+    part.vertices().iter().map(|v| v.attributes).collect()
 }

@@ -1,16 +1,19 @@
-//! A method by one set of rules: how it is called, its pseudocode, and the lines in that.
+//! A method by one set of rules: how it is called, its pseudocode, and the lines in that. With the mistakes of
+//! [`crate::algo::volume::faulty`] that triangles know.
 
 use crate::{
     algo::{
         ring::{Right, Rules},
-        volume::{SpaceVertex, TrianglePlanes, VolumeRules},
+        volume::{
+            SpaceVertex, TrianglePlanes, VolumeRules,
+            faulty::{
+                AllSides, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture, MissesEdge,
+            },
+        },
     },
-    labs::{CodeLine, but_for, code_line},
+    labs::frustum::prelude::*,
 };
 
-use super::super::super::Scene;
-
-/// Lines of the pseudocode of one polygon.
 pub mod polygon {
     pub const EACH: usize = 0;
     pub const DISTANCE: usize = 1;
@@ -20,7 +23,6 @@ pub mod polygon {
     pub const FAN: usize = 5;
 }
 
-/// As one polygon.
 pub const ONE_POLYGON: [CodeLine; 6] = [
     code_line(0, "code-ip-each", "words-ip-each"),
     code_line(1, "code-ip-distance", "words-ip-distance"),
@@ -30,7 +32,6 @@ pub const ONE_POLYGON: [CodeLine; 6] = [
     code_line(0, "code-ip-fan", "words-ip-fan"),
 ];
 
-/// Lines of the pseudocode of triangle by triangle.
 pub mod one_by_one {
     pub const EACH: usize = 0;
     pub const THREE: usize = 2;
@@ -40,7 +41,6 @@ pub mod one_by_one {
     pub const PASS: usize = 6;
 }
 
-/// Triangle by triangle.
 pub const ONE_BY_ONE: [CodeLine; 7] = [
     code_line(0, "code-pat-each", "words-pat-each"),
     code_line(1, "code-pat-triangle", "words-pat-triangle"),
@@ -51,7 +51,6 @@ pub const ONE_BY_ONE: [CodeLine; 7] = [
     code_line(1, "code-pat-pass", "words-pat-pass"),
 ];
 
-/// Lines of the pseudocode before the divide.
 pub mod homogeneous {
     pub const CODES: usize = 0;
     pub const DECIDE: usize = 1;
@@ -61,7 +60,6 @@ pub mod homogeneous {
     pub const FAN: usize = 5;
 }
 
-/// Before the divide.
 pub const HOMOGENEOUS: [CodeLine; 6] = [
     code_line(0, "code-ht-codes", "words-ht-codes"),
     code_line(0, "code-ht-decide", "words-ht-decide"),
@@ -71,24 +69,17 @@ pub const HOMOGENEOUS: [CodeLine; 6] = [
     code_line(0, "code-ht-fan", "words-ht-fan"),
 ];
 
-/// Triangle by triangle.
 pub struct OneByOne;
-/// One polygon, fanned at the end.
 pub struct OnePolygon;
-/// Before the divide.
 pub struct Homogeneous;
 
 /// Rules by which the method `M` can be shown: the right ones, or some with a mistake.
 pub trait Variant<M>: VolumeRules {
-    /// As lesson files spell the method.
     const ID: &'static str;
-    /// Catalogue key of its name.
     const NAME_KEY: &'static str;
-    /// The right pseudocode, but for the line with the mistake.
     const CODE: &'static [CodeLine];
     /// Of a mistake: what is said at the first step that the right rules do not do.
     const DIFFERS_KEY: Option<&'static str> = None;
-    /// Have its corners a place in a texture?
     const IS_TEXTURED: bool = false;
     /// Does the texture's place go evenly over the screen, and not over the triangle?
     const IS_EVEN_ON_SCREEN: bool = false;
@@ -112,7 +103,6 @@ impl Variant<Homogeneous> for Right {
     const CODE: &'static [CodeLine] = &HOMOGENEOUS;
 }
 
-/// The right rules, on a triangle with a texture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WithTexture;
 
@@ -153,7 +143,6 @@ impl Variant<OnePolygon> for EvenOnScreen {
 /// Where in the texture the corners are: a half of a square.
 pub const UV: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// The scene's triangle, and the planes of its volume in the world.
 pub fn input(scene: &Scene, is_textured: bool) -> TrianglePlanes {
     let corners = scene.places.triangle();
     TrianglePlanes {
@@ -163,4 +152,89 @@ pub fn input(scene: &Scene, is_textured: bool) -> TrianglePlanes {
             uv: is_textured.then_some(UV[i]),
         }),
     }
+}
+
+impl Variant<OneByOne> for MissesEdge {
+    const ID: &'static str = "faulty-missed-edge";
+    const NAME_KEY: &'static str = "alg-faulty-missed-edge";
+    const CODE: &'static [CodeLine] = &but_for(
+        ONE_BY_ONE,
+        [(
+            one_by_one::ONE,
+            "code-faulty-missed-edge",
+            "words-faulty-missed-edge",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-missed-edge-differs");
+}
+
+impl Variant<OnePolygon> for DropsOnPlane {
+    const ID: &'static str = "faulty-on-plane";
+    const NAME_KEY: &'static str = "alg-faulty-on-plane";
+    const CODE: &'static [CodeLine] = &but_for(
+        ONE_POLYGON,
+        [(
+            polygon::INSIDE,
+            "code-faulty-on-plane",
+            "words-faulty-on-plane",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-on-plane-differs");
+}
+
+impl Variant<OnePolygon> for KeepsPlaceInTexture {
+    const ID: &'static str = "faulty-kept-uv";
+    const NAME_KEY: &'static str = "alg-faulty-kept-uv";
+    const CODE: &'static [CodeLine] = &but_for(
+        ONE_POLYGON,
+        [(
+            polygon::CROSS,
+            "code-faulty-kept-uv",
+            "words-faulty-kept-uv",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-kept-uv-differs");
+    const IS_TEXTURED: bool = true;
+}
+
+impl Variant<OnePolygon> for EdgeByEdge {
+    const ID: &'static str = "faulty-edge-by-edge";
+    const NAME_KEY: &'static str = "alg-faulty-edge-by-edge";
+    const CODE: &'static [CodeLine] = &but_for(
+        ONE_POLYGON,
+        [(
+            polygon::EACH,
+            "code-faulty-edge-by-edge",
+            "words-faulty-edge-by-edge",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-edge-by-edge-differs");
+}
+
+impl Variant<Homogeneous> for AllSides {
+    const ID: &'static str = "faulty-all-sides";
+    const NAME_KEY: &'static str = "alg-faulty-all-sides";
+    const CODE: &'static [CodeLine] = &but_for(
+        HOMOGENEOUS,
+        [(
+            homogeneous::EACH,
+            "code-faulty-all-sides",
+            "words-faulty-all-sides",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-all-sides-differs");
+}
+
+impl Variant<Homogeneous> for DividesFirst {
+    const ID: &'static str = "faulty-divided-triangle";
+    const NAME_KEY: &'static str = "alg-faulty-divided-triangle";
+    const CODE: &'static [CodeLine] = &but_for(
+        HOMOGENEOUS,
+        [(
+            homogeneous::CODES,
+            "code-faulty-divided-triangle",
+            "words-faulty-divided-triangle",
+        )],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-divided-triangle-differs");
 }

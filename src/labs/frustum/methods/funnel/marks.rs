@@ -5,30 +5,18 @@ use crate::{
         BackFace, BackFaceInput, Containment, Funnel, FunnelEvent as Event, FunnelObject,
         TriangleFate, asked_camera, asked_viewer,
     },
-    figure::{Mark3, Role, Shape3, View},
-    labs::telling::At,
-    trace::silent,
+    labs::frustum::prelude::*,
 };
 
-use super::{
-    super::{
-        super::stage::{FaceLook, Fate, Scenery},
-        asked::fate_of,
-    },
-    Now, sphere,
-    variant::Variant,
-};
+use super::{super::asked::fate_of, Now, sphere, variant::Variant};
 
 /// Of scenes with more triangles the faces of objects that are done with are not asked again for the picture.
 const MOST_ASKED_AGAIN: usize = 2_000;
 
-/// What is known of all objects and faces at a step.
 struct Known {
-    /// What the spheres said of each object so far.
     classes: Vec<Containment>,
     /// Of each object that is done with, which of its faces show their front.
     fronts: Vec<Vec<bool>>,
-    /// What the step is about.
     now: Now,
     /// Of the triangles of the object whose turn it is, which have been left out.
     dropped: Vec<bool>,
@@ -53,11 +41,7 @@ impl Known {
         };
         let class = |event: &Event| match *event {
             Event::Sphere { class, .. } => Some(class),
-            Event::Object { .. }
-            | Event::Plane { .. }
-            | Event::Triangle { .. }
-            | Event::Face { .. }
-            | Event::Done => None,
+            _ => None,
         };
         let object = input.objects.get(held.object_idx);
         let n_faces = object.map_or(0, |object| object.triangles.len());
@@ -73,7 +57,6 @@ impl Known {
         fate_of(self.classes.get(object_idx).copied())
     }
 
-    /// Is it known that nothing of a face is drawn?
     fn is_dropped(&self, object_idx: usize, face_idx: usize) -> bool {
         if let Some(fronts) = self.fronts.get(object_idx) {
             return fronts.get(face_idx) == Some(&false);
@@ -93,7 +76,6 @@ impl Known {
     }
 }
 
-/// Which of the triangles of the object whose turn it is have been left out.
 fn dropped(past: &[Event], n_faces: usize) -> Vec<bool> {
     let mut dropped = vec![false; n_faces];
     for event in past.iter().rev() {
@@ -117,7 +99,6 @@ fn dropped(past: &[Event], n_faces: usize) -> Vec<bool> {
     dropped
 }
 
-/// The triangle of this step.
 fn triangle<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<Mark3> {
     let now = Now::of(at);
     let object = at.step.input.objects.get(now.object_idx?)?;
@@ -125,7 +106,6 @@ fn triangle<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<Mark3> {
     Some(Mark3::new(Role::Signal, Shape3::Outline(corners)))
 }
 
-/// The observer's view and the camera's.
 pub fn both<L: Variant>(at: &At<'_, Funnel<L>>, scenery: &Scenery) -> [View; 2] {
     let known = Known::of(at);
     let fate = |i| known.fate(i);

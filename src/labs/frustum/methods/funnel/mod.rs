@@ -1,11 +1,8 @@
 //! The funnel, shown: by the right rules and by those with a mistake.
 
-mod faulty;
 mod marks;
 mod ribbon;
 mod variant;
-
-use serde_json::{Value as Json, json};
 
 use crate::{
     algo::{
@@ -17,27 +14,12 @@ use crate::{
         ring::Right,
         volume::SideCode,
     },
-    figure::{
-        Body, Run,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch,
-    },
     geom::VolumeSide,
-    labs::{
-        Answer, CodeLine,
-        recorded::Recorded,
-        space::{SpaceTelling, demo::scenery_of},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    trace::Step,
+    labs::frustum::prelude::*,
 };
 
 use super::{
-    super::{
-        Object, Scene,
-        stage::{Scenery, face_link, object_link},
-    },
+    super::Object,
     asked::Asked,
     sphere_cull::{AskedSphere, sphere_gauges, sphere_says},
 };
@@ -46,11 +28,7 @@ use variant::{CULL, DRAW, EACH, FACE, PLANE, STRADDLES, TRIANGLE, Variant};
 const GAUGES_VIEW: &str = "distances";
 const RIBBON_VIEW: &str = "ribbon";
 
-impl Answer for FunnelLevels {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for FunnelLevels {}
 
 impl<L: Variant> SpaceTelling for Funnel<L> {
     const TELLS_FACES: bool = true;
@@ -68,42 +46,6 @@ impl<L: Variant> SpaceTelling for Funnel<L> {
     }
 }
 
-rows! { [L: Variant] |event, step: Funnel<L>|
-    object: Event::Object { .. } =>
-        Row::new(Phase, EACH, "funnel-object").so(&["c = {c}", "r{=r}"]);
-    plane_inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, PLANE);
-    plane_straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, PLANE);
-    plane_outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, PLANE);
-    inside: Event::Sphere { class: Inside, .. } =>
-        Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object").answers("sphere");
-    straddles: Event::Sphere { class: Straddles, .. } =>
-        Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
-    culled: Event::Sphere { class: Outside, .. } =>
-        Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks("plane", "planes");
-    whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
-        Row::new(Test, TRIANGLE, "funnel-triangle-inside").so(&["{or}"])
-            .keeps("triangle").answers_as("codes", "option-triangle-inside");
-    beyond: Event::Triangle { fate: TriangleFate::Outside, .. } =>
-        Row::new(Cut, TRIANGLE, "funnel-triangle-outside").so(&["{and} ≠ 000000"])
-            .drops("triangle").answers_as("codes", "option-triangle-outside");
-    nothing: Event::Triangle { fate: TriangleFate::Cut, n_pieces: 0, .. } =>
-        clipped("funnel-triangle-nothing").drops("triangle");
-    across: Event::Triangle { fate: TriangleFate::Cut, codes, .. } if n_inside(codes) == 0 =>
-        clipped("funnel-triangle-across").cuts("triangle");
-    cut: Event::Triangle { fate: TriangleFate::Cut, .. } =>
-        clipped("funnel-triangle-cut").cuts("triangle");
-    front: Event::Face { front: true, .. } =>
-        Row::new(Test, FACE, "funnel-face-front").so(&["n·e{=n·e} > 0"])
-            .keeps("triangle").answers("facing");
-    edge_on: Event::Face { dot, .. } if dot == 0.0 =>
-        Row::new(Reject, FACE, "funnel-face-edge-on").so(&["n·e{=n·e}"])
-            .drops("triangle").answers("facing");
-    back: Event::Face { .. } =>
-        Row::new(Reject, FACE, "funnel-face-back").so(&["n·e{=n·e} < 0"])
-            .drops("triangle").answers("facing");
-    done: Event::Done => Row::new(Accept, DRAW, "funnel-done");
-}
-
 /// A triangle that the clipper takes over. What all corners lie beyond would decide; here it is nothing.
 const fn clipped(key: &'static str) -> Row {
     let row = Row::new(Cut, TRIANGLE, key).so(&["{and}", "{or}"]);
@@ -118,28 +60,54 @@ impl<L: Variant> Telling for Funnel<L> {
     const SOURCE: &'static str = "Clark, 1976";
     const CODE: &'static [CodeLine] = &L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["watch-object", "c", "r", "n", "D", "watch-class"]),
         Watched::ListSeen("distances", GAUGES_VIEW),
         Watched::ListSeen("levels", RIBBON_VIEW),
     ];
+    const OPENING: Row = Row::new(Phase, EACH, "funnel-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, EACH, "funnel-opening");
-        &OPENING
+    table! { |event, step|
+        object: Event::Object { .. } =>
+            Row::new(Phase, EACH, "funnel-object").so(&["c = {c}", "r{=r}"]);
+        plane_inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, PLANE);
+        plane_straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, PLANE);
+        plane_outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, PLANE);
+        inside: Event::Sphere { class: Inside, .. } =>
+            Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object").answers("sphere");
+        straddles: Event::Sphere { class: Straddles, .. } =>
+            Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
+        culled: Event::Sphere { class: Outside, .. } =>
+            Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks("plane", "planes");
+        whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
+            Row::new(Test, TRIANGLE, "funnel-triangle-inside").so(&["{or}"])
+                .keeps("triangle").answers_as("codes", "option-triangle-inside");
+        beyond: Event::Triangle { fate: TriangleFate::Outside, .. } =>
+            Row::new(Cut, TRIANGLE, "funnel-triangle-outside").so(&["{and} ≠ 000000"])
+                .drops("triangle").answers_as("codes", "option-triangle-outside");
+        nothing: Event::Triangle { fate: TriangleFate::Cut, n_pieces: 0, .. } =>
+            clipped("funnel-triangle-nothing").drops("triangle");
+        across: Event::Triangle { fate: TriangleFate::Cut, codes, .. } if n_inside(codes) == 0 =>
+            clipped("funnel-triangle-across").cuts("triangle");
+        cut: Event::Triangle { fate: TriangleFate::Cut, .. } =>
+            clipped("funnel-triangle-cut").cuts("triangle");
+        front: Event::Face { front: true, .. } =>
+            Row::new(Test, FACE, "funnel-face-front").so(&["n·e{=n·e} > 0"])
+                .keeps("triangle").answers("facing");
+        edge_on: Event::Face { dot, .. } if dot == 0.0 =>
+            Row::new(Reject, FACE, "funnel-face-edge-on").so(&["n·e{=n·e}"])
+                .drops("triangle").answers("facing");
+        back: Event::Face { .. } =>
+            Row::new(Reject, FACE, "funnel-face-back").so(&["n·e{=n·e} < 0"])
+                .drops("triangle").answers("facing");
+        done: Event::Done => Row::new(Accept, DRAW, "funnel-done");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let (input, levels) = (at.step.input, &at.step.held.levels);
         let n_triangles = |object: &FunnelObject| object.triangles.len();
-        let Now {
-            object_idx, side, ..
-        } = Now::of(at);
+        let now = Now::of(at);
+        let object_idx = now.object_idx;
         Some(match (name, at.step.event()) {
             ("objects", _) => input.objects.len().into(),
             ("triangles", None) => input.objects.iter().map(n_triangles).sum::<usize>().into(),
@@ -151,13 +119,10 @@ impl<L: Variant> Telling for Funnel<L> {
             ("watch-object", _) => Named::maybe(object_idx.map(|i| i + 1)),
             ("n·e", Some(Event::Face { dot, .. })) => dot.into(),
             ("n" | "D", _) => {
-                let side = at.scenery.zip(side);
-                let current = side.map(|(scenery, side)| scenery.planes()[side as usize]);
-                return Asked {
-                    current,
-                    ..planes(at)
-                }
-                .named(name);
+                let mut planes = planes(at);
+                let side = at.scenery.zip(now.side);
+                planes.current = side.map(|(scenery, side)| scenery.planes()[side as usize]);
+                return planes.named(name);
             }
             _ => return of_triangle(at, name).or_else(|| sphere(at)?.named(name)),
         })
@@ -173,8 +138,7 @@ impl<L: Variant> Telling for Funnel<L> {
 
     /// Beside another method there is no room for the axes: the distances stand in the watch table.
     fn watch(at: &At<'_, Self>) -> Watch {
-        let sections = Self::WATCH.iter().map(|watched| at.section(watched));
-        let mut watch: Watch = sections.collect();
+        let mut watch: Watch = Self::WATCH.iter().map(|it| at.section(it)).collect();
         if is_compared(at) {
             watch[1].seen_in = None;
         }
@@ -187,10 +151,8 @@ impl<L: Variant> Telling for Funnel<L> {
             views.extend(marks::both(at, scenery));
         }
         if !is_compared(at) {
-            let gauges = sphere(at).map_or_else(
-                || sphere_gauges(&planes(at), 0.0, &[]),
-                |sphere| sphere.gauges(),
-            );
+            let none = || sphere_gauges(&planes(at), 0.0, &[]);
+            let gauges = sphere(at).map_or_else(none, |sphere| sphere.gauges());
             views.push(View::new(GAUGES_VIEW, Body::Gauges(gauges)));
         }
         views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(at))));
@@ -198,32 +160,29 @@ impl<L: Variant> Telling for Funnel<L> {
     }
 }
 
-/// The values of names in sentences about one triangle.
 fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
     if of == "triangle" {
         let now = Now::of(at);
         let face_idx = now.face_idx?;
         let focus = at.scenery.map(|scenery| scenery.scene().focus());
-        let named = Named::from(face_idx + 1);
-        return Some(if focus == now.object_idx {
-            named.linked(face_link(face_idx))
-        } else {
-            named
+        let link = (focus == now.object_idx).then(|| face_link(face_idx));
+        return Some(Named {
+            link,
+            ..Named::from(face_idx + 1)
         });
     }
-    let Some(Event::Triangle {
-        codes, n_pieces, ..
-    }) = at.step.event()
-    else {
-        return None;
+    let (codes, n_pieces) = match at.step.event()? {
+        Event::Triangle {
+            codes, n_pieces, ..
+        } => (codes, n_pieces),
+        _ => return None,
     };
     let [a, b, c] = codes;
     Some(match of {
         "inside" => n_inside(codes).into(),
         "pieces" => n_pieces.into(),
-        "and" if n_inside(codes) == 0 => {
-            name(format!("{a} AND {b} AND {c} = {}", a.and(b).and(c))).into()
-        }
+        "and" if n_inside(codes) > 0 => return None,
+        "and" => name(format!("{a} AND {b} AND {c} = {}", a.and(b).and(c))).into(),
         "or" => name(format!("{a} OR {b} OR {c} = {}", a.or(b).or(c))).into(),
         _ => return None,
     })
@@ -233,16 +192,11 @@ fn n_inside(codes: [SideCode; 3]) -> usize {
     codes.iter().filter(|code| code.is_inside()).count()
 }
 
-/// What a step is about.
 #[derive(Clone, Copy, Default)]
 struct Now {
-    /// The object whose turn it is.
     object_idx: Option<usize>,
-    /// The plane that is asked.
     side: Option<VolumeSide>,
-    /// What all planes have said of its sphere.
     class: Option<Containment>,
-    /// The triangle that is asked.
     face_idx: Option<usize>,
 }
 
@@ -255,9 +209,14 @@ impl Now {
             Some(Event::Object { .. }) => (None, None, None),
             Some(Event::Plane { side, .. }) => (Some(side), None, None),
             Some(Event::Sphere { .. }) => (None, class, None),
-            Some(Event::Triangle { triangle_idx, .. } | Event::Face { triangle_idx, .. }) => {
-                (None, class, Some(triangle_idx))
-            }
+            Some(
+                Event::Triangle {
+                    triangle_idx: i, ..
+                }
+                | Event::Face {
+                    triangle_idx: i, ..
+                },
+            ) => (None, class, Some(i)),
         };
         Self {
             object_idx,
@@ -268,7 +227,6 @@ impl Now {
     }
 }
 
-/// The volume's planes, of which none has been asked.
 fn planes<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Asked<'a> {
     Asked {
         scenery: at.scenery,
@@ -277,31 +235,22 @@ fn planes<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Asked<'a> {
     }
 }
 
-/// The sphere of the object whose turn it is.
 fn sphere<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
     Now::of(at).object_idx.and(asked(at))
 }
 
-/// The sphere that has been asked last.
 fn asked<'a, L: Variant>(at: &At<'a, Funnel<L>>) -> Option<AskedSphere<'a>> {
     let (input, held) = (at.step.input, at.step.held);
-    let object = input
-        .objects
-        .get(held.object_idx)
-        .or(input.objects.last())?;
+    let objects = &input.objects;
+    let object = objects.get(held.object_idx).or(objects.last())?;
     let camera = asked_camera::<L>(&input.camera);
-    let Now { side, class, .. } = Now::of(at);
-    let planes = Asked {
-        current: side.map(|side| camera.planes_in_world()[side as usize]),
-        class,
-        ..planes(at)
-    };
+    let (now, mut planes) = (Now::of(at), planes(at));
+    planes.current = now.side.map(|side| camera.planes_in_world()[side as usize]);
+    planes.class = now.class;
     let sphere = asked_sphere::<L>(object);
     Some(AskedSphere::new::<L>(sphere, &held.sphere, planes))
 }
 
-/// Does it run beside another method?
 fn is_compared<L: Variant>(at: &At<'_, Funnel<L>>) -> bool {
-    let scenery = at.scenery;
-    scenery.is_some_and(|scenery| !scenery.scene().beside.is_empty())
+    at.scenery.is_some_and(|it| !it.scene().beside.is_empty())
 }

@@ -3,8 +3,7 @@
 use crate::{
     algo::cull::{Containment, Funnel, FunnelEvent as Event, FunnelLevels, Level},
     figure::{Ribbon, RibbonStage},
-    labs::telling::{At, Named},
-    text::{Message, Value},
+    labs::frustum::prelude::*,
 };
 
 use super::{Now, variant::Variant};
@@ -28,7 +27,6 @@ const fn levels_of(levels: &FunnelLevels) -> [Level; 5] {
     [scene, spheres, vertices, cuts, facing]
 }
 
-/// What has come through each gate so far.
 pub fn ribbon<L: Variant>(at: &At<'_, Funnel<L>>) -> Ribbon {
     let levels = levels_of(&at.step.held.levels);
     let to_come = to_come(at);
@@ -94,7 +92,6 @@ fn to_come<L: Variant>(at: &At<'_, Funnel<L>>) -> [usize; 5] {
     to_come
 }
 
-/// The same as rows of an answer key.
 pub fn levels(levels: &FunnelLevels) -> Vec<Named> {
     let levels = TITLES.into_iter().zip(levels_of(levels));
     levels

@@ -3,44 +3,35 @@
 use crate::{
     algo::{
         parameter::End,
+        segment::Given,
         volume::{ClipSpace, LineInput, plane_distances, side_distances},
     },
-    figure::{Body, View},
-    geom::{AlignedBox, Camera, Plane, VolumeSide, planes_from_matrix},
+    geom::{AlignedBox, Plane, VolumeSide, planes_from_matrix},
     labs::{
         crossing_formulas::upright_in_space,
+        frustum::prelude::*,
         segments::{LineKeys, LineLook, LineStep, SeenRow},
-        telling::Named,
-        words::name,
     },
-    text::{Formula, Message, Value},
 };
 
 use super::{
     super::{
-        super::{
-            Scene, Subject,
-            stage::{Fate, Scenery, cube_view, face_at_work, plane_at_work, side_link, side_name},
-        },
-        planes::{plane_link, plane_name, sum_formula},
+        super::stage::{cube_view, face_at_work},
+        asked::{plane_link, plane_name, sum_formula},
     },
-    look::{SpaceLine, mean_formula},
-    marks::{interval_marks, shadow},
-    points::points_table,
+    marks::{interval_marks, points_table, shadow},
     w_lens,
 };
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const SUBSCRIPTS: [&str; 2] = ["₁", "₂"];
 
-/// The box from −1 to 1.
 pub fn unit_box() -> AlignedBox {
     AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]).expect("ordered")
 }
 
-/// `x = −1`
 pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
-    let formula = Formula::default().sym(AXES[side.axis()]).sym(" = ");
+    let formula = sym(AXES[side.axis()]).sym(" = ");
     formula.num(bounds.border(side))
 }
 
@@ -48,9 +39,6 @@ fn side(side: VolumeSide) -> Named {
     Named::from(side_name(side)).linked(side_link(side))
 }
 
-const ENDS: &[&str] = &["P₁", "P₂", "Δ", "P₁′", "P₂′"];
-
-/// What is said against any bounds in space.
 const fn keys(opening: &'static str) -> LineKeys {
     LineKeys {
         opening,
@@ -74,10 +62,6 @@ impl SpaceLine<3> for AlignedBox {
             ends: scene.places.segment(),
         }
     }
-
-    fn idx(plane: VolumeSide) -> usize {
-        plane as usize
-    }
 }
 
 impl LineLook<3> for AlignedBox {
@@ -88,11 +72,8 @@ impl LineLook<3> for AlignedBox {
     const HEADER: [&'static str; 2] = ["p", "q"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["q"], &["p"]];
     const KEYS: LineKeys = keys("space-line-opening-box");
-    const WATCHED: &'static [&'static str] = ENDS;
     const PARALLEL: &'static str = "q = ";
-    const ROWS_VIEW: &'static str = "rows";
     const NOTES: [&'static str; 2] = ["lb-note-enter", "lb-note-leave"];
-    const WATCHES: [bool; 2] = [false, true];
     const SIGN: f64 = 1.0;
 
     fn plane(plane: VolumeSide, _: Option<&Scenery>) -> Named {
@@ -121,11 +102,9 @@ impl LineLook<3> for AlignedBox {
         } else {
             [from, border]
         };
-        let of_q = Formula::default().sym(format!("q = {q} = ")).num(a);
+        let of_q = sym(format!("q = {q} = ")).num(a);
         vec![
-            Formula::default()
-                .sym(format!("p = {p}"))
-                .equals(row.numbers.p),
+            sym(format!("p = {p}")).equals(row.numbers.p),
             of_q.sym(" − ").operand(b).equals(row.numbers.q),
         ]
     }
@@ -145,41 +124,39 @@ impl LineLook<3> for AlignedBox {
     }
 
     fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
-        let Some(scenery) = scenery else {
-            return Vec::new();
+        let side = shown.in_hand().into_iter();
+        let draw = |scenery: &Scenery| {
+            let side = side.flat_map(face_at_work).collect();
+            cube_view(scenery.scene(), marks(shown, scenery, (side, -1.0)))
         };
-        let ends = &shown.input.ends;
-        let mut marks: Vec<_> = shown.in_hand().into_iter().flat_map(face_at_work).collect();
-        marks.extend(shadow(ends, -1.0));
-        let visible = shown.verdict.flatten();
-        marks.extend(interval_marks(
-            ends,
-            &shown.interval(Some(scenery)),
-            Self::SYMBOLS[1],
-            visible,
-        ));
-        vec![cube_view(scenery.scene(), marks)]
+        scenery.map(draw).into_iter().collect()
     }
 }
 
-/// The sums and differences of the matrix's rows: normals of any length, and numbers as they stand in the matrix.
-fn planes_of(camera: &Camera) -> [Plane; 6] {
-    let from_matrix = planes_from_matrix(&camera.clip_from_world());
-    from_matrix.unwrap_or_else(|_| camera.planes_in_world())
+/// The plane in hand, the segment's shadow at this level, and what is left of it.
+fn marks<B: LineLook<3, Scenery = Scenery>>(
+    shown: &LineStep<'_, 3, B>,
+    scenery: &Scenery,
+    (mut marks, level): (Vec<Mark3>, f64),
+) -> Vec<Mark3> {
+    let ends = shown.input.ends();
+    marks.extend(shadow(&ends, level));
+    let (interval, visible) = (shown.interval(Some(scenery)), shown.verdict.flatten());
+    marks.extend(interval_marks(&ends, &interval, B::SYMBOLS[1], visible));
+    marks
 }
 
 impl SpaceLine<3> for Vec<Plane> {
     const SUBJECT: Subject = Subject::Segment;
 
+    /// The sums and differences of the matrix's rows: normals of any length, and numbers as they stand in the matrix.
     fn input(scene: &Scene) -> LineInput<3, Self> {
+        let from_matrix = planes_from_matrix(&scene.culler().clip_from_world());
+        let planes = from_matrix.unwrap_or_else(|_| scene.culler().planes_in_world());
         LineInput {
-            bounds: planes_of(scene.culler()).to_vec(),
+            bounds: planes.to_vec(),
             ends: scene.places.segment(),
         }
-    }
-
-    fn idx(plane: usize) -> usize {
-        plane
     }
 }
 
@@ -191,11 +168,8 @@ impl LineLook<3> for Vec<Plane> {
     const HEADER: [&'static str; 2] = ["d₁", "d₂"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["n·(p₀ − P₁)"], &["n·(P₂ − P₁)"]];
     const KEYS: LineKeys = keys("space-line-opening-planes");
-    const WATCHED: &'static [&'static str] = ENDS;
     const PARALLEL: &'static str = "d₁ = ";
-    const ROWS_VIEW: &'static str = "rows";
     const NOTES: [&'static str; 2] = ["space-line-note-enter", "space-line-note-leave"];
-    const WATCHES: [bool; 2] = [false, true];
     const SIGN: f64 = -1.0;
 
     fn plane(plane: usize, scenery: Option<&Scenery>) -> Named {
@@ -219,42 +193,19 @@ impl LineLook<3> for Vec<Plane> {
         ]
     }
 
-    fn put_formulas(
-        shown: &LineStep<'_, 3, Self>,
-        end: End,
-        plane: usize,
-        at: [f64; 3],
-    ) -> Vec<Formula> {
-        vec![mean_formula(shown, end, plane, at)]
-    }
-
     fn border(&self, plane: usize, scenery: Option<&Scenery>) -> Value {
         let named = Message::new("space-line-the-plane");
         Value::Message(named.with("plane", plane_name(scenery, plane)))
     }
 
     fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
-        let Some(scenery) = scenery else {
-            return Vec::new();
+        let side = shown.in_hand().and_then(|i| VolumeSide::ALL.get(i));
+        let draw = |scenery: &Scenery| {
+            let side = side.map(|&side| plane_at_work(scenery.scene().culler(), side));
+            let marks = marks(shown, scenery, (side.unwrap_or_default(), 0.0));
+            scenery.observer(|_| Fate::ToCome, marks)
         };
-        let ends = &shown.input.ends;
-        let camera = scenery.scene().culler();
-        let side = shown
-            .in_hand()
-            .and_then(|i| VolumeSide::ALL.get(i).copied());
-        let mut marks: Vec<_> = side
-            .into_iter()
-            .flat_map(|side| plane_at_work(camera, side))
-            .collect();
-        marks.extend(shadow(ends, 0.0));
-        let visible = shown.verdict.flatten();
-        marks.extend(interval_marks(
-            ends,
-            &shown.interval(Some(scenery)),
-            Self::SYMBOLS[1],
-            visible,
-        ));
-        vec![scenery.observer(|_| Fate::ToCome, marks)]
+        scenery.map(draw).into_iter().collect()
     }
 }
 
@@ -269,10 +220,6 @@ impl SpaceLine<4> for ClipSpace {
             ends: ends.map(|[x, y, z]| clip_from_world.times([x, y, z, 1.0])),
         }
     }
-
-    fn idx(plane: VolumeSide) -> usize {
-        plane as usize
-    }
 }
 
 impl LineLook<4> for ClipSpace {
@@ -283,11 +230,8 @@ impl LineLook<4> for ClipSpace {
     const HEADER: [&'static str; 2] = ["d₁", "d₂"];
     const QUOTIENT: [&'static [&'static str]; 2] = [&["d₁"], &["d₁", "d₂"]];
     const KEYS: LineKeys = keys("space-line-opening-clip");
-    const WATCHED: &'static [&'static str] = ENDS;
     const PARALLEL: &'static str = "d₁ = ";
-    const ROWS_VIEW: &'static str = "rows";
     const NOTES: [&'static str; 2] = ["space-line-note-enter", "space-line-note-leave"];
-    const WATCHES: [bool; 2] = [false, true];
     const SIGN: f64 = 1.0;
     const SHOWS_PLANES: bool = false;
 
@@ -311,19 +255,10 @@ impl LineLook<4> for ClipSpace {
         let sign = if side.is_high() { " − " } else { " + " };
         let formula = |i: usize| {
             let symbol = format!("d{} = {} = ", SUBSCRIPTS[i], meanings[i]);
-            let sum = Formula::default().sym(symbol).num(ends[i][3]).sym(sign);
+            let sum = sym(symbol).num(ends[i][3]).sym(sign);
             sum.operand(ends[i][side.axis()]).equals(distances[i])
         };
         vec![formula(0), formula(1)]
-    }
-
-    fn put_formulas(
-        shown: &LineStep<'_, 4, Self>,
-        end: End,
-        plane: VolumeSide,
-        at: [f64; 4],
-    ) -> Vec<Formula> {
-        vec![mean_formula(shown, end, plane, at)]
     }
 
     fn border(&self, side: VolumeSide, _: Option<&Scenery>) -> Value {
@@ -338,4 +273,10 @@ impl LineLook<4> for ClipSpace {
     fn drawing(shown: &LineStep<'_, 4, Self>, scenery: Option<&Scenery>) -> Vec<View> {
         scenery.map_or_else(Vec::new, |scenery| w_lens::views(shown, scenery))
     }
+}
+
+pub trait SpaceLine<const N: usize>: LineLook<N, Scenery = Scenery> {
+    const SUBJECT: Subject;
+
+    fn input(scene: &Scene) -> Self::Input;
 }

@@ -3,112 +3,73 @@
 use crate::{
     algo::{
         parameter::End,
-        segment::{EventOf, Given, LineClip, LineEvent as Event, LineRules},
+        segment::{Given, LineClip, LineEvent as Event, LineRules},
     },
     geom::VolumeSide,
+    labs::segments::LineLook,
     trace::Recording,
 };
 
-use super::{
-    super::super::part::{Fate, Outcome},
-    look::SpaceLine,
-};
+use super::super::super::part::{Fate, Outcome};
 
-/// Of an end, or of the whole segment; none where the run never says.
-pub fn fate<const N: usize, B: SpaceLine<N>, L: LineRules>(
+const NEAR: usize = VolumeSide::Near as usize;
+
+pub fn fate<const N: usize, B: LineLook<N>, L: LineRules>(
     input: &B::Input,
     end: Option<End>,
 ) -> Option<Fate> {
-    match end {
-        Some(end) => end_fate::<N, B, L>(input, end),
-        None => whole_fate::<N, B, L>(input),
-    }
-}
-
-/// The first plane that an end lies beyond decides; of one that is kept, the last.
-fn end_fate<const N: usize, B: SpaceLine<N>, L: LineRules>(
-    input: &B::Input,
-    end: End,
-) -> Option<Fate> {
-    let (bounds, mut ends) = (input.bounds(), input.ends());
-    let (mut fate, mut is_lost) = (None, false);
-    for (i, event) in events::<N, B, L>(input).into_iter().enumerate() {
-        let step = i + 1;
-        let outcome = match event {
-            Event::Depths { ends: now, behind } => {
-                ends = now;
-                let near = VolumeSide::Near as usize;
-                (behind == [true; 2]).then_some(Outcome::Lost(near))
-            }
-            Event::Row { plane, .. } => {
-                let is_outside = bounds.distances(plane, &ends)[end.idx()] < 0.0;
-                Some(if is_outside {
-                    Outcome::Lost(B::idx(plane))
-                } else {
-                    Outcome::Kept
-                })
-            }
-            Event::Delta { .. }
-            | Event::Parallel { .. }
-            | Event::Enter { .. }
-            | Event::Leave { .. }
-            | Event::Interval { .. }
-            | Event::Put { .. }
-            | Event::Accept { .. }
-            | Event::Reject { .. } => None,
-        };
-        if let Some(outcome) = outcome.filter(|_| !is_lost) {
-            is_lost = outcome != Outcome::Kept;
+    let recording = Recording::<LineClip<N, B, L>>::new(input.clone());
+    let events = (1..).zip(recording.events().iter().copied());
+    let number = |plane| input.bounds().planes().position(|it| it == plane);
+    let number = |plane| number(plane).unwrap_or_default();
+    let (mut looked, mut fate) = (0, None);
+    let Some(end) = end else {
+        // The test after which nothing is left; else the first plane that takes something, or the last look at the interval.
+        for (step, event) in events {
+            let (step, outcome) = match event {
+                Event::Enter {
+                    plane,
+                    raises: true,
+                    ..
+                }
+                | Event::Leave {
+                    plane,
+                    lowers: true,
+                    ..
+                } if fate.is_none() => (step, Outcome::Cut(number(plane))),
+                Event::Reject { plane } => (looked, Outcome::Lost(plane.map_or(NEAR, number))),
+                Event::Accept { .. } if fate.is_none() => (looked, Outcome::Kept),
+                Event::Depths { .. } | Event::Interval { .. } | Event::Parallel { .. } => {
+                    looked = step;
+                    continue;
+                }
+                _ => continue,
+            };
             fate = Some(Fate { step, outcome });
         }
-    }
-    fate
-}
-
-fn events<const N: usize, B: SpaceLine<N>, L: LineRules>(input: &B::Input) -> Vec<EventOf<N, B>> {
-    let recording = Recording::<LineClip<N, B, L>>::new(input.clone());
-    recording.events().to_vec()
-}
-
-/// The test after which nothing is left; else the first plane that takes something, or the last look at the interval.
-fn whole_fate<const N: usize, B: SpaceLine<N>, L: LineRules>(input: &B::Input) -> Option<Fate> {
-    let (mut looked, mut fate) = (0, None);
-    for (i, event) in events::<N, B, L>(input).into_iter().enumerate() {
-        let step = i + 1;
+        return fate;
+    };
+    // The first plane that it lies beyond decides; of one that is kept, the last.
+    let mut ends = input.ends();
+    for (step, event) in events {
         let outcome = match event {
-            Event::Enter {
-                plane,
-                raises: true,
+            Event::Depths {
+                behind: [true, true],
                 ..
+            } => Outcome::Lost(NEAR),
+            Event::Depths { ends: now, .. } => {
+                ends = now;
+                continue;
             }
-            | Event::Leave {
-                plane,
-                lowers: true,
-                ..
-            } => Some(Outcome::Cut(B::idx(plane))).filter(|_| fate.is_none()),
-            Event::Reject { plane } => {
-                let plane = plane.map_or(VolumeSide::Near as usize, B::idx);
-                let (step, outcome) = (looked, Outcome::Lost(plane));
-                fate = Some(Fate { step, outcome });
-                None
+            Event::Row { plane, .. } if input.bounds().distances(plane, &ends)[end.idx()] < 0.0 => {
+                Outcome::Lost(number(plane))
             }
-            Event::Accept { .. } => {
-                let (step, outcome) = (looked, Outcome::Kept);
-                fate = fate.or(Some(Fate { step, outcome }));
-                None
-            }
-            Event::Depths { .. } | Event::Interval { .. } | Event::Parallel { .. } => {
-                looked = step;
-                None
-            }
-            Event::Delta { .. }
-            | Event::Row { .. }
-            | Event::Enter { .. }
-            | Event::Leave { .. }
-            | Event::Put { .. } => None,
+            Event::Row { .. } => Outcome::Kept,
+            _ => continue,
         };
-        if let Some(outcome) = outcome {
-            fate = Some(Fate { step, outcome });
+        fate = Some(Fate { step, outcome });
+        if outcome != Outcome::Kept {
+            break;
         }
     }
     fate

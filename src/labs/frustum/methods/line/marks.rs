@@ -1,13 +1,16 @@
 //! A segment in space, what is left of it, and where it is cut.
 
 use crate::{
-    algo::parameter::End,
-    figure::{Mark3, Role, Shape3},
-    labs::{
-        interval::{ShownCrossing, ShownInterval},
-        words::{end_link, end_name, end_name_now},
+    algo::{
+        parameter::End,
+        volume::{ClipSpace, side_distances},
     },
-    text::Formula,
+    geom::VolumeSide,
+    labs::{
+        frustum::prelude::*,
+        interval::{ShownCrossing, ShownInterval},
+        segments::LineStep,
+    },
 };
 
 /// A crossing farther beyond the ends than this is not drawn.
@@ -18,7 +21,6 @@ pub fn on_line<const N: usize>([p1, p2]: &[[f64; N]; 2], u: f64) -> [f64; N] {
     std::array::from_fn(|i| p1[i] + u * (p2[i] - p1[i]))
 }
 
-/// The segment as given, and what is left of it; the answer says whether that is accepted.
 pub fn segment_marks(
     given: &[[f64; 3]; 2],
     left: &[[f64; 3]; 2],
@@ -41,12 +43,13 @@ pub fn segment_marks(
     for end in End::BOTH {
         let (from, to) = (given[end.idx()], left[end.idx()]);
         let moved = from != to;
-        let role_of_given = if moved || accepted == Some(false) {
+        let is_lost = moved || accepted == Some(false);
+        let of_given = if is_lost {
             Role::Discarded
         } else {
             Role::Accent
         };
-        let ring = Mark3::new(role_of_given, Shape3::Ring(from));
+        let ring = Mark3::new(of_given, Shape3::Ring(from));
         marks.push(ring.labelled(end_name(end)).strong().linked(end_link(end)));
         if moved {
             let dot = Mark3::new(role, Shape3::Dot(to));
@@ -57,7 +60,6 @@ pub fn segment_marks(
     marks
 }
 
-/// The segment while its interval shrinks: what is left stands out, with the bounds and the crossing of this step.
 pub fn interval_marks(
     ends: &[[f64; 3]; 2],
     shown: &ShownInterval,
@@ -93,10 +95,7 @@ fn crossing_marks(
     crossing: &ShownCrossing,
 ) -> Vec<Mark3> {
     let at = on_line(ends, crossing.at);
-    let label = |symbol: String| {
-        let formula = Formula::default().sym(symbol).sym(" = ");
-        formula.ratio(crossing.quotient.num, crossing.quotient.den)
-    };
+    let label = |symbol: String| equal_to(symbol, crossing.quotient);
     let role = match (crossing.current, shown.is_crossed_over()) {
         (true, _) => Role::Signal,
         (false, true) => Role::Ink,
@@ -121,7 +120,6 @@ fn crossing_marks(
     marks
 }
 
-/// Lines down to the ground, and the segment's shadow on it: where in space it is.
 pub fn shadow(ends: &[[f64; 3]; 2], level: f64) -> Vec<Mark3> {
     let foot = |[x, _, z]: [f64; 3]| [x, level, z];
     let mut marks: Vec<Mark3> = ends
@@ -130,4 +128,69 @@ pub fn shadow(ends: &[[f64; 3]; 2], level: f64) -> Vec<Mark3> {
         .collect();
     marks.push(Mark3::new(Role::Faint, Shape3::Segment(ends.map(foot))));
     marks
+}
+
+/// The ends of what is left, to be shown before they are put: on the side that set each, as they will be.
+pub fn left_so_far(shown: &LineStep<'_, 4, ClipSpace>) -> [[f64; 4]; 2] {
+    End::BOTH.map(|end| {
+        let i = end.idx();
+        let mut at = on_line(&shown.ends, shown.bounds[i]);
+        if let Some(side) = shown.set_by[i] {
+            at[side.axis()] = if side.is_high() { at[3] } else { 0.0 - at[3] };
+        }
+        shown.put[i].unwrap_or(at)
+    })
+}
+
+pub fn is_rejected(shown: &LineStep<'_, 4, ClipSpace>) -> bool {
+    shown.verdict == Some(None) || shown.bounds[0] > shown.bounds[1]
+}
+
+/// Both ends, and what they have become: of the coordinate across the side in hand, else of x.
+pub fn points_table(shown: &LineStep<'_, 4, ClipSpace>) -> Table {
+    let side = shown.in_hand().unwrap_or(VolumeSide::Right);
+    let axis = ["x", "y", "z"][side.axis()];
+    let sign = if side.is_high() { "−" } else { "+" };
+    let ends = &shown.ends;
+    let given = End::BOTH.map(|end| {
+        let is_behind = ends[end.idx()][3] < 0.0;
+        let role = if is_behind { Role::Signal } else { Role::Ink };
+        row(end_name(end), end, ends, side, role)
+    });
+    let is_left = !is_rejected(shown);
+    let left = left_so_far(shown);
+    let moved = End::BOTH.into_iter().filter(|end| {
+        let bound = shown.bounds[end.idx()];
+        is_left && bound != [0.0, 1.0][end.idx()]
+    });
+    let moved = moved.map(|end| row(end_name_now(end, true), end, &left, side, Role::Accent));
+    Table {
+        header: vec![
+            Formula::default(),
+            sym(axis),
+            sym("w"),
+            sym(format!("w {sign} {axis}")),
+            sym(format!("{axis} / w")),
+        ],
+        rows: given.into_iter().chain(moved).collect(),
+        notes: Vec::new(),
+    }
+}
+
+fn row(name: Value, end: End, ends: &[[f64; 4]; 2], side: VolumeSide, role: Role) -> TableRow {
+    let at = ends[end.idx()];
+    let (along, w) = (at[side.axis()], at[3]);
+    let [distance, _] = side_distances::<f64>(side, &[at; 2]);
+    let image = (w != 0.0).then_some(along / w);
+    TableRow {
+        name,
+        cells: vec![
+            Cell::new(Role::Ink, Some(along)),
+            Cell::new(role, Some(w)),
+            Cell::new(Role::Ink, Some(distance)),
+            Cell::new(role, image).strong(),
+        ],
+        is_current: false,
+        link: Some(end_link(end)),
+    }
 }

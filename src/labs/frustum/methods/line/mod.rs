@@ -2,10 +2,7 @@
 
 mod bounds;
 mod fates;
-mod faulty;
-mod look;
 pub mod marks;
-mod points;
 mod variants;
 mod w_lens;
 
@@ -16,20 +13,12 @@ use crate::{
         ring::Right,
         segment::{LineClip, LineRules, VisibleLine},
     },
-    figure::{Link, Run},
-    labs::{
-        Answer, Verdict,
-        recorded::Recorded,
-        segments::LineVariant,
-        space::{SpaceTelling, scenery_of},
-    },
+    labs::{frustum::prelude::*, segments::LineVariant},
 };
 
-use super::super::{Scene, Subject, part::segment_verdict};
+use super::super::part::segment_verdict;
 
-pub use bounds::{face_equation, unit_box};
-
-use look::SpaceLine;
+pub use bounds::{SpaceLine, face_equation, unit_box};
 
 impl<const N: usize> Answer for VisibleLine<N> {
     fn json(&self) -> Json {

@@ -1,18 +1,22 @@
 //! How each line clipper is called, and its pseudocode: seven lines each, of the same sense.
 
 use crate::{
-    algo::{ring::Right, volume::ClipSpace},
+    algo::{
+        ring::Right,
+        volume::{ClipSpace, faulty::DividesFirst},
+    },
     geom::{AlignedBox, Plane},
     labs::{
-        CodeLine, code_line,
-        segments::{LineVariant, inequalities::N_LINES},
+        frustum::prelude::*,
+        segments::{
+            LineVariant,
+            inequalities::{N_LINES, START},
+        },
     },
 };
 
-/// The pseudocode of any variant.
 pub type Pseudocode = [CodeLine; N_LINES];
 
-/// In clip space, by the right rules.
 pub const HOMOGENEOUS: Pseudocode = [
     code_line(0, "code-hl-start", "words-hl-start"),
     code_line(0, "code-hl-each", "words-hl-each"),
@@ -55,4 +59,14 @@ impl LineVariant<4, ClipSpace> for Right {
     const ID: &'static str = "homogeneous-line";
     const NAME_KEY: &'static str = "alg-homogeneous-line";
     const CODE: &'static [CodeLine] = &HOMOGENEOUS;
+}
+
+impl LineVariant<4, ClipSpace> for DividesFirst {
+    const ID: &'static str = "faulty-divide-first";
+    const NAME_KEY: &'static str = "alg-faulty-divide-first";
+    const CODE: &'static [CodeLine] = &but_for(
+        HOMOGENEOUS,
+        [(START, "code-faulty-divide", "words-faulty-divide")],
+    );
+    const DIFFERS_KEY: Option<&'static str> = Some("faulty-divide-first-differs");
 }

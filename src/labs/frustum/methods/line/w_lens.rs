@@ -13,31 +13,23 @@ use crate::{
         parameter::End,
         volume::{ClipSpace, HomogeneousLine, VisibleLine},
     },
-    figure::{Body, Mark, Mark3, Role, Screen, Screens, Shape, Shape3, View},
+    figure::{Screen, Screens},
     geom::{Camera, Sight},
     labs::{
+        frustum::prelude::*,
         segments::{LineLook, LineStep},
-        words::{end_link, name},
     },
-    text::{Formula, Message, Value},
-    trace::silent,
 };
 
-use super::{
-    super::super::stage::{Fate, Scenery, plane_at_work},
-    marks::{interval_marks, on_line},
-    points::{is_rejected, left_so_far},
-};
+use super::marks::{interval_marks, is_rejected, left_so_far, on_line};
 
 const SCREENS_VIEW: &str = "screens";
 /// Images farther out are not marked.
 const FAR: f64 = 40.0;
-/// The edge of the screen.
 const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 type Ends = [[f64; 4]; 2];
 
-/// The observer's view, and the screen by both ways.
 pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View> {
     let lens = WLens::new(shown, scenery.scene().culler());
     let mut marks = lens.wedge();
@@ -63,34 +55,21 @@ fn image([x, y, _, w]: [f64; 4]) -> Option<[f64; 2]> {
     is_near.then_some(at)
 }
 
-/// Which way the image goes on the screen, on the way from a to b.
-fn heading([a, b]: Ends) -> [f64; 2] {
-    [0, 1].map(|i| b[i] * a[3] - a[i] * b[3])
-}
-
 /// The image of a segment: of one through w = 0 it leaves on one side and comes back from the other.
 fn images_of(ends: Ends) -> Vec<Shape> {
     let [from, to] = ends.map(image);
-    let [dx, dy] = heading(ends);
+    let [a, b] = ends;
+    // Which way the image goes on the screen, on the way from a to b.
+    let [dx, dy] = [0, 1].map(|i| b[i] * a[3] - a[i] * b[3]);
     let ray = |at: [f64; 2], sign: f64| Shape::Ray([at, [at[0] + sign * dx, at[1] + sign * dy]]);
-    match (ends[0][3] > 0.0, ends[1][3] > 0.0) {
-        (true, true) => from
-            .zip(to)
-            .map(|(a, b)| Shape::Segment([a, b]))
-            .into_iter()
-            .collect(),
-        (false, false) => Vec::new(),
-        (true, false) | (false, true) => {
-            let leaves = from.map(|at| ray(at, 1.0));
-            leaves
-                .into_iter()
-                .chain(to.map(|at| ray(at, -1.0)))
-                .collect()
-        }
-    }
+    let shapes = match ends.map(|[.., w]| w > 0.0) {
+        [true, true] => [from.zip(to).map(|(a, b)| Shape::Segment([a, b])), None],
+        [false, false] => [None, None],
+        _ => [from.map(|at| ray(at, 1.0)), to.map(|at| ray(at, -1.0))],
+    };
+    shapes.into_iter().flatten().collect()
 }
 
-/// Images of the ends as they were given, and where the clipper has cut.
 const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
 const CUT: [&str; 2] = ["P₁′", "P₂′"];
 const CUT_DIVIDED: [&str; 2] = ["P₁′ / w", "P₂′ / w"];
@@ -100,7 +79,6 @@ struct WLens<'a> {
     camera: &'a Camera,
     /// By the right rules, the whole run.
     right: VisibleLine<4>,
-    /// Between both images, as far as they are.
     joined: Option<[[f64; 2]; 2]>,
 }
 
@@ -124,13 +102,11 @@ impl<'a> WLens<'a> {
         End::BOTH.into_iter().any(|end| self.is_behind(end))
     }
 
-    /// A place of the screen, in the world.
     fn on_screen(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let [width, height] = self.camera.volume().half_size();
         self.camera.world_from_view([x * width, y * height, -1.0])
     }
 
-    /// The sides x = ±w as far as the far plane, the line w = 0, the screen, the eye.
     fn wedge(&self) -> Vec<Mark3> {
         let volume = self.camera.volume();
         if volume.sight() == Sight::Parallel {
@@ -174,12 +150,12 @@ impl<'a> WLens<'a> {
         interval_marks(world, &shown.interval(None), ClipSpace::SYMBOLS[1], visible)
     }
 
-    /// Lines of sight and where they meet the screen, with what lies between the images.
     fn images(&self, world: &[[f64; 3]; 2]) -> Vec<Mark3> {
         if self.camera.volume().sight() == Sight::Parallel {
             return Vec::new();
         }
-        let wrong = if self.shown.in_hand().is_some() && !self.shown.is_divided {
+        let is_past = self.shown.in_hand().is_some() && !self.shown.is_divided;
+        let wrong = if is_past {
             Role::Discarded
         } else {
             Role::Signal
@@ -204,20 +180,13 @@ impl<'a> WLens<'a> {
             let place = self.on_screen(at);
             let behind = self.is_behind(end);
             let role = if behind { wrong } else { Role::Accent };
-            let sight = if behind {
-                Mark3::new(role, Shape3::Segment([world[end.idx()], place])).dashed()
-            } else {
-                Mark3::new(role, Shape3::Segment([eye, world[end.idx()]]))
-            };
-            marks.push(sight.fine());
-            let [x, w] = [given[0], given[3]];
-            let label = Formula::default()
-                .sym(if end == End::P1 {
-                    "x₁ / w₁ = "
-                } else {
-                    "x₂ / w₂ = "
-                })
-                .ratio(x, w);
+            let at = world[end.idx()];
+            let sight = if behind { [at, place] } else { [eye, at] };
+            let mut sight = Mark3::new(role, Shape3::Segment(sight)).fine();
+            sight.is_dashed = behind;
+            marks.push(sight);
+            let label = sym(["x₁ / w₁ = ", "x₂ / w₂ = "][end.idx()]);
+            let label = label.ratio(given[0], given[3]);
             let ring = Mark3::new(role, Shape3::Ring(place)).labelled(label);
             marks.push(ring.linked(end_link(end)));
         }
@@ -240,23 +209,19 @@ impl<'a> WLens<'a> {
         shape: fn([f64; 2]) -> Shape,
     ) -> Mark {
         let mark = Mark::new(role, shape(at)).linked(end_link(end));
-        if self.is_behind(end) && role == Role::Signal {
-            let place = Formula::default().sym(symbol).sym(" ").point(at);
-            mark.labelled(place)
-        } else {
-            mark.labelled(name(symbol))
-        }
+        let is_wrong = self.is_behind(end) && role == Role::Signal;
+        let label = is_wrong.then(|| Value::Formula(sym(symbol).sym(" ").point(at)));
+        mark.labelled(label.unwrap_or_else(|| name(symbol)))
     }
 
-    /// What joining both images gives.
     fn divided_screen(&self) -> Screen {
         let is_wrong = self.is_wrong();
         let role = if is_wrong { Role::Signal } else { Role::Accent };
         let mut marks = Self::square();
         if let Some(joined) = self.joined {
-            let whole = Mark::new(role, Shape::Segment(joined));
-            let whole_of = if is_wrong { whole.dashed() } else { whole };
-            marks.push(whole_of.linked("segment"));
+            let mut whole = Mark::new(role, Shape::Segment(joined)).linked("segment");
+            whole.is_dashed = is_wrong;
+            marks.push(whole);
             let [a, b] = joined.map(|[x, y]| [x, y, 0.0, 1.0]);
             if self.shown.is_divided {
                 let ends = self.shown.bounds.map(|u| on_line(&[a, b], u));
@@ -281,36 +246,25 @@ impl<'a> WLens<'a> {
         }
         Screen {
             title: Value::Term("screen-divide-first"),
-            note: Message::new(if is_wrong {
-                "screen-wrong"
-            } else if self.joined.is_none() {
-                "screen-no-image"
-            } else {
-                "screen-same"
+            note: Message::new(match self.joined {
+                _ if is_wrong => "screen-wrong",
+                None => "screen-no-image",
+                Some(_) => "screen-same",
             }),
             role: if is_wrong { Role::Signal } else { Role::Soft },
             marks,
         }
     }
 
-    /// What is left by the run, or by the right rules where the run is another.
     fn clipped_screen(&self) -> Screen {
         let shown = self.shown;
         let given = &shown.input.ends;
-        let left: Option<Ends> = if shown.is_divided {
-            self.right
-        } else if is_rejected(shown) {
-            None
-        } else {
-            Some(left_so_far(shown))
-        };
+        let so_far = (!is_rejected(shown)).then(|| left_so_far(shown));
+        let left: Option<Ends> = if shown.is_divided { self.right } else { so_far };
         let is_done = shown.is_divided || shown.verdict.is_some();
         let mut marks = Self::square();
-        let discarded = |ends| {
-            images_of(ends)
-                .into_iter()
-                .map(|shape| Mark::new(Role::Discarded, shape))
-        };
+        let mark = |shape| Mark::new(Role::Discarded, shape);
+        let discarded = |ends| images_of(ends).into_iter().map(mark);
         match left {
             None => marks.extend(discarded(*given)),
             Some([from, to]) => {

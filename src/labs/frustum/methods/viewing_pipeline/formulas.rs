@@ -5,23 +5,19 @@ use crate::{
         PipelineSpace, ViewingPipeline, ViewingPipelineEvent as Event, ViewingPipelineInput,
         ViewingPipelineOutput,
     },
-    labs::telling::{At, Named},
-    text::{Formula, Value},
+    labs::frustum::prelude::*,
 };
 
-use super::super::planes::place;
+use super::super::asked::place;
 
-/// As coordinates are called.
 const AXES: [&str; 4] = ["x", "y", "z", "w"];
 
-/// Templates of formulas.
 pub const OPENING: &str = "~ P = {P}";
 pub const DIVIDE: [&str; 3] = [
     "~ x / w = {x / w}{=x_ndc}",
     "~ y / w = {y / w}{=y_ndc}",
     "~ z / w = {z / w}{=z_ndc}",
 ];
-/// The same in one line.
 pub const DIVIDE_FLAT: [&str; 3] = [
     "~ x / w = {x} / {(w)}{=x_ndc}",
     "~ y / w = {y} / {(w)}{=y_ndc}",
@@ -35,7 +31,6 @@ pub const SCREEN: [&str; 2] = [
 pub const BEHIND: &str = "~ w = {w} ≤ 0";
 pub const TO_W: [&str; 3] = ["{x to w}", "{y to w}", "{z to w}"];
 
-/// The value of a name at a step.
 pub fn named(at: &At<'_, ViewingPipeline>, name: &str) -> Option<Named> {
     let (input, held, event) = (at.step.input, at.step.held, at.step.event());
     let size = input.viewport.size();
@@ -55,17 +50,12 @@ pub fn named(at: &At<'_, ViewingPipeline>, name: &str) -> Option<Named> {
         ("x_screen", _) => x?.into(),
         ("y_screen", _) => y?.into(),
         ("−w ≤ x, y, z ≤ w", Some(Event::Row { .. }) | None) => return None,
-        ("−w ≤ x, y, z ≤ w", Some(_)) => Value::Term(if held.inside {
-            "class-inside"
-        } else {
-            "class-outside"
-        })
-        .into(),
+        ("−w ≤ x, y, z ≤ w", Some(_)) if held.inside => Value::Term("class-inside").into(),
+        ("−w ≤ x, y, z ≤ w", Some(_)) => Value::Term("class-outside").into(),
         _ => return coordinate(held, name),
     })
 }
 
-/// A coordinate in clip space, what it is divided by w, and how it compares with w.
 fn coordinate(held: &ViewingPipelineOutput, name: &str) -> Option<Named> {
     let (axis, way) = name.split_at_checked(1)?;
     let i = AXES.iter().position(|it| *it == axis)?;
@@ -78,36 +68,25 @@ fn coordinate(held: &ViewingPipelineOutput, name: &str) -> Option<Named> {
     })
 }
 
-/// −w ≤ x ≤ w
 pub fn is_within(clip: &[f64; 4], axis: usize) -> bool {
     -clip[3] <= clip[axis] && clip[axis] <= clip[3]
 }
 
 /// `x = 0.8 · 3.5 + 0.6 · 2 + (−1) = 3`: what is multiplied by 0 is left out.
 pub fn sum(axis: usize, row: [f64; 4], operand: [f64; 3], value: f64) -> Formula {
-    let mut formula = Formula::decimals().sym(AXES[axis]).sym(" = ");
-    let mut is_first = true;
-    for (i, &entry) in row.iter().enumerate() {
-        if entry == 0.0 {
-            continue;
-        }
-        formula = if is_first {
-            formula.num(entry)
-        } else {
-            formula.sym(" + ").operand(entry)
-        };
-        if let Some(&factor) = operand.get(i) {
-            formula = formula.sym(" · ").operand(factor);
-        }
-        is_first = false;
+    let formula = Formula::decimals().sym(AXES[axis]).sym(" = ");
+    if row == [0.0; 4] {
+        return formula.num(0.0).equals(value);
     }
-    if is_first {
-        formula = formula.num(0.0);
-    }
-    formula.equals(value)
+    let factors = operand.map(Some).into_iter().chain([None]);
+    let terms = row.into_iter().zip(factors).filter(|&(n, _)| n != 0.0);
+    let product = |formula, factor: Option<f64>| match factor {
+        Some(factor) => times(formula, factor),
+        None => formula,
+    };
+    sum_of(formula, terms, product).equals(value)
 }
 
-/// The coordinates that a matrix is applied to.
 pub const fn before(
     input: &ViewingPipelineInput,
     held: &ViewingPipelineOutput,
@@ -129,12 +108,7 @@ fn against_w(clip: &[f64; 4], axis: usize) -> Formula {
     } else if x > w {
         formula.sym(" = ").num(x).sym(" > w = ").num(w)
     } else {
-        formula
-            .sym(": ")
-            .num(-w)
-            .sym(" ≤ ")
-            .num(x)
-            .sym(" ≤ ")
-            .num(w)
+        let formula = formula.sym(": ").num(-w).sym(" ≤ ");
+        formula.num(x).sym(" ≤ ").num(w)
     }
 }

@@ -5,8 +5,6 @@ mod product;
 
 use std::cmp::Ordering;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::pipeline::{
         PipelineSpace::{self, Clip, View as ViewSpace, World},
@@ -14,25 +12,16 @@ use crate::{
         ViewingPipelineOutput,
     },
     figure::{
-        Body, CellStage, SpaceCell, SpaceRow,
-        Tick::{self, Accept, Cut, Phase, Reject, Test},
-        View,
+        CellStage, SpaceCell, SpaceRow,
+        Tick::{self},
     },
     geom::Sight,
-    labs::{
-        Answer, CodeLine, code_line,
-        space::SpaceTelling,
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    text::{Formula, Value},
-    trace::Step,
+    labs::frustum::prelude::*,
 };
 
 use super::super::{
-    Scene, Subject,
     screen::screen,
-    stage::{Followed, PictureSpace, Scenery, SpacePictures},
+    stage::{Followed, PictureSpace, SpacePictures},
 };
 
 use formulas::{BEHIND, DIVIDE, OPENING, SCREEN, TO_W};
@@ -44,11 +33,7 @@ const MATRIX_VIEW: &str = "matrix";
 /// Rows of pixels on the screen of a scene; columns are as many as the camera's shape asks for.
 const SCREEN_ROWS: u32 = 400;
 
-impl Answer for ViewingPipelineOutput {
-    fn json(&self) -> Json {
-        json!(self)
-    }
-}
+impl AnswerAsItIs for ViewingPipelineOutput {}
 
 impl SpaceTelling for ViewingPipeline {
     const SUBJECT: Subject = Subject::Vertex;
@@ -64,41 +49,6 @@ impl SpaceTelling for ViewingPipeline {
     }
 }
 
-rows! { |event, step: ViewingPipeline|
-    world: Event::Row { space: World, row: 0, .. } => of_row(Phase, World, "pipeline-world-row");
-    world_next: Event::Row { space: World, .. } => of_row(Test, World, "pipeline-world-row");
-    left: Event::Row { space: ViewSpace, row: 0, value } if value < 0.0 =>
-        of_row(Phase, ViewSpace, "pipeline-view-left");
-    right: Event::Row { space: ViewSpace, row: 0, .. } =>
-        of_row(Phase, ViewSpace, "pipeline-view-right");
-    under: Event::Row { space: ViewSpace, row: 1, value } if value < 0.0 =>
-        of_row(Test, ViewSpace, "pipeline-view-under");
-    above: Event::Row { space: ViewSpace, row: 1, .. } =>
-        of_row(Test, ViewSpace, "pipeline-view-above");
-    ahead: Event::Row { space: ViewSpace, value, .. } if value < 0.0 =>
-        of_row(Test, ViewSpace, "pipeline-view-ahead");
-    back: Event::Row { space: ViewSpace, .. } => of_row(Test, ViewSpace, "pipeline-view-back");
-    x: Event::Row { space: Clip, row: 0, .. } => of_row(Phase, Clip, "pipeline-clip-x");
-    y: Event::Row { space: Clip, row: 1, .. } => of_row(Test, Clip, "pipeline-clip-y");
-    z: Event::Row { space: Clip, row: 2, .. } => of_row(Test, Clip, "pipeline-clip-z");
-    w_parallel: Event::Row { space: Clip, .. }
-        if step.input.camera.volume().sight() == Sight::Parallel =>
-        of_row(Test, Clip, "pipeline-clip-w-parallel");
-    w: Event::Row { space: Clip, .. } => of_row(Test, Clip, "pipeline-clip-w");
-    inside: Event::Test { inside: true } =>
-        Row::new(Accept, 3, "pipeline-inside")
-            .so(&TO_W).answers("inside");
-    outside: Event::Test { inside: false } =>
-        Row::new(Cut, 3, "pipeline-outside")
-            .so(&["{x beyond w}", "{y beyond w}", "{z beyond w}"]).answers("inside");
-    divide: Event::Divide { .. } =>
-        Row::new(Test, 4, "pipeline-divide").so(&DIVIDE).answers("before the eye");
-    screen: Event::Screen { .. } => Row::new(Accept, 5, "pipeline-screen").so(&SCREEN);
-    behind: Event::Behind =>
-        Row::new(Reject, 6, "pipeline-behind").so(&[BEHIND]).answers("before the eye");
-}
-
-/// A row of the matrix that leads into a space.
 const fn of_row(tick: Tick, into: PipelineSpace, key: &'static str) -> Row {
     Row::new(tick, into as usize, key).so(&["{sum}"])
 }
@@ -118,19 +68,44 @@ impl Telling for ViewingPipeline {
         code_line(1, "code-pipeline-screen", "words-pipeline-screen"),
         code_line(0, "code-pipeline-behind", "words-pipeline-behind"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::ListSeen("spaces", SPACES_VIEW),
         Watched::Names(&["−w ≤ x, y, z ≤ w"]),
     ];
+    const OPENING: Row = Row::new(Phase, 0, "pipeline-opening").so(&[OPENING]);
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const ROW: Row = Row::new(Phase, 0, "pipeline-opening").so(&[OPENING]);
-        &ROW
+    table! { |event, step|
+        world: Event::Row { space: World, row: 0, .. } => of_row(Phase, World, "pipeline-world-row");
+        world_next: Event::Row { space: World, .. } => of_row(Test, World, "pipeline-world-row");
+        left: Event::Row { space: ViewSpace, row: 0, value } if value < 0.0 =>
+            of_row(Phase, ViewSpace, "pipeline-view-left");
+        right: Event::Row { space: ViewSpace, row: 0, .. } =>
+            of_row(Phase, ViewSpace, "pipeline-view-right");
+        under: Event::Row { space: ViewSpace, row: 1, value } if value < 0.0 =>
+            of_row(Test, ViewSpace, "pipeline-view-under");
+        above: Event::Row { space: ViewSpace, row: 1, .. } =>
+            of_row(Test, ViewSpace, "pipeline-view-above");
+        ahead: Event::Row { space: ViewSpace, value, .. } if value < 0.0 =>
+            of_row(Test, ViewSpace, "pipeline-view-ahead");
+        back: Event::Row { space: ViewSpace, .. } => of_row(Test, ViewSpace, "pipeline-view-back");
+        x: Event::Row { space: Clip, row: 0, .. } => of_row(Phase, Clip, "pipeline-clip-x");
+        y: Event::Row { space: Clip, row: 1, .. } => of_row(Test, Clip, "pipeline-clip-y");
+        z: Event::Row { space: Clip, row: 2, .. } => of_row(Test, Clip, "pipeline-clip-z");
+        w_parallel: Event::Row { space: Clip, .. }
+            if step.input.camera.volume().sight() == Sight::Parallel =>
+            of_row(Test, Clip, "pipeline-clip-w-parallel");
+        w: Event::Row { space: Clip, .. } => of_row(Test, Clip, "pipeline-clip-w");
+        inside: Event::Test { inside: true } =>
+            Row::new(Accept, 3, "pipeline-inside")
+                .so(&TO_W).answers("inside");
+        outside: Event::Test { inside: false } =>
+            Row::new(Cut, 3, "pipeline-outside")
+                .so(&["{x beyond w}", "{y beyond w}", "{z beyond w}"]).answers("inside");
+        divide: Event::Divide { .. } =>
+            Row::new(Test, 4, "pipeline-divide").so(&DIVIDE).answers("before the eye");
+        screen: Event::Screen { .. } => Row::new(Accept, 5, "pipeline-screen").so(&SCREEN);
+        behind: Event::Behind =>
+            Row::new(Reject, 6, "pipeline-behind").so(&[BEHIND]).answers("before the eye");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -165,7 +140,6 @@ impl Telling for ViewingPipeline {
     }
 }
 
-/// The space that a step is in.
 const fn active(event: Option<Event>) -> PictureSpace {
     match event {
         None => PictureSpace::Model,
@@ -176,7 +150,6 @@ const fn active(event: Option<Event>) -> PictureSpace {
     }
 }
 
-/// Which of the arrows between the spaces is at work.
 const fn arrow(event: Option<Event>) -> Option<usize> {
     match event {
         None | Some(Event::Test { .. } | Event::Behind) => None,
@@ -186,7 +159,6 @@ const fn arrow(event: Option<Event>) -> Option<usize> {
     }
 }
 
-/// What is known of the vertex in a space.
 fn known<'a>(at: &At<'a, ViewingPipeline>, space: PictureSpace) -> &'a [f64] {
     let held = at.step.held;
     match space {
@@ -199,7 +171,6 @@ fn known<'a>(at: &At<'a, ViewingPipeline>, space: PictureSpace) -> &'a [f64] {
     }
 }
 
-/// The coordinates that have been worked out in a space.
 fn reached<'a>(at: &At<'a, ViewingPipeline>, into: PipelineSpace) -> &'a [f64] {
     let n_rows = match at.step.event() {
         None => 0,
@@ -220,14 +191,7 @@ fn followed(at: &At<'_, ViewingPipeline>, space: PictureSpace) -> Followed {
     let is_active = active(event) == space;
     let current = match event {
         Some(Event::Row { row, .. }) if is_active => Some(row),
-        None
-        | Some(
-            Event::Row { .. }
-            | Event::Test { .. }
-            | Event::Divide { .. }
-            | Event::Screen { .. }
-            | Event::Behind,
-        ) => None,
+        _ => None,
     };
     Followed {
         at: std::array::from_fn(|i| known.get(i).copied().unwrap_or_default()),
@@ -254,7 +218,6 @@ fn place(at: &At<'_, ViewingPipeline>, space: PictureSpace) -> Option<Value> {
     Some(Value::Formula(formula))
 }
 
-/// All six, small.
 fn row_of_spaces(at: &At<'_, ViewingPipeline>, pictures: &SpacePictures<'_>) -> SpaceRow {
     let active = active(at.step.event());
     let cell = |space: PictureSpace| SpaceCell {

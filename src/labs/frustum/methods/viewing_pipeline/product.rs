@@ -2,19 +2,17 @@
 
 use crate::{
     algo::pipeline::{PipelineSpace, ViewingPipeline, ViewingPipelineEvent as Event},
-    figure::{Link, MatrixProduct, MatrixRow},
+    figure::{MatrixProduct, MatrixRow},
     geom::Sight,
-    labs::{telling::At, words::name},
-    text::{Formula, Message, Value},
+    labs::frustum::prelude::*,
 };
 
-use super::super::planes::place;
+use super::super::asked::place;
 use super::{
     formulas::{BEHIND, DIVIDE_FLAT, SCREEN, TO_W, before, is_within, sum},
     reached,
 };
 
-/// What leads from each space to the next, as it is called.
 pub const ARROWS: [&str; 5] = [
     "world_from_model",
     "view_from_world",
@@ -45,24 +43,17 @@ fn matrix(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> MatrixProduct {
     let known = reached(at, into);
     let current = match event {
         Some(Event::Row { row, .. }) => Some(row),
-        None
-        | Some(Event::Test { .. } | Event::Divide { .. } | Event::Screen { .. } | Event::Behind) => {
-            None
-        }
+        _ => None,
     };
     let rows = input.matrix(into).rows().into_iter().enumerate();
     let rows = rows.map(|(i, entries)| {
         let found = known.get(i).copied();
         // The last row of an affine matrix leaves the 1 where it is.
-        let result = if i < into.n_rows() {
-            found
-        } else {
-            event.map(|_| 1.0)
-        };
+        let one = event.filter(|_| i >= into.n_rows()).map(|_| 1.0);
         MatrixRow {
             entries: entries.map(|x| x + 0.0).to_vec(),
             operand: Some(if i == 3 { 1.0 } else { operand[i] }),
-            result,
+            result: one.or(found),
             sum: found.map(|value| sum(i, entries, operand, value)),
             is_current: current == Some(i),
             link: Some(row_link(i)),
@@ -83,7 +74,6 @@ fn matrix(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> MatrixProduct {
     }
 }
 
-/// What a matrix is made of.
 fn note(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> Value {
     let camera = &at.step.input.camera;
     let volume = camera.volume();
@@ -98,10 +88,9 @@ fn note(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> Value {
                 Sight::Parallel => "pipeline-note-clip-parallel",
             };
             let [width, height] = volume.half_size();
-            let depths = Message::new(key)
+            Message::new(key)
                 .with("near", volume.near())
-                .with("far", volume.far());
-            depths
+                .with("far", volume.far())
                 .with("aspect", width / height)
                 .with("angle", 2.0 * libm::atan(height).to_degrees())
                 .with("height", 2.0 * height)
@@ -109,7 +98,6 @@ fn note(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> Value {
     })
 }
 
-/// Rows without a matrix.
 fn rows(
     operand: &[f64],
     result: &[f64],
@@ -127,59 +115,49 @@ fn rows(
     operand.iter().enumerate().map(row).collect()
 }
 
-fn test(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
-    let held = at.step.held;
+/// A step without a matrix.
+fn plain(name: Value, from: &'static str, rows: Vec<MatrixRow>) -> MatrixProduct {
     MatrixProduct {
-        name: name("−w ≤ x, y, z ≤ w"),
+        name,
         notes: Vec::new(),
-        from: Value::Term("space-clip"),
+        from: Value::Term(from),
         operator: None,
         into: None,
-        rows: rows(
-            &held.clip,
-            &[],
-            |i| at.formula(TO_W.get(i)?),
-            |i| i < 3 && (held.inside || !is_within(&held.clip, i)),
-        ),
+        rows,
     }
+}
+
+fn test(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
+    let held = at.step.held;
+    let sum = |i: usize| at.formula(TO_W.get(i)?);
+    let is_current = |i| i < 3 && (held.inside || !is_within(&held.clip, i));
+    let rows = rows(&held.clip, &[], sum, is_current);
+    plain(name("−w ≤ x, y, z ≤ w"), "space-clip", rows)
 }
 
 fn divide(at: &At<'_, ViewingPipeline>, ndc: [f64; 3]) -> MatrixProduct {
     let clip = at.step.held.clip;
+    let rows = rows(&clip, &ndc, |i| at.formula(DIVIDE_FLAT.get(i)?), |i| i < 3);
     MatrixProduct {
-        name: name(ARROWS[3]),
-        notes: Vec::new(),
-        from: Value::Term("space-clip"),
         operator: Some(Formula::decimals().sym("÷ ").num(clip[3])),
         into: Some(Value::Term("space-ndc")),
-        rows: rows(&clip, &ndc, |i| at.formula(DIVIDE_FLAT.get(i)?), |i| i < 3),
+        ..plain(name(ARROWS[3]), "space-clip", rows)
     }
 }
 
 fn viewport(at: &At<'_, ViewingPipeline>, screen: [f64; 2]) -> MatrixProduct {
     let ndc = at.step.held.ndc.unwrap_or_default();
+    let size = at.formula("{width} × {height}").map(Value::Formula);
+    let rows = rows(&ndc, &screen, |i| at.formula(SCREEN.get(i)?), |i| i < 2);
     MatrixProduct {
-        name: name(ARROWS[4]),
-        notes: at
-            .formula("{width} × {height}")
-            .map(Value::Formula)
-            .into_iter()
-            .collect(),
-        from: Value::Term("space-ndc"),
-        operator: None,
+        notes: size.into_iter().collect(),
         into: Some(Value::Term("space-screen")),
-        rows: rows(&ndc, &screen, |i| at.formula(SCREEN.get(i)?), |i| i < 2),
+        ..plain(name(ARROWS[4]), "space-ndc", rows)
     }
 }
 
 fn behind(at: &At<'_, ViewingPipeline>) -> MatrixProduct {
     let no_more = |i: usize| at.formula(BEHIND).filter(|_| i == 3);
-    MatrixProduct {
-        name: name("w ≤ 0"),
-        notes: Vec::new(),
-        from: Value::Term("space-clip"),
-        operator: None,
-        into: None,
-        rows: rows(&at.step.held.clip, &[], no_more, |i| i == 3),
-    }
+    let rows = rows(&at.step.held.clip, &[], no_more, |i| i == 3);
+    plain(name("w ≤ 0"), "space-clip", rows)
 }

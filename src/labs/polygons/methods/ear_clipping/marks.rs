@@ -1,22 +1,19 @@
 //! What ear clipping draws.
 
-use crate::{
-    algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle, Triangulation},
-    figure::{Mark, Role, Shape},
-    geom::Point,
-    labs::{
-        polygons::methods::triangles::{cut_off_marks, points_of, vertex_mark},
-        words::vertex_name,
-    },
-    trace::Step,
+use crate::algo::polygon::{
+    Corner, EarClipping, EarClippingEvent as Event, Triangle, Triangulation,
 };
 
-use super::{corner, is_done, vertex_link};
+use super::{
+    super::{
+        prelude::*,
+        triangles::{cut_off_marks, points_of},
+    },
+    corner, is_done, vertex_link,
+};
 
-/// Up to this number of vertices each has its mark.
 const FEW_ENOUGH: usize = 60;
 
-/// The drawing.
 pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     let held = step.held;
     let mut marks = cut_off_marks(&held.cut_off);
@@ -29,38 +26,28 @@ pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     marks
 }
 
-/// What this step is about.
 fn event_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     let held = step.held;
-    let candidate = |role| {
-        let corner = corner(step).into_iter();
-        corner
-            .flat_map(|corner| ear(&held.cut_off, corner, role))
-            .collect()
+    let Some(corner) = corner(step) else {
+        return Vec::new();
     };
+    let candidate = |role| ear(&held.cut_off, corner, role).to_vec();
     match step.event() {
-        Some(Event::Classify {
-            vertex_idx,
-            prev_idx,
-            next_idx,
-            ..
-        }) => turn([prev_idx, vertex_idx, next_idx].map(|i| held.cut_off.at(i))),
+        Some(Event::Classify { .. }) => turn(held.cut_off.corners(corner)),
         Some(Event::Candidate { .. } | Event::Last { .. }) => candidate(Role::Signal),
         Some(Event::Blocked { by_idx, .. }) => {
-            let mut marks: Vec<Mark> = candidate(Role::Signal);
             // Where it is no neighbour: an edge is there already.
             let [prev, _, next] = held.ring.corner(by_idx);
-            let corners = corner(step).into_iter().flatten();
-            let others = corners.filter(|&corner| corner != prev && corner != next);
-            marks.extend(others.map(|corner| {
+            let others = corner.into_iter().filter(|&i| i != prev && i != next);
+            let lines = others.map(|corner| {
                 let ends = [by_idx, corner].map(|i| held.cut_off.at(i).to_array());
                 Mark::new(Role::Soft, Shape::Segment(ends)).dashed()
-            }));
-            marks
+            });
+            candidate(Role::Signal).into_iter().chain(lines).collect()
         }
         Some(Event::Ear { .. }) => candidate(Role::Accepted),
-        Some(Event::Cut { triangle, .. }) => {
-            let [from, _, to] = held.cut_off.corners(triangle).map(Point::to_array);
+        Some(Event::Cut { .. }) => {
+            let [from, _, to] = held.cut_off.corners(corner).map(Point::to_array);
             vec![Mark::new(Role::Signal, Shape::Segment([from, to]))]
         }
         Some(Event::Round { .. } | Event::Pass { .. } | Event::Done { .. }) | None => Vec::new(),
@@ -114,16 +101,16 @@ fn vertex_marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
         this_step.clone()
     };
     let mark = |i: usize| {
-        let at = held.cut_off.at(i);
+        let at = held.cut_off.at(i).to_array();
         let is_convex = held.corners[i].is_none_or(|corner| corner == Corner::Convex);
         let is_left = !is_done(step.event()) && held.ring.contains(i);
         let mark = if this_step.contains(&i) {
-            vertex_mark(Role::Signal, is_convex, at)
+            Mark::new(Role::Signal, Shape::dot_or_ring(is_convex, at))
         } else if is_convex || !is_left {
             let role = if is_left { Role::Ink } else { Role::Soft };
-            Mark::new(role, Shape::Vertex(at.to_array()))
+            Mark::new(role, Shape::Vertex(at))
         } else {
-            vertex_mark(Role::Ink, false, at)
+            Mark::new(Role::Ink, Shape::Ring(at))
         };
         mark.labelled(vertex_name(i)).linked(vertex_link(i))
     };

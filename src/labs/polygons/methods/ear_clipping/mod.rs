@@ -10,23 +10,13 @@ use crate::{
         Corner::{self, Convex, Reflex, Straight},
         EarClipping, EarClippingEvent as Event, EarClippingHeld as Held, Triangle, Triangulation,
     },
-    figure::{
-        Body, Link,
-        Tick::{Accept, Cut, Phase, Test},
-        View, Watch,
-    },
-    geom::{Point, SimplePolygon},
-    labs::{
-        Answer, CodeLine, code_line,
-        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::{vertex_name, vertex_symbol},
-    },
-    text::{Formula, Value},
-    trace::Step,
+    geom::SimplePolygon,
 };
 
-use super::triangles::{named_triangles, part_of, triangle_link, triangle_name, triangles_json};
+use super::{
+    prelude::*,
+    triangles::{named_triangles, part_of, triangle_link, triangle_name},
+};
 
 pub use self::marks::marks;
 
@@ -38,26 +28,7 @@ const CUT: usize = 5;
 const RECLASSIFY: usize = 6;
 const LAST: usize = 7;
 
-/// Rows of the table of vertices.
 const MAX_ROWS: usize = 12;
-
-rows! { |event, step: EarClipping|
-    again: Event::Classify { .. } if step.held.ring.len() < step.input.vertices().len() =>
-        Row::new(Test, RECLASSIFY, "ear-classify-again").so(TURN).picks("corner", "corners");
-    classify: Event::Classify { .. } =>
-        Row::new(Test, CLASSIFY, "ear-classify").so(TURN).picks("corner", "corners");
-    round: Event::Round { .. } => Row::new(Phase, ROUND, "ear-round");
-    pass: Event::Pass { .. } =>
-        Row::new(Test, CONVEX, "ear-pass").answers_as("convex", "ear-not-convex").keeps("vertex");
-    candidate: Event::Candidate { .. } =>
-        Row::new(Test, CONVEX, "ear-candidate").answers_as("convex", "ear-is-convex");
-    blocked: Event::Blocked { .. } =>
-        Row::new(Test, EMPTY, "ear-blocked").so(SIDES).answers_as("ear", "ear-not-empty").keeps("vertex");
-    ear: Event::Ear { .. } => Row::new(Test, EMPTY, "ear-ear").answers("ear").drops("vertex");
-    cut: Event::Cut { .. } => Row::new(Cut, CUT, "ear-cut").about("triangle");
-    last: Event::Last { .. } => Row::new(Cut, LAST, "ear-last").about("triangle");
-    done: Event::Done { .. } => Row::new(Accept, LAST, "ear-done").so(COUNT);
-}
 
 const TURN: &[&str] = &[
     "{turn} = ({xb} − {(xa)}) · ({yc} − {(yb)}) − ({yb} − {(ya)}) · ({xc} − {(xb)}){=area}{sign}",
@@ -83,8 +54,10 @@ impl PolygonTelling for EarClipping {
 }
 
 impl Answer for Triangulation {
-    fn json(&self) -> serde_json::Value {
-        triangles_json(self)
+    fn json(&self) -> Json {
+        let triangles = self.triangles();
+        let corners: Vec<[Point; 3]> = triangles.iter().map(|&t| self.corners(t)).collect();
+        json!({ "triangles": corners, "vertices": triangles })
     }
 }
 
@@ -104,7 +77,6 @@ impl Telling for EarClipping {
         code_line(4, "code-ear-again", "words-ear-again"),
         code_line(0, "code-ear-last", "words-ear-last"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[
         Watched::Seen(&["left"], ring::VIEW),
         Watched::Names(&["n left", "n triangles"]),
@@ -112,14 +84,25 @@ impl Telling for EarClipping {
         Watched::ListSeen("triangles", ring::VIEW),
     ];
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        again: Event::Classify { .. } if step.held.ring.len() < step.input.vertices().len() =>
+            Row::new(Test, RECLASSIFY, "ear-classify-again").so(TURN).picks("corner", "corners");
+        classify: Event::Classify { .. } =>
+            Row::new(Test, CLASSIFY, "ear-classify").so(TURN).picks("corner", "corners");
+        round: Event::Round { .. } => Row::new(Phase, ROUND, "ear-round");
+        pass: Event::Pass { .. } =>
+            Row::new(Test, CONVEX, "ear-pass").answers_as("convex", "ear-not-convex").keeps("vertex");
+        candidate: Event::Candidate { .. } =>
+            Row::new(Test, CONVEX, "ear-candidate").answers_as("convex", "ear-is-convex");
+        blocked: Event::Blocked { .. } =>
+            Row::new(Test, EMPTY, "ear-blocked").so(SIDES).answers_as("ear", "ear-not-empty").keeps("vertex");
+        ear: Event::Ear { .. } => Row::new(Test, EMPTY, "ear-ear").answers("ear").drops("vertex");
+        cut: Event::Cut { .. } => Row::new(Cut, CUT, "ear-cut").about("triangle");
+        last: Event::Last { .. } => Row::new(Cut, LAST, "ear-last").about("triangle");
+        done: Event::Done { .. } => Row::new(Accept, LAST, "ear-done").so(COUNT);
     }
 
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, CLASSIFY, "ear-opening").so(COUNT);
-        &OPENING
-    }
+    const OPENING: Row = Row::new(Phase, CLASSIFY, "ear-opening").so(COUNT);
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let (held, event) = (at.step.held, at.step.event());
@@ -142,9 +125,10 @@ impl Telling for EarClipping {
                 let triangle = Named::from(triangle_name(corner(&at.step)?));
                 cut_off.map_or(triangle.clone(), |idx| triangle.linked(triangle_link(idx)))
             }
-            ("diagonal", Some(Event::Cut { triangle, .. })) => {
-                vertices_name([triangle[0], triangle[2]]).into()
-            }
+            ("diagonal", Some(Event::Cut { triangle, .. })) => [triangle[0], triangle[2]]
+                .map(vertex_symbol)
+                .concat()
+                .into(),
             ("turn", Some(Event::Classify { .. })) => turn_name(corner(&at.step)?).into(),
             ("area", Some(Event::Classify { double_area, .. })) => double_area.into(),
             ("sign", Some(Event::Classify { corner, .. })) => sign(corner).into(),
@@ -218,7 +202,6 @@ fn corner(step: &Step<'_, EarClipping>) -> Option<Triangle> {
     }
 }
 
-/// Does a triangle come to those that are cut off?
 const fn cuts(event: Option<Event>) -> bool {
     matches!(event, Some(Event::Cut { .. } | Event::Last { .. }))
 }
@@ -227,7 +210,6 @@ const fn is_done(event: Option<Event>) -> bool {
     matches!(event, Some(Event::Done { .. }))
 }
 
-/// The vertex whose turn it is.
 fn asked(step: &Step<'_, EarClipping>) -> Option<usize> {
     step.held.asked().filter(|_| !is_done(step.event()))
 }
@@ -243,22 +225,18 @@ fn coordinate(step: &Step<'_, EarClipping>, name: &str) -> Option<f64> {
 
 /// `turn(V₁, V₂, V₄) = 12 ≥ 0`: the vertex that blocks an ear, by one of the ear's sides.
 fn side(step: &Step<'_, EarClipping>, side: usize) -> Option<Formula> {
-    let Some(Event::Blocked {
+    let Event::Blocked {
         by_idx,
-        double_areas,
+        double_areas: areas,
         ..
-    }) = step.event()
+    } = step.event()?
     else {
         return None;
     };
     let triangle = corner(step)?;
     let turn = turn_name([triangle[side], triangle[(side + 1) % 3], by_idx]);
-    Some(
-        Formula::default()
-            .sym(turn)
-            .equals(double_areas[side])
-            .sym(" ≥ 0"),
-    )
+    let formula = Formula::default().sym(turn).equals(areas[side]);
+    Some(formula.sym(" ≥ 0"))
 }
 
 /// `turn(V₁, V₂, V₃)`.
@@ -267,7 +245,6 @@ fn turn_name(corner: Triangle) -> String {
     format!("turn({a}, {b}, {c})")
 }
 
-/// What follows the area of a corner.
 fn sign(corner: Corner) -> Formula {
     match corner {
         Convex => Formula::default().sym(" > 0"),
@@ -313,15 +290,8 @@ fn around(step: &Step<'_, EarClipping>) -> Vec<usize> {
 
 /// `V₁V₂V₄V₅`, with dots where there are too many: it says the same until one of those that it names is cut off.
 fn ring_name(held: &Held) -> String {
-    let dots = if held.ring.len() > MAX_ROWS {
-        "…"
-    } else {
-        ""
-    };
-    vertices_name(held.ring.iter().take(MAX_ROWS)) + dots
-}
-
-/// `V₁V₂…`.
-fn vertices_name(vertices: impl IntoIterator<Item = usize>) -> String {
-    vertices.into_iter().map(vertex_symbol).collect()
+    let is_long = held.ring.len() > MAX_ROWS;
+    let symbols = held.ring.iter().take(MAX_ROWS).map(vertex_symbol);
+    let dots = is_long.then(|| "…".to_owned());
+    symbols.chain(dots).collect()
 }

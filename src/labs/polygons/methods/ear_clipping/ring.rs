@@ -1,21 +1,15 @@
 //! What ear clipping holds: the ring of what is left, and the triangles that are cut off it.
 
-use crate::{
-    algo::polygon::{
-        Corner, EarClipping, EarClippingEvent as Event, EarClippingHeld as Held, Triangle,
+use crate::algo::polygon::{Corner, EarClipping, EarClippingEvent as Event, Triangle};
+
+use super::{
+    super::{
+        prelude::*,
+        triangles::{triangle_link, triangle_name},
     },
-    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists, Role},
-    labs::{
-        polygons::methods::triangles::{triangle_link, triangle_name},
-        words::{name, vertex_name},
-    },
-    text::Value,
-    trace::Step,
+    asked, corner, corner_name, cuts, is_done, vertex_link,
 };
 
-use super::{asked, corner, corner_name, cuts, is_done, vertex_link};
-
-/// The view's name.
 pub const VIEW: &str = "ring";
 
 /// Up to this number of vertices, one that is cut off keeps its place in the ring.
@@ -24,17 +18,11 @@ const FEW_ENOUGH: usize = 12;
 pub fn lists(step: &Step<'_, EarClipping>) -> Lists {
     let (ring, tip) = ring(step);
     let triangles = triangles(step);
-    let links = match (cuts(step.event()), tip, triangles.focus) {
-        (true, Some(tip), Some(triangle)) => vec![ListLink {
-            from: [0, tip],
-            to: [1, triangle],
-            role: Role::Signal,
-        }],
-        (true | false, ..) => Vec::new(),
-    };
+    let cut = tip.zip(triangles.focus).filter(|_| cuts(step.event()));
+    let link = cut.map(|(tip, triangle)| ListLink::between(tip, triangle, Role::Signal));
     Lists {
         lists: vec![ring, triangles],
-        links,
+        links: link.into_iter().collect(),
         // Each entry says it itself.
         legend: Vec::new(),
     }
@@ -53,26 +41,22 @@ fn ring(step: &Step<'_, EarClipping>) -> (ListColumn, Option<usize>) {
     };
     let n_shown = vertices.len();
     let tip = corner.and_then(|[_, tip, _]| vertices.iter().position(|&i| i == tip));
-    let entry = |i: usize| {
-        let fate = fate(step, i);
-        ListRow {
-            details: vec![fate.or(held.corners[i].map(corner_name))],
-            marker: marker(held, i),
-            role: role(step, corner, i),
-            link: Some(vertex_link(i)),
-            ..ListRow::new(vertex_name(i))
-        }
+    let entry = |i: usize| ListRow {
+        details: vec![fate(step, i).or(held.corners[i].map(corner_name))],
+        // As in the drawing.
+        marker: held.corners[i].map(|it| ItemMarker::dot_or_ring(it == Corner::Convex)),
+        role: role(step, corner, i),
+        link: Some(vertex_link(i)),
+        ..ListRow::new(vertex_name(i))
     };
+    let entries = vertices.into_iter().map(entry).collect();
     let list = ListColumn {
         columns: vec![name("")],
         n_before,
         n_after: held.ring.len().saturating_sub(n_before + n_shown),
         is_ring: true,
         focus: tip.or(focus),
-        ..ListColumn::new(
-            Value::Term("ear-list-ring"),
-            vertices.into_iter().map(entry).collect(),
-        )
+        ..ListColumn::new(Value::Term("ear-list-ring"), entries)
     };
     (list, tip)
 }
@@ -83,34 +67,21 @@ fn about(
     step: &Step<'_, EarClipping>,
     corner: Option<Triangle>,
 ) -> (Vec<usize>, usize, Option<usize>) {
-    let held = step.held;
-    let tip = corner.map(
-        |[prev, tip, _]| {
-            if held.ring.contains(tip) { tip } else { prev }
-        },
-    );
-    let place = tip
-        .or(asked(step))
-        .and_then(|asked| held.ring.iter().position(|i| i == asked));
-    let reach = ListColumn::reach(held.ring.len(), place);
-    let shown = held.ring.iter().skip(reach.start).take(reach.len());
-    (
-        shown.collect(),
-        reach.start,
-        place.map(|place| place - reach.start),
-    )
+    let ring = &step.held.ring;
+    let tip = corner.map(|[prev, tip, _]| if ring.contains(tip) { tip } else { prev });
+    let asked = tip.or(asked(step));
+    let place = asked.and_then(|asked| ring.iter().position(|i| i == asked));
+    let reach = ListColumn::reach(ring.len(), place);
+    let shown = ring.iter().skip(reach.start).take(reach.len());
+    let focus = place.map(|place| place - reach.start);
+    (shown.collect(), reach.start, focus)
 }
 
-/// What a vertex is at this step: its corner's tip, beside it, in its triangle, or about to be asked whether it is.
 fn role(step: &Step<'_, EarClipping>, corner: Option<Triangle>, vertex_idx: usize) -> Role {
-    let held = step.held;
-    let is_left = !is_done(step.event()) && held.ring.contains(vertex_idx);
-    let [is_tip, is_beside] = corner.map_or([false; 2], |corner| {
-        [corner[1] == vertex_idx, corner.contains(&vertex_idx)]
-    });
-    let blocks =
-        matches!(step.event(), Some(Event::Blocked { by_idx, .. }) if by_idx == vertex_idx);
-    if is_tip || blocks {
+    let is_left = !is_done(step.event()) && step.held.ring.contains(vertex_idx);
+    let is_tip = corner.is_some_and(|[_, tip, _]| tip == vertex_idx);
+    let is_beside = corner.is_some_and(|corner| corner.contains(&vertex_idx));
+    if is_tip || blocks(step, vertex_idx) {
         Role::Signal
     } else if is_beside {
         Role::Accent
@@ -123,21 +94,17 @@ fn role(step: &Step<'_, EarClipping>, corner: Option<Triangle>, vertex_idx: usiz
     }
 }
 
+fn blocks(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
+    matches!(step.event(), Some(Event::Blocked { by_idx, .. }) if by_idx == vertex_idx)
+}
+
 /// May this vertex lie in the triangle that is asked about? Only one that is left and not convex, and no corner of it.
 fn is_rival(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
     let held = step.held;
-    let is_asked = match step.event() {
-        Some(Event::Candidate { .. } | Event::Blocked { .. } | Event::Ear { .. }) => true,
-        Some(
-            Event::Classify { .. }
-            | Event::Round { .. }
-            | Event::Pass { .. }
-            | Event::Cut { .. }
-            | Event::Last { .. }
-            | Event::Done { .. },
-        )
-        | None => false,
-    };
+    let is_asked = matches!(
+        step.event(),
+        Some(Event::Candidate { .. } | Event::Blocked { .. } | Event::Ear { .. })
+    );
     let is_own = corner(step).is_some_and(|corner| corner.contains(&vertex_idx));
     let is_convex = held.corners[vertex_idx].is_none_or(|corner| corner == Corner::Convex);
     is_asked && !is_own && !is_convex && held.ring.contains(vertex_idx)
@@ -145,32 +112,10 @@ fn is_rival(step: &Step<'_, EarClipping>, vertex_idx: usize) -> bool {
 
 /// Where a rival lies, once that is known.
 fn fate(step: &Step<'_, EarClipping>, vertex_idx: usize) -> Option<Value> {
-    let is_in = match step.event()? {
-        Event::Blocked { by_idx, .. } if by_idx == vertex_idx => true,
-        Event::Ear { .. } if is_rival(step, vertex_idx) => false,
-        Event::Classify { .. }
-        | Event::Round { .. }
-        | Event::Pass { .. }
-        | Event::Candidate { .. }
-        | Event::Blocked { .. }
-        | Event::Ear { .. }
-        | Event::Cut { .. }
-        | Event::Last { .. }
-        | Event::Done { .. } => return None,
-    };
-    Some(Value::Term(if is_in {
-        "ear-inside"
-    } else {
-        "ear-outside"
-    }))
-}
-
-/// As in the drawing: a dot for a convex vertex, a ring for any other.
-fn marker(held: &Held, vertex_idx: usize) -> Option<ItemMarker> {
-    held.corners[vertex_idx].map(|corner| match corner {
-        Corner::Convex => ItemMarker::Dot,
-        Corner::Straight | Corner::Reflex => ItemMarker::Ring,
-    })
+    let is_ear = matches!(step.event(), Some(Event::Ear { .. }));
+    let is_outside = is_ear && is_rival(step, vertex_idx);
+    let inside = blocks(step, vertex_idx).then_some("ear-inside");
+    Some(Value::Term(inside.or(is_outside.then_some("ear-outside"))?))
 }
 
 /// The triangles that have been cut off, and a place for each that is still to come.
@@ -178,7 +123,6 @@ fn triangles(step: &Step<'_, EarClipping>) -> ListColumn {
     let cut_off = step.held.cut_off.triangles();
     let n = step.input.vertices().len() - 2;
     let last = cut_off.len().checked_sub(1);
-    let reach = ListColumn::reach(n, last);
     let entry = |triangle_idx: usize| match cut_off.get(triangle_idx) {
         Some(&triangle) => ListRow {
             role: if cuts(step.event()) && last == Some(triangle_idx) {
@@ -194,13 +138,5 @@ fn triangles(step: &Step<'_, EarClipping>) -> ListColumn {
             ..ListRow::new(name("·"))
         },
     };
-    ListColumn {
-        n_before: reach.start,
-        n_after: n - reach.end,
-        focus: last.map(|last| last - reach.start),
-        ..ListColumn::new(
-            Value::Term("ear-list-triangles"),
-            reach.map(entry).collect(),
-        )
-    }
+    ListColumn::about(Value::Term("ear-list-triangles"), n, last, entry)
 }

@@ -4,23 +4,19 @@ use std::cmp::Ordering;
 
 use crate::{
     algo::polygon::weiler_atherton::{
-        BorderRing, Intersection, IntersectionLabel, List, RingKind, WeilerAtherton,
-        WeilerAthertonEvent as Event, WeilerAthertonHeld as Held,
+        BorderRing, Intersection, List, RingKind, WeilerAtherton, WeilerAthertonEvent as Event,
+        WeilerAthertonHeld as Held,
     },
-    figure::{Mark, Role, Shape},
-    geom::{Point, orientation},
-    labs::words::name,
-    trace::Step,
+    geom::orientation,
 };
 
 use super::{
+    super::prelude::*,
     names,
     standing::{self, BOTH, Standing, Walked},
 };
 
-/// Up to this number of entries in both lists each has its mark and its name.
 const FEW_ENOUGH: usize = 60;
-/// Up to this number of intersections each has its mark.
 const MOST_MARKS: usize = 600;
 
 pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
@@ -43,7 +39,6 @@ pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     marks
 }
 
-/// All closed rings, filled where an odd number of them goes round.
 fn pieces(held: &Held) -> Option<Mark> {
     let rings = held
         .rings
@@ -89,10 +84,7 @@ fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         let edges = (0..border.points().len())
             .filter(|edge_idx| !walked.contains(edge_idx) && !is_along(*edge_idx));
         let heading = |edge_idx| Shape::Heading(border.edge(edge_idx).map(Point::to_array));
-        let headings: Vec<Mark> = edges
-            .map(|edge_idx| Mark::new(role, heading(edge_idx)))
-            .collect();
-        headings
+        Vec::from_iter(edges.map(|edge_idx| Mark::new(role, heading(edge_idx))))
     };
     BOTH.into_iter().flat_map(of).collect()
 }
@@ -109,7 +101,6 @@ fn runs_along([from, to]: [Point; 2], other: [Point; 2]) -> bool {
     is_on_line(from) && is_on_line(to) && before < after && (0.0..=along(end)).contains(&middle)
 }
 
-/// The path since the walk started; its last edge where it was walked at this step.
 fn walk(step: &Step<'_, WeilerAtherton>, few: bool) -> Vec<Mark> {
     let held = step.held;
     let mut path: Vec<[f64; 2]> = held.walk.path.iter().map(|(p, _)| p.to_array()).collect();
@@ -149,13 +140,11 @@ fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
     let held = step.held;
     let of = |list: List| {
         let own = move |place: usize| {
-            let entries = &held.lists.entries[list.idx()];
-            let coming = || Some(standing::n_vertices(held, list) + place - entries.len());
-            let (vertex_idx, node) = match entries.get(place) {
-                Some(entry) => (entry.vertex().map(|vertex| vertex as usize), entry.node()),
-                None => (coming(), None),
-            };
-            let vertex_idx = vertex_idx?;
+            let entry = held.lists.entries[list.idx()].get(place);
+            if entry.is_some_and(|entry| entry.node().is_some()) {
+                return None;
+            }
+            let vertex_idx = standing::vertex_at(step, list, place)?;
             let role = match standing.role(list, place)? {
                 // What is still to come is there in the plane, as it was given.
                 Role::Faint => Role::Soft,
@@ -166,12 +155,11 @@ fn vertices(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
             let mark = Mark::new(role, Shape::Vertex(at)).linked(link);
             let label = name(names::vertex(step.input, list, vertex_idx));
             // Of the answer's names none is to be crowded out by what has been dropped.
-            let mark = if role == Role::Discarded {
+            Some(if role == Role::Discarded {
                 mark
             } else {
                 mark.labelled(label)
-            };
-            node.is_none().then_some(mark)
+            })
         };
         (0..standing::len(step, list)).filter_map(own)
     };
@@ -192,21 +180,16 @@ fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
             .into_iter()
             .find(|&role| roles.contains(&Some(role)))
             .unwrap_or(Role::Ink);
-        let shapes = node_shapes(held, node_idx, node);
-        let marks = shapes
-            .into_iter()
-            .map(move |shape| Mark::new(role, shape).linked(names::node_link(node_idx)));
-        let mut marks: Vec<Mark> = marks.collect();
-        if let Some(first) = marks.first_mut() {
-            let label = name(names::meeting(step.input, node_idx, node));
-            *first = first.clone().labelled(label).strong();
-        }
+        let link = names::node_link(node_idx);
+        let shapes = node_shapes(held, node_idx, node).into_iter();
+        let mut marks = Vec::from_iter(shapes.map(|it| Mark::new(role, it).linked(link)));
+        let label = name(names::meeting(step.input, node_idx, node));
+        marks[0] = marks[0].clone().labelled(label).strong();
         marks
     };
     held.lists.nodes.iter().enumerate().flat_map(mark).collect()
 }
 
-/// Of many intersections the shapes alone, and where the step is.
 fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let held = step.held;
     let mut marks = Vec::new();
@@ -229,29 +212,23 @@ fn nodes_among_many(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
                     vec![Shape::Dot(at.to_array())]
                 }
             };
-            marks.extend(
-                shapes
-                    .into_iter()
-                    .map(|shape| Mark::new(Role::Signal, shape)),
-            );
+            let shapes = shapes.into_iter();
+            marks.extend(shapes.map(|shape| Mark::new(Role::Signal, shape)));
         }
     }
     marks
 }
 
-/// A dot where the subject enters, a ring where it leaves, a cross where it does neither, or is not known to, and a
-/// ring with a cross where both borders pinch.
 fn node_shapes(held: &Held, node_idx: u32, node: &Intersection) -> Vec<Shape> {
     let at = node.meeting.at.to_array();
-    match standing::label(held, node_idx) {
-        None | Some(IntersectionLabel::Touching) => vec![Shape::Cross(at)],
-        Some(IntersectionLabel::Entering) => vec![Shape::Dot(at)],
-        Some(IntersectionLabel::Leaving) => vec![Shape::Ring(at)],
-        Some(IntersectionLabel::Pinching) => vec![Shape::Ring(at), Shape::Cross(at)],
+    match standing::marker(standing::label(held, node_idx)) {
+        ItemMarker::Cross => vec![Shape::Cross(at)],
+        ItemMarker::Dot => vec![Shape::Dot(at)],
+        ItemMarker::Ring => vec![Shape::Ring(at)],
+        ItemMarker::CrossedRing => vec![Shape::Ring(at), Shape::Cross(at)],
     }
 }
 
-/// What this step is about, but for its intersection.
 fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let (held, input) = (step.held, step.input);
     let signal = |shape| Mark::new(Role::Signal, shape);
@@ -301,16 +278,14 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
             outer_idx,
         }) => {
             let both = [hole_idx, outer_idx].map(|idx| ring(idx as usize));
-            both.into_iter()
-                .flatten()
-                .map(|outline| signal(Shape::Outline(outline)))
+            let both = both.into_iter().flatten();
+            both.map(|outline| signal(Shape::Outline(outline)))
                 .collect()
         }
         Some(Event::Visit { .. } | Event::Done { .. }) | None => Vec::new(),
     }
 }
 
-/// An edge of this step, and which way it runs.
 fn directed(ends: [Point; 2]) -> Vec<Mark> {
     let ends = ends.map(Point::to_array);
     [Shape::Segment(ends), Shape::Heading(ends)]
@@ -318,7 +293,6 @@ fn directed(ends: [Point; 2]) -> Vec<Mark> {
         .to_vec()
 }
 
-/// Where a list goes on from one of its entries.
 fn onwards(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Vec<Mark> {
     let lists = &step.held.lists;
     let next = standing::next_place(step.held, list, place);
@@ -326,7 +300,6 @@ fn onwards(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Vec<Mar
     directed([place, next].map(|place| lists.at(&lists.entries[list.idx()][place], border)))
 }
 
-/// The subject's edge that comes to an intersection, and the one that goes on from it.
 fn through(step: &Step<'_, WeilerAtherton>, node: &Intersection) -> Vec<Mark> {
     let border = names::border(step.input, List::Subject);
     let edge_idx = node.edges[0] as usize;

@@ -8,8 +8,6 @@ mod standing;
 #[cfg(test)]
 mod tests;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::polygon::weiler_atherton::{
         Contact,
@@ -20,23 +18,12 @@ use crate::{
         Side, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
         WeilerAthertonOutput,
     },
-    figure::{
-        Body,
-        Tick::{self, Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
-    },
-    geom::{GeomError, Point, Polygon, Region, SimplePolygon},
-    labs::{
-        Answer, CodeLine, code_line,
-        polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
-        telling::{At, Named, Row, Telling, Watched, rows},
-        words::name,
-    },
-    text::{Formula, Value},
-    trace::Step,
+    geom::{GeomError, Polygon, Region, SimplePolygon},
 };
 
-use named::{found_named, label, node_named, opening_named, ring_named};
+use super::prelude::*;
+
+use named::{found_named, label, node_named, ring_named};
 use standing::place_of;
 
 const FIND: usize = 0;
@@ -50,78 +37,7 @@ const CLOSE: usize = 7;
 const WHOLE: usize = 8;
 const HOLES: usize = 9;
 
-/// Rows of the table of both lists.
 const MAX_ROWS: usize = 12;
-
-rows! { |event, step: WeilerAtherton|
-    begins: Event::Vertex { list: Subject, vertex_idx: 0, .. } => vertex(Phase, FIND, "wa-vertex-subject");
-    vertex: Event::Vertex { list: Subject, .. } => vertex(Test, FIND, "wa-vertex-subject");
-    begins_clip: Event::Vertex { list: Clip, vertex_idx: 0, .. } => vertex(Phase, INSERT, "wa-vertex-clip");
-    vertex_clip: Event::Vertex { list: Clip, .. } => vertex(Test, INSERT, "wa-vertex-clip");
-    crossing: Event::Found { contact: Contact::Crossing, .. } =>
-        found("wa-found-crossing", "wa-meet-crossing").so(&["t{=t}", "u{=u}", "{x}", "{y}"]);
-    on_clip: Event::Found { contact: Contact::SubjectVertex, .. } =>
-        found("wa-found-on-edge", "wa-meet-subject-vertex").so(&["{node} = {at}", "u{=u}"]);
-    on_subject: Event::Found { contact: Contact::ClipVertex, .. } =>
-        found("wa-found-on-edge", "wa-meet-clip-vertex").so(&["{node} = {at}", "t{=t}"]);
-    on_both: Event::Found { contact: Contact::BothVertices, .. } =>
-        found("wa-found-both", "wa-meet-both").so(&["{node} = {at}"]);
-    inserted: Event::Inserted { at_vertex: false, .. } =>
-        Row::new(Cut, INSERT, "wa-inserted").so(&["u{=u}"]).answers("inserted");
-    inserted_vertex: Event::Inserted { at_vertex: true, .. } =>
-        Row::new(Cut, INSERT, "wa-inserted-vertex").so(&["{node} = {at}"]).answers("inserted");
-    first_entering: Event::Labelled { node_idx: 0, label: Entering, .. } => labelled(Phase, "wa-entering");
-    entering: Event::Labelled { label: Entering, .. } => labelled(Test, "wa-entering");
-    first_leaving: Event::Labelled { node_idx: 0, label: Leaving, .. } => labelled(Phase, "wa-leaving");
-    leaving: Event::Labelled { label: Leaving, .. } => labelled(Test, "wa-leaving");
-    first_same: Event::Labelled { node_idx: 0, label: Touching, before, after } if stays(before, after) =>
-        labelled(Phase, "wa-touching-same");
-    same: Event::Labelled { label: Touching, before, after, .. } if stays(before, after) =>
-        labelled(Test, "wa-touching-same");
-    first_touching: Event::Labelled { node_idx: 0, label: Touching, .. } => labelled(Phase, "wa-touching");
-    touching: Event::Labelled { label: Touching, .. } => labelled(Test, "wa-touching");
-    first_pinching: Event::Labelled { node_idx: 0, label: Pinching, .. } => labelled(Phase, "wa-pinching");
-    pinching: Event::Labelled { label: Pinching, .. } => labelled(Test, "wa-pinching");
-    start: Event::Start { .. } =>
-        Row::new(Phase, START, "wa-start").so(&["{node} = {at}"]).picks("node", "nodes");
-    visit: Event::Visit { list: Subject, corner: true, .. } =>
-        Row::new(Test, FOLLOW, "wa-visit-subject").so(P).answers("subject corner").keeps("entry");
-    past: Event::Visit { list: Subject, corner: false, .. } =>
-        Row::new(Test, FOLLOW, "wa-past").answers("subject corner").drops("entry");
-    visit_clip: Event::Visit { list: Clip, corner: true, .. } =>
-        Row::new(Test, FOLLOW, "wa-visit-clip").so(P).answers("clip corner").keeps("entry");
-    past_clip: Event::Visit { list: Clip, corner: false, .. } =>
-        Row::new(Test, FOLLOW, "wa-past").answers("clip corner").drops("entry");
-    pinch_clip: Event::Switch { node_idx, to: Clip, .. } if pinches(step, node_idx) =>
-        Row::new(Cut, LEAVE, "wa-switch-pinch-clip").answers("switch");
-    pinch_subject: Event::Switch { node_idx, to: Subject, .. } if pinches(step, node_idx) =>
-        Row::new(Cut, ENTER, "wa-switch-pinch-subject").answers("switch");
-    switch_clip: Event::Switch { to: Clip, .. } => Row::new(Cut, LEAVE, "wa-switch-clip").answers("switch");
-    switch_subject: Event::Switch { to: Subject, .. } =>
-        Row::new(Cut, ENTER, "wa-switch-subject").answers("switch");
-    closed_outer: Event::Closed { kind: Outer, .. } => closed("wa-closed-outer");
-    closed_hole: Event::Closed { kind: Hole, .. } => closed("wa-closed-hole");
-    closed_sliver: Event::Closed { kind: Sliver, .. } => closed("wa-closed-sliver");
-    subject_kept: Event::Whole { list: Subject, ring_idx: 0, kind: Some(_), .. } =>
-        Row::new(Accept, WHOLE, "wa-whole-subject-kept").answers("whole subject");
-    subject_dropped: Event::Whole { list: Subject, ring_idx: 0, kind: None, .. } =>
-        Row::new(Reject, WHOLE, "wa-whole-subject-dropped").answers("whole subject");
-    hole_kept: Event::Whole { list: Subject, kind: Some(_), .. } =>
-        Row::new(Accept, WHOLE, "wa-whole-hole-kept").answers("whole hole");
-    hole_dropped: Event::Whole { list: Subject, kind: None, .. } =>
-        Row::new(Reject, WHOLE, "wa-whole-hole-dropped").answers("whole hole");
-    clip_kept: Event::Whole { list: Clip, kind: Some(_), .. } =>
-        Row::new(Accept, WHOLE, "wa-whole-clip-kept").answers("whole clip");
-    clip_dropped: Event::Whole { list: Clip, kind: None, .. } =>
-        Row::new(Reject, WHOLE, "wa-whole-clip-dropped").answers("whole clip");
-    hole: Event::Hole { .. } => Row::new(Test, HOLES, "wa-hole");
-    disjoint: Event::Done { relation: Relation::Disjoint } => done(Reject, "wa-done-disjoint");
-    touch: Event::Done { relation: Relation::Touching } => done(Reject, "wa-done-touching");
-    in_clip: Event::Done { relation: Relation::SubjectInside } => done(Accept, "wa-done-subject");
-    in_subject: Event::Done { relation: Relation::ClipInside } => done(Accept, "wa-done-clip");
-    equal: Event::Done { relation: Relation::Equal } => done(Accept, "wa-done-equal");
-    cross: Event::Done { relation: Relation::Crossing } => done(Accept, "wa-done-crossing");
-}
 
 const P: &[&str] = &["P = {at}"];
 
@@ -147,7 +63,6 @@ const fn done(tick: Tick, key: &'static str) -> Row {
     Row::new(tick, HOLES, key).answers("relation")
 }
 
-/// Is the subject inside before and after, or outside?
 fn stays(before: Side, after: Side) -> bool {
     before == after && matches!(before, Side::Inside | Side::Outside)
 }
@@ -170,53 +85,37 @@ impl PolygonTelling for WeilerAtherton {
         let holes: Vec<_> = holes
             .map(|(i, hole)| simple(hole, ScenePart::Hole(i)))
             .collect::<Result<_, _>>()?;
-        let subject = Region::new(subject, holes).map_err(|error| {
-            let part = if let GeomError::MisplacedHole { hole_idx } = error {
-                ScenePart::Hole(hole_idx)
-            } else {
-                ScenePart::Subject
-            };
-            UnfitScene::new(part, error)
+        let subject = Region::new(subject, holes).map_err(|error| match error {
+            GeomError::MisplacedHole { hole_idx } => {
+                UnfitScene::new(ScenePart::Hole(hole_idx), error)
+            }
+            error => UnfitScene::new(ScenePart::Subject, error),
         })?;
         Ok(Input { subject, clip })
     }
 
     fn tells(event: &Event, vertex: Point) -> Option<bool> {
-        match *event {
-            Event::Visit { at, .. } => (at == vertex).then_some(true),
-            // The first ring is the one around all others.
-            Event::Whole {
-                list: Subject,
-                ring_idx: 0,
-                kind,
-                ..
-            } => Some(kind.is_some()),
-            Event::Whole { .. }
-            | Event::Vertex { .. }
-            | Event::Found { .. }
-            | Event::Inserted { .. }
-            | Event::Labelled { .. }
-            | Event::Start { .. }
-            | Event::Switch { .. }
-            | Event::Closed { .. }
-            | Event::Hole { .. }
-            | Event::Done { .. } => None,
+        if let Event::Visit { at, .. } = *event {
+            return (at == vertex).then_some(true);
         }
+        // The first ring is the one around all others.
+        if let Event::Whole {
+            list: Subject,
+            ring_idx: 0,
+            kind,
+            ..
+        } = *event
+        {
+            return Some(kind.is_some());
+        }
+        None
     }
 
     fn crossing(event: &Event) -> Option<Point> {
-        match *event {
-            Event::Found { at, .. } => Some(at),
-            Event::Vertex { .. }
-            | Event::Inserted { .. }
-            | Event::Labelled { .. }
-            | Event::Start { .. }
-            | Event::Visit { .. }
-            | Event::Switch { .. }
-            | Event::Closed { .. }
-            | Event::Whole { .. }
-            | Event::Hole { .. }
-            | Event::Done { .. } => None,
+        if let Event::Found { at, .. } = *event {
+            Some(at)
+        } else {
+            None
         }
     }
 
@@ -264,35 +163,96 @@ impl Telling for WeilerAtherton {
         code_line(0, "code-wa-holes", "words-wa-holes"),
     ];
 
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&["start", "path", "rings"])];
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        begins: Event::Vertex { list: Subject, vertex_idx: 0, .. } => vertex(Phase, FIND, "wa-vertex-subject");
+        vertex: Event::Vertex { list: Subject, .. } => vertex(Test, FIND, "wa-vertex-subject");
+        begins_clip: Event::Vertex { list: Clip, vertex_idx: 0, .. } => vertex(Phase, INSERT, "wa-vertex-clip");
+        vertex_clip: Event::Vertex { list: Clip, .. } => vertex(Test, INSERT, "wa-vertex-clip");
+        crossing: Event::Found { contact: Contact::Crossing, .. } =>
+            found("wa-found-crossing", "wa-meet-crossing").so(&["t{=t}", "u{=u}", "{x}", "{y}"]);
+        on_clip: Event::Found { contact: Contact::SubjectVertex, .. } =>
+            found("wa-found-on-edge", "wa-meet-subject-vertex").so(&["{node} = {at}", "u{=u}"]);
+        on_subject: Event::Found { contact: Contact::ClipVertex, .. } =>
+            found("wa-found-on-edge", "wa-meet-clip-vertex").so(&["{node} = {at}", "t{=t}"]);
+        on_both: Event::Found { contact: Contact::BothVertices, .. } =>
+            found("wa-found-both", "wa-meet-both").so(&["{node} = {at}"]);
+        inserted: Event::Inserted { at_vertex: false, .. } =>
+            Row::new(Cut, INSERT, "wa-inserted").so(&["u{=u}"]).answers("inserted");
+        inserted_vertex: Event::Inserted { at_vertex: true, .. } =>
+            Row::new(Cut, INSERT, "wa-inserted-vertex").so(&["{node} = {at}"]).answers("inserted");
+        first_entering: Event::Labelled { node_idx: 0, label: Entering, .. } => labelled(Phase, "wa-entering");
+        entering: Event::Labelled { label: Entering, .. } => labelled(Test, "wa-entering");
+        first_leaving: Event::Labelled { node_idx: 0, label: Leaving, .. } => labelled(Phase, "wa-leaving");
+        leaving: Event::Labelled { label: Leaving, .. } => labelled(Test, "wa-leaving");
+        first_same: Event::Labelled { node_idx: 0, label: Touching, before, after } if stays(before, after) =>
+            labelled(Phase, "wa-touching-same");
+        same: Event::Labelled { label: Touching, before, after, .. } if stays(before, after) =>
+            labelled(Test, "wa-touching-same");
+        first_touching: Event::Labelled { node_idx: 0, label: Touching, .. } => labelled(Phase, "wa-touching");
+        touching: Event::Labelled { label: Touching, .. } => labelled(Test, "wa-touching");
+        first_pinching: Event::Labelled { node_idx: 0, label: Pinching, .. } => labelled(Phase, "wa-pinching");
+        pinching: Event::Labelled { label: Pinching, .. } => labelled(Test, "wa-pinching");
+        start: Event::Start { .. } =>
+            Row::new(Phase, START, "wa-start").so(&["{node} = {at}"]).picks("node", "nodes");
+        visit: Event::Visit { list: Subject, corner: true, .. } =>
+            Row::new(Test, FOLLOW, "wa-visit-subject").so(P).answers("subject corner").keeps("entry");
+        past: Event::Visit { list: Subject, corner: false, .. } =>
+            Row::new(Test, FOLLOW, "wa-past").answers("subject corner").drops("entry");
+        visit_clip: Event::Visit { list: Clip, corner: true, .. } =>
+            Row::new(Test, FOLLOW, "wa-visit-clip").so(P).answers("clip corner").keeps("entry");
+        past_clip: Event::Visit { list: Clip, corner: false, .. } =>
+            Row::new(Test, FOLLOW, "wa-past").answers("clip corner").drops("entry");
+        pinch_clip: Event::Switch { node_idx, to: Clip, .. } if pinches(step, node_idx) =>
+            Row::new(Cut, LEAVE, "wa-switch-pinch-clip").answers("switch");
+        pinch_subject: Event::Switch { node_idx, to: Subject, .. } if pinches(step, node_idx) =>
+            Row::new(Cut, ENTER, "wa-switch-pinch-subject").answers("switch");
+        switch_clip: Event::Switch { to: Clip, .. } => Row::new(Cut, LEAVE, "wa-switch-clip").answers("switch");
+        switch_subject: Event::Switch { to: Subject, .. } =>
+            Row::new(Cut, ENTER, "wa-switch-subject").answers("switch");
+        closed_outer: Event::Closed { kind: Outer, .. } => closed("wa-closed-outer");
+        closed_hole: Event::Closed { kind: Hole, .. } => closed("wa-closed-hole");
+        closed_sliver: Event::Closed { kind: Sliver, .. } => closed("wa-closed-sliver");
+        subject_kept: Event::Whole { list: Subject, ring_idx: 0, kind: Some(_), .. } =>
+            Row::new(Accept, WHOLE, "wa-whole-subject-kept").answers("whole subject");
+        subject_dropped: Event::Whole { list: Subject, ring_idx: 0, kind: None, .. } =>
+            Row::new(Reject, WHOLE, "wa-whole-subject-dropped").answers("whole subject");
+        hole_kept: Event::Whole { list: Subject, kind: Some(_), .. } =>
+            Row::new(Accept, WHOLE, "wa-whole-hole-kept").answers("whole hole");
+        hole_dropped: Event::Whole { list: Subject, kind: None, .. } =>
+            Row::new(Reject, WHOLE, "wa-whole-hole-dropped").answers("whole hole");
+        clip_kept: Event::Whole { list: Clip, kind: Some(_), .. } =>
+            Row::new(Accept, WHOLE, "wa-whole-clip-kept").answers("whole clip");
+        clip_dropped: Event::Whole { list: Clip, kind: None, .. } =>
+            Row::new(Reject, WHOLE, "wa-whole-clip-dropped").answers("whole clip");
+        hole: Event::Hole { .. } => Row::new(Test, HOLES, "wa-hole");
+        disjoint: Event::Done { relation: Relation::Disjoint } => done(Reject, "wa-done-disjoint");
+        touch: Event::Done { relation: Relation::Touching } => done(Reject, "wa-done-touching");
+        in_clip: Event::Done { relation: Relation::SubjectInside } => done(Accept, "wa-done-subject");
+        in_subject: Event::Done { relation: Relation::ClipInside } => done(Accept, "wa-done-clip");
+        equal: Event::Done { relation: Relation::Equal } => done(Accept, "wa-done-equal");
+        cross: Event::Done { relation: Relation::Crossing } => done(Accept, "wa-done-crossing");
     }
 
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, FIND, "wa-opening");
-        &OPENING
-    }
+    const OPENING: Row = Row::new(Phase, FIND, "wa-opening");
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
-        let watched = |key| move |named: Named| Some(named.labelled(Value::Term(key)));
-        let held = at.step.held;
-        match name {
-            "start" => {
+        let (held, input) = (at.step.held, at.step.input);
+        let watched = |named: Named, key| Some(named.labelled(Value::Term(key)));
+        match (name, at.step.event()) {
+            ("start", _) => {
                 let start = held.walk.start.map(names::node);
-                watched("wa-row-start")(Named::maybe(start))
+                watched(Named::maybe(start), "wa-row-start")
             }
-            "path" => watched("wa-row-path")(held.walk.path.len().into()),
-            "rings" => watched("wa-row-rings")(held.rings.len().into()),
-            _ => match at.step.event() {
-                None => opening_named(at.step.input, name),
-                Some(event @ Event::Found { .. }) => found_named(at.step.input, &event, name),
-                Some(event) => match node_of(event) {
-                    Some(node_idx) => node_named(&at.step, event, node_idx, name),
-                    None => ring_named(&at.step, event, name),
-                },
+            ("path", _) => watched(held.walk.path.len().into(), "wa-row-path"),
+            ("rings", _) => watched(held.rings.len().into(), "wa-row-rings"),
+            ("n", None) => Some(names::border(input, Subject).points().len().into()),
+            ("m", None) => Some(names::border(input, Clip).points().len().into()),
+            (_, event) => match (event?, node_of(event?)) {
+                (event @ Event::Found { .. }, _) => found_named(input, &event, name),
+                (event, Some(node_idx)) => node_named(&at.step, event, node_idx, name),
+                (event, None) => ring_named(&at.step, event, name),
             },
         }
     }
@@ -312,9 +272,7 @@ impl Telling for WeilerAtherton {
 
     fn watch(at: &At<'_, Self>) -> Watch {
         let names = Self::WATCH.iter().map(|watched| at.section(watched));
-        std::iter::once(lists_section(&at.step))
-            .chain(names)
-            .collect()
+        [lists_section(&at.step)].into_iter().chain(names).collect()
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
@@ -325,36 +283,29 @@ impl Telling for WeilerAtherton {
     }
 }
 
-/// The intersection that an event is about.
 const fn node_of(event: Event) -> Option<u32> {
-    match event {
-        Event::Found { node_idx, .. }
-        | Event::Inserted { node_idx, .. }
-        | Event::Labelled { node_idx, .. }
-        | Event::Start { node_idx }
-        | Event::Switch { node_idx, .. } => Some(node_idx),
-        Event::Vertex { .. }
-        | Event::Visit { .. }
-        | Event::Closed { .. }
-        | Event::Whole { .. }
-        | Event::Hole { .. }
-        | Event::Done { .. } => None,
+    if let Event::Found { node_idx, .. }
+    | Event::Inserted { node_idx, .. }
+    | Event::Labelled { node_idx, .. }
+    | Event::Start { node_idx }
+    | Event::Switch { node_idx, .. } = event
+    {
+        Some(node_idx)
+    } else {
+        None
     }
 }
 
-/// Both lists side by side: of long ones the page that is being worked on.
 fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
     let pages = [Subject, Clip].map(|list| page(step, list));
     let n_rows = pages.iter().map(Vec::len).max().unwrap_or(0);
     let rows = (0..n_rows).map(|row| {
-        let cells = pages
-            .iter()
-            .map(|page| page.get(row).map(|(cell, _)| cell.clone()));
-        let linked = pages.iter().find_map(|page| page.get(row)?.1);
-        let shown = WatchRow::table(name(format!("{}", row + 1)), cells.collect());
-        match linked {
-            Some(node) => shown.linked(names::node_link(node)),
-            None => shown,
+        let cell = |page: &Vec<(Value, _)>| Some(page.get(row)?.0.clone());
+        let node = pages.iter().find_map(|page| page.get(row)?.1);
+        let cells = pages.iter().map(cell).collect();
+        WatchRow {
+            link: node.map(names::node_link),
+            ..WatchRow::table(name((row + 1).to_string()), cells)
         }
     });
     WatchSection::table(vec!["S", "C"], rows.collect()).seen_in(lists::VIEW)
@@ -380,7 +331,6 @@ fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)
     places.filter_map(cell).collect()
 }
 
-/// Where in a list something happens at this step.
 fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
     let event = step.event()?;
     if let Event::Vertex { list: built, .. } = event {

@@ -11,27 +11,12 @@ use crate::{
             WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
         },
     },
-    geom::{Axis, Point},
-    labs::{
-        telling::Named,
-        words::{along, axis_symbol},
-    },
-    text::{Formula, Value},
-    trace::Step,
+    geom::Axis,
+    labs::words::{along, axis_symbol},
 };
 
-use super::names;
+use super::{super::prelude::*, names};
 
-pub fn opening_named(input: &Input, name: &str) -> Option<Named> {
-    let border = match name {
-        "n" => Subject,
-        "m" => Clip,
-        _ => return None,
-    };
-    Some(names::border(input, border).points().len().into())
-}
-
-/// Two edges meet: where along each, and where in the plane.
 pub fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
     let Event::Found {
         node_idx,
@@ -49,14 +34,8 @@ pub fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
     let edge = |list: List| names::edge(input, list, edges[list.idx()]).into();
     let vertex = |list: List| names::vertex(input, list, edges[list.idx()]).into();
     let mean = |axis| {
-        let ratio = [t, u][list.idx()];
-        mean(
-            axis,
-            names::border(input, list).edge(edges[list.idx()]),
-            ratio,
-            at,
-        )
-        .into()
+        let ends = names::border(input, list).edge(edges[list.idx()]);
+        mean(axis, ends, [t, u][list.idx()], at).into()
     };
     Some(match (name, contact) {
         ("node", _) => names::node(node_idx).into(),
@@ -75,7 +54,6 @@ pub fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
     })
 }
 
-/// Of a step at an intersection that has been found already.
 pub fn node_named(
     step: &Step<'_, WeilerAtherton>,
     event: Event,
@@ -98,35 +76,31 @@ pub fn node_named(
         ("a₁", _) if is_crossing => node.meeting.t.num.into(),
         ("a₂", _) if is_crossing => other_distance(node.meeting.t).into(),
         ("order", Event::Labelled { label, .. }) => {
-            let order = if label == Entering {
-                " < 0 < "
-            } else {
-                " > 0 > "
-            };
+            let is_entering = label == Entering;
+            let order = if is_entering { " < 0 < " } else { " > 0 > " };
             order.to_owned().into()
         }
         _ => return None,
     })
 }
 
-/// Of a vertex that goes into a list, of a walk's step, of a ring, and of the end.
 pub fn ring_named(step: &Step<'_, WeilerAtherton>, event: Event, name: &str) -> Option<Named> {
     let (held, input) = (step.held, step.input);
     let last = held.rings.last();
     Some(match (name, event) {
-        (
-            "vertex",
-            Event::Vertex {
-                list, vertex_idx, ..
-            },
-        ) => names::vertex(input, list, vertex_idx as usize).into(),
-        (
-            "edge",
-            Event::Vertex {
-                list, vertex_idx, ..
-            },
-        ) => names::edge(input, list, vertex_idx as usize).into(),
         ("at", Event::Vertex { at, .. } | Event::Visit { at, .. }) => at.to_array().into(),
+        (
+            _,
+            Event::Vertex {
+                list,
+                vertex_idx: i,
+                ..
+            },
+        ) => match name {
+            "vertex" => names::vertex(input, list, i as usize).into(),
+            "edge" => names::edge(input, list, i as usize).into(),
+            _ => return None,
+        },
         ("entry", Event::Visit { list, place, .. }) => {
             let entry = held.lists.entries[list.idx()].get(place as usize)?;
             let vertex = entry
@@ -138,12 +112,10 @@ pub fn ring_named(step: &Step<'_, WeilerAtherton>, event: Event, name: &str) -> 
         }
         ("n", Event::Visit { corner, .. }) => (held.walk.path.len() + usize::from(!corner)).into(),
         ("n", Event::Closed { .. }) => last?.points.len().into(),
-        ("n", Event::Done { .. }) => held
-            .rings
-            .iter()
-            .filter(|it| it.kind == Outer)
-            .count()
-            .into(),
+        ("n", Event::Done { .. }) => {
+            let outer = held.rings.iter().filter(|it| it.kind == Outer);
+            outer.count().into()
+        }
         ("at", Event::Closed { .. }) => last?.points.first()?.to_array().into(),
         ("ring", Event::Closed { .. }) => names::ring(held.rings.len() - 1).into(),
         ("ring", Event::Whole { kind, .. }) => {
@@ -157,7 +129,6 @@ pub fn ring_named(step: &Step<'_, WeilerAtherton>, event: Event, name: &str) -> 
     })
 }
 
-/// As an answer.
 pub const fn label(label: IntersectionLabel) -> Value {
     Value::Term(match label {
         Entering => "wa-mark-entering",
@@ -178,15 +149,12 @@ fn other_distance(Ratio { num, den }: Ratio) -> f64 {
 /// `x = (0 · 2 + 6 · 4) / (4 + 2) = 4`: the mean of an edge's ends, weighted by their distances from the other one; where
 /// both are 0 there is nothing to compute.
 fn mean(axis: Axis, ends: [Point; 2], ratio: Ratio, at: Point) -> Formula {
+    let part = Formula::default;
     let [o1, o2] = ends.map(|p| along(p, axis)[0]);
     if [o1, o2] == [0.0, 0.0] {
-        return Formula::default()
-            .sym(axis_symbol(axis))
-            .sym(" = ")
-            .num(0.0);
+        return part().sym(axis_symbol(axis)).sym(" = ").num(0.0);
     }
     let (w1, w2) = (ratio.num.abs(), other_distance(ratio).abs());
-    let part = Formula::default;
     let weighted = |f: Formula, o: f64, w: f64| f.operand(o).sym(" · ").num(w);
     let sum = part().num(o1).sym(" · ").num(w2).sym(" + ");
     part()

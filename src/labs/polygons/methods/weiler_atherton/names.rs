@@ -7,11 +7,10 @@ use crate::{
         Entry, Intersection, IntersectionLabel, List, Side, WeilerAthertonHeld as Held,
         WeilerAthertonInput as Input,
     },
-    figure::Link,
     geom::{Rings, SimplePolygon},
-    labs::words::{name, subscript},
-    text::{Formula, Value},
 };
+
+use super::super::prelude::*;
 
 /// `S₃` or `C₃`.
 pub fn vertex(input: &Input, list: List, vertex_idx: usize) -> String {
@@ -76,7 +75,6 @@ pub fn with_label(formula: Formula, held: &Held, node_idx: Option<u32>) -> Formu
     }
 }
 
-/// In a word.
 pub const fn label_key(label: IntersectionLabel) -> &'static str {
     match label {
         IntersectionLabel::Entering => "wa-in",
@@ -86,7 +84,6 @@ pub const fn label_key(label: IntersectionLabel) -> &'static str {
     }
 }
 
-/// Where an edge runs.
 pub const fn side(side: Side) -> Value {
     Value::Term(match side {
         Side::Inside => "wa-inside",
@@ -96,7 +93,6 @@ pub const fn side(side: Side) -> Value {
     })
 }
 
-/// The polygon that a list belongs to.
 pub const fn border(input: &Input, list: List) -> &Rings {
     match list {
         List::Subject => input.subject.rings(),
@@ -104,7 +100,6 @@ pub const fn border(input: &Input, list: List) -> &Rings {
     }
 }
 
-/// What marks and rows about a vertex have in common.
 pub const fn vertex_link(list: List, vertex_idx: usize) -> Link {
     match list {
         List::Subject => Link::nth("subject-vertex", vertex_idx),
@@ -112,7 +107,6 @@ pub const fn vertex_link(list: List, vertex_idx: usize) -> Link {
     }
 }
 
-/// What marks and rows about an intersection have in common.
 pub const fn node_link(node_idx: u32) -> Link {
     Link::nth("intersection", node_idx as usize)
 }

@@ -3,28 +3,21 @@
 
 use std::ops::Range;
 
-use crate::{
-    algo::polygon::weiler_atherton::{
-        Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonHeld as Held,
-    },
-    figure::Role,
-    trace::Step,
+use crate::algo::polygon::weiler_atherton::{
+    Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
+    WeilerAthertonHeld as Held,
 };
 
-use super::names;
+use super::{super::prelude::*, names};
 
-/// Both lists.
 pub const BOTH: [List; 2] = [List::Subject, List::Clip];
 
-/// The roles of a stretch of each list.
 pub struct Standing {
     ranges: [Range<usize>; 2],
     roles: [Vec<Role>; 2],
 }
 
 impl Standing {
-    /// Of the entries in these ranges of the subject's list and the clip polygon's.
     pub fn of(step: &Step<'_, WeilerAtherton>, ranges: [Range<usize>; 2]) -> Self {
         let roles = BOTH.map(|list| {
             let places = ranges[list.idx()].clone();
@@ -50,7 +43,6 @@ impl Standing {
         standing
     }
 
-    /// Of an entry, if it is in range.
     pub fn role(&self, list: List, place: usize) -> Option<Role> {
         let idx = place.checked_sub(self.ranges[list.idx()].start)?;
         self.roles[list.idx()].get(idx).copied()
@@ -88,7 +80,6 @@ impl Standing {
     }
 }
 
-/// An entry of a list that a walk has passed.
 pub struct Passed {
     pub list: List,
     pub place: u32,
@@ -96,12 +87,10 @@ pub struct Passed {
     n_before: u32,
 }
 
-/// What walks have passed.
 #[derive(Default)]
 pub struct Walked {
     /// Since the last start: entries that belong to no ring yet.
     pub passed: Vec<Passed>,
-    /// Entries of closed rings.
     pub kept: Vec<(List, u32)>,
 }
 
@@ -154,7 +143,6 @@ impl Walked {
     }
 }
 
-/// Of an entry that nothing happens to.
 fn at_rest(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Role {
     match step.held.lists.entries[list.idx()].get(place) {
         None => Role::Faint,
@@ -164,7 +152,6 @@ fn at_rest(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Role {
     }
 }
 
-/// The entries that this step is about.
 pub fn current(step: &Step<'_, WeilerAtherton>) -> Vec<(List, usize)> {
     let held = step.held;
     let last = |list: List| Some((list, held.lists.entries[list.idx()].len().checked_sub(1)?));
@@ -188,38 +175,40 @@ pub fn current(step: &Step<'_, WeilerAtherton>) -> Vec<(List, usize)> {
 
 /// The intersection at which lists are changed at this step, and the list that is left there.
 pub fn taken(step: &Step<'_, WeilerAtherton>) -> Option<(u32, List)> {
-    match step.event()? {
-        Event::Inserted { node_idx, .. } => Some((node_idx, List::Subject)),
-        Event::Switch { node_idx, to, .. } => Some((node_idx, to.other())),
-        // Back where the walk has been, by the clip polygon's list.
-        Event::Closed { .. } => {
-            let (list, place) = step.held.walk.position?;
-            let next = next_place(step.held, list, place as usize);
-            let entry = step.held.lists.entries[list.idx()].get(next)?;
-            Some((entry.node()?, list)).filter(|&(_, left)| left == List::Clip)
-        }
-        Event::Vertex { .. }
-        | Event::Found { .. }
-        | Event::Labelled { .. }
-        | Event::Start { .. }
-        | Event::Visit { .. }
-        | Event::Whole { .. }
-        | Event::Hole { .. }
-        | Event::Done { .. } => None,
+    let event = step.event()?;
+    if let Event::Inserted { node_idx, .. } = event {
+        return Some((node_idx, List::Subject));
+    }
+    if let Event::Switch { node_idx, to, .. } = event {
+        return Some((node_idx, to.other()));
+    }
+    let Event::Closed { .. } = event else {
+        return None;
+    };
+    // Back where the walk has been, by the clip polygon's list.
+    let (list, place) = step.held.walk.position?;
+    let next = next_place(step.held, list, place as usize);
+    let entry = step.held.lists.entries[list.idx()].get(next)?;
+    Some((entry.node()?, list)).filter(|&(_, left)| left == List::Clip)
+}
+
+/// The polygon's own vertex at a place, also where it is still to come.
+pub fn vertex_at(step: &Step<'_, WeilerAtherton>, list: List, place: usize) -> Option<usize> {
+    let entries = &step.held.lists.entries[list.idx()];
+    match entries.get(place) {
+        Some(entry) => entry.vertex().map(|vertex| vertex as usize),
+        None => Some(n_vertices(step.held, list) + place - entries.len()),
     }
 }
 
-/// The place of an intersection in a list, once it is there.
 pub fn place_of(held: &Held, list: List, node: u32) -> Option<usize> {
     held.lists.nodes.get(node as usize)?.place(list)
 }
 
-/// The place after this one, in its ring; both lists are complete.
 pub fn next_place(held: &Held, list: List, place: usize) -> usize {
     held.lists.entries[list.idx()][place].next as usize
 }
 
-/// What the subject does at an intersection, once that is known.
 pub fn label(held: &Held, node: u32) -> Option<IntersectionLabel> {
     let label = held.labels.get(node as usize)?;
     Some(label.label)
@@ -240,4 +229,15 @@ pub fn n_vertices(held: &Held, list: List) -> usize {
 
 pub const fn is_done(event: Option<Event>) -> bool {
     matches!(event, Some(Event::Done { .. }))
+}
+
+/// Filled where the subject enters, hollow where it leaves, a cross where it does neither, or is not known to, and a
+/// ring with a cross where both borders pinch.
+pub const fn marker(label: Option<IntersectionLabel>) -> ItemMarker {
+    match label {
+        Some(IntersectionLabel::Entering) => ItemMarker::Dot,
+        Some(IntersectionLabel::Leaving) => ItemMarker::Ring,
+        Some(IntersectionLabel::Pinching) => ItemMarker::CrossedRing,
+        Some(IntersectionLabel::Touching) | None => ItemMarker::Cross,
+    }
 }

@@ -1,10 +1,6 @@
 //! What stands around the object in each space, and the vertex with its way from the origin.
 
-use crate::{
-    figure::{Mark3, Role, Shape3},
-    labs::words::name,
-    text::{Formula, Value},
-};
+use crate::labs::prelude::*;
 
 use super::{
     super::views::vertex_link,
@@ -47,7 +43,6 @@ pub fn pyramid(places: &SpacePlaces<'_>, vertex: &Followed) -> Vec<Mark3> {
     marks
 }
 
-/// The edge of the screen.
 pub fn frame(places: &SpacePlaces<'_>) -> Vec<Mark3> {
     let [x, y] = places.half_screen();
     let corners = [[-x, -y], [x, -y], [x, y], [-x, y]].map(|[x, y]| [x, y, 0.0]);
@@ -94,7 +89,6 @@ pub fn vertex_marks(
     marks
 }
 
-/// The object's other vertices, to be chosen.
 fn others(places: &SpacePlaces<'_>, space: PictureSpace) -> Vec<Mark3> {
     let count = places.focused().model().mesh().positions().len();
     let chosen = places.scenery.scene().vertex();

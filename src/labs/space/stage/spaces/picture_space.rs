@@ -2,14 +2,10 @@
 
 use crate::algo::pipeline::PipelineSpace;
 
-/// A space of the viewing pipeline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PictureSpace {
-    /// The object's own.
     Model,
-    /// Where all objects stand.
     World,
-    /// The camera's.
     View,
     /// Before the divide.
     Clip,
@@ -30,7 +26,6 @@ impl PictureSpace {
         Self::Screen,
     ];
 
-    /// Catalogue key of its name.
     pub const fn name_key(self) -> &'static str {
         match self {
             Self::Model => "space-model",
@@ -42,7 +37,6 @@ impl PictureSpace {
         }
     }
 
-    /// Catalogue key of the title of its large picture.
     pub const fn title_key(self, is_parallel: bool) -> &'static str {
         match self {
             Self::Model => "space-model-title",
@@ -55,7 +49,6 @@ impl PictureSpace {
         }
     }
 
-    /// So many coordinates a vertex has in it.
     pub const fn n_coordinates(self) -> usize {
         match self {
             Self::Clip => 4,
@@ -74,10 +67,8 @@ impl PictureSpace {
     }
 }
 
-/// What the picture of a space says of the vertex.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Followed {
-    /// Where it is.
     pub at: [f64; 4],
     /// So many of its coordinates are known.
     pub n_known: usize,

@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use crate::{
     algo::volume::clipped,
-    figure::{Edge3, Facet, Mark3, Seer, Shape3, Space},
+    figure::{Edge3, Facet, Seer, Space},
     geom::Orbit,
-    text::Value,
+    labs::prelude::*,
 };
 
 use super::{
@@ -23,19 +23,16 @@ use super::{
 const LENS_DEG: f64 = 16.0;
 /// Degrees from ahead, and from above.
 const ANGLES: [f64; 2] = [58.0, 18.0];
-/// The pictures of one scene.
 pub struct SpacePictures<'a> {
     places: SpacePlaces<'a>,
 }
 
 impl<'a> SpacePictures<'a> {
-    /// Of a scene whose screen has so many columns and rows.
     pub fn new(scenery: &'a Scenery, size: [u32; 2]) -> Self {
         let places = SpacePlaces::new(scenery, size);
         Self { places }
     }
 
-    /// The picture of a space.
     pub fn draw(&self, space: PictureSpace, vertex: &Followed) -> Space {
         let mut marks = match space {
             PictureSpace::World => return self.world(vertex),
@@ -162,7 +159,6 @@ fn bare(mut mark: Mark3) -> Mark3 {
     mark
 }
 
-/// The same elsewhere.
 fn mapped(mut mark: Mark3, to: impl Fn([f64; 3]) -> [f64; 3]) -> Mark3 {
     match &mut mark.shape {
         Shape3::Segment(ends) | Shape3::Arrow(ends) => *ends = ends.map(&to),

@@ -10,9 +10,7 @@ use super::{
 /// The screen is so deep as it is drawn: enough to tell what is in front.
 pub const SCREEN_DEPTH: f64 = 0.02;
 
-/// How places of one scene are drawn in all spaces.
 pub struct SpacePlaces<'a> {
-    /// What is drawn.
     pub scenery: &'a Scenery,
     /// Who looks.
     pub camera: &'a Camera,
@@ -30,7 +28,6 @@ impl<'a> SpacePlaces<'a> {
         }
     }
 
-    /// Do the camera's sight lines run side by side?
     pub fn is_parallel(&self) -> bool {
         self.camera.volume().sight() == Sight::Parallel
     }
@@ -74,13 +71,11 @@ impl<'a> SpacePlaces<'a> {
         [width / height, 1.0]
     }
 
-    /// Where the vertex is drawn.
     pub fn place(&self, space: PictureSpace) -> [f64; 3] {
         let vertex = self.scenery.scene().vertex();
         self.place_of(space, vertex)
     }
 
-    /// Where any vertex of the object is drawn.
     pub fn place_of(&self, space: PictureSpace, vertex: usize) -> [f64; 3] {
         let position = self.focused().model().mesh().positions()[vertex].map(f64::from);
         if space == PictureSpace::Model {

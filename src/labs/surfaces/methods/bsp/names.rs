@@ -6,11 +6,9 @@ use crate::{
         volume::signed_distance,
     },
     labs::{
-        space::{soup::surface_link, stage::Scenery},
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{self, name_of, plane_of, text_of},
-        telling::{At, Named},
     },
-    text::{Formula, Value},
 };
 
 pub fn named(at: &At<'_, Bsp>, name: &str) -> Option<Named> {
@@ -77,7 +75,6 @@ pub fn piece_name(scenery: Option<&Scenery>, piece: &BspPiece) -> Value {
     Value::Name(name.chars().chain(signs).collect())
 }
 
-/// The node that a step is about.
 pub const fn node_of(event: Event) -> Option<u32> {
     match event {
         Event::Node { node, .. }
@@ -97,13 +94,11 @@ const fn piece_of(event: Event) -> Option<u32> {
     }
 }
 
-/// Is the tree built?
 pub fn is_built(past: &[Event]) -> bool {
     past.iter()
         .any(|event| matches!(event, Event::Built { .. }))
 }
 
-/// Where the eye is, as seen from the nodes visited so far, in order.
 pub fn visited(past: &[Event]) -> impl Iterator<Item = (u32, BspSide)> {
     past.iter().filter_map(|event| {
         let Event::Visit { node, eye } = *event else {
@@ -113,7 +108,6 @@ pub fn visited(past: &[Event]) -> impl Iterator<Item = (u32, BspSide)> {
     })
 }
 
-/// Pieces painted so far, in order.
 pub fn painted(past: &[Event]) -> impl Iterator<Item = u32> {
     past.iter().filter_map(|event| {
         let Event::Paint { piece, .. } = *event else {

@@ -3,29 +3,22 @@
 
 use crate::{
     algo::surface::{Bsp, BspEvent as Event, BspNode, BspSide},
-    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
+    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places},
     labs::{
-        space::{Scene, soup::surface_link},
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{name_of, text_of, tone},
-        telling::At,
     },
-    text::Value,
 };
 
 use super::names::{node_of, painted, piece_name, visited};
 
-/// The tree at a step, and how far it has been walked.
 struct Tree<'a> {
     at: &'a At<'a, Bsp>,
-    /// The node that the step is about.
     node: Option<u32>,
-    /// Where the eye is, as seen from the nodes visited so far.
     visited: Vec<(u32, BspSide)>,
-    /// Pieces painted so far, in order.
     painted: Vec<u32>,
 }
 
-/// The tree so far.
 pub fn tree(at: &At<'_, Bsp>, scene: &Scene) -> Graph {
     let tree = Tree {
         at,
@@ -70,7 +63,6 @@ pub fn tree(at: &At<'_, Bsp>, scene: &Scene) -> Graph {
 }
 
 impl Tree<'_> {
-    /// The pieces in the plane.
     fn name(&self, number: usize, node: &BspNode) -> Value {
         let now = self.at.step.held.nodes.get(number).unwrap_or(node);
         self.names(&now.on)
@@ -121,7 +113,6 @@ impl Tree<'_> {
         })
     }
 
-    /// On which side of a visited node the eye is.
     fn eye(&self, number: u32) -> Option<Value> {
         let mut visited = self.visited.iter();
         let (_, eye) = visited.find(|(node, _)| *node == number)?;
@@ -132,7 +123,6 @@ impl Tree<'_> {
         }))
     }
 
-    /// From every node that there is to those below it.
     fn branches(&self) -> Vec<GraphArrow> {
         let new = match self.at.step.event() {
             Some(Event::Node { node, .. } | Event::Visit { node, .. }) => Some(node),

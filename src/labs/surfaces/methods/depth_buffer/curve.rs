@@ -2,13 +2,12 @@
 
 use crate::{
     algo::surface::{DepthFormat, DepthNumber, Rays},
-    figure::{Mark, Multiples, Role, Shape, SmallDrawing, Weight},
-    text::{Formula, Message, Value},
+    figure::{Multiples, SmallDrawing, Weight},
+    labs::space::prelude::*,
 };
 
 /// A row of two has far more room to the side than upwards.
 const WIDTH: f64 = 6.0;
-/// Points of the curve.
 const POINTS: usize = 64;
 /// Of so many steps each is drawn, of more every so-manieth.
 const MOST_STEPS: f64 = 16.0;
@@ -21,7 +20,6 @@ pub fn step_in_view(rays: &Rays, format: &DepthFormat, depth: f64) -> Option<f64
     (next <= 1.0 && step.is_finite()).then_some(step)
 }
 
-/// Two curves over the distance from the near to the far plane; `depth` is that of the fragment in hand.
 pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiples {
     let drawing = |is_reversed: bool| {
         let format = DepthFormat {
@@ -97,7 +95,6 @@ fn marks(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Vec<Mark> {
     marks
 }
 
-/// Depths that can be stored, evenly chosen where they are many.
 fn steps_of(format: &DepthFormat) -> Vec<f64> {
     let n = match format.number {
         DepthNumber::Fixed(bits) => bits.largest().min(MOST_STEPS),

@@ -8,44 +8,23 @@ mod story;
 mod variant;
 mod views;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{
         DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput, DepthSteps,
         Fragment, Picture,
     },
-    figure::{
-        Run,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View,
+    labs::space::{
+        prelude::*,
+        soup::{order, surfaces_on_raster},
     },
-    labs::{
-        Answer, CodeLine, MethodCard,
-        recorded::Recorded,
-        space::{
-            Scene, SpaceTelling, Subject,
-            demo::scenery_of,
-            soup::{order, surfaces_on_raster},
-            stage::Scenery,
-        },
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    trace::{Step, silent},
 };
-
-use super::on_raster::depth_list;
 
 use variant::{CLEAR, COMPARE, FRAGMENT, TRIANGLE, Variant, WRITE};
 
 /// More steps than these are not recorded: a step is then a row, or a whole triangle.
 const MOST_STEPS: u64 = 100_000;
 
-impl Answer for DepthBufferOutput {
-    fn json(&self) -> Json {
-        json!({ "ids": self.picture, "depth": depth_list(&self.depth) })
-    }
-}
+impl AnswerAsItIs for DepthBufferOutput {}
 
 impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     const SUBJECT: Subject = Subject::Surfaces;
@@ -92,38 +71,14 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     }
 }
 
-rows! { [L: Variant] |event, step: DepthBuffer<L>|
-    clear: Event::Clear { .. } => Row::new(Phase, CLEAR, "depth-clear").so(&["~ z = {cleared}"]);
-    unseen: Event::Triangle { drawn: false, .. } =>
-        Row::new(Reject, TRIANGLE, "depth-triangle-unseen").answers("drawn").drops("triangle");
-    whole: Event::Triangle { .. } if step.input.steps == DepthSteps::Triangles =>
-        drawn("depth-triangle-whole");
-    triangle: Event::Triangle { .. } => drawn("depth-triangle");
-    span: Event::Span { .. } => Row::new(Test, FRAGMENT, "depth-span").about("triangle");
-    first: Event::Fragment { fragment: Fragment { kept: true, stored_id: EMPTY, .. }, .. } =>
-        Row::new(Cut, WRITE, "depth-fragment-first").so(COMPARED).answers("written").keeps("at");
-    kept: Event::Fragment { fragment: Fragment { kept: true, .. }, .. } =>
-        Row::new(Cut, WRITE, "depth-fragment-kept").so(COMPARED).answers("nearer").keeps("at");
-    left_empty: Event::Fragment { fragment: Fragment { stored_id: EMPTY, .. }, .. } =>
-        stays("depth-fragment-lost-to-nothing").answers("written");
-    tie: Event::Fragment { fragment, .. } if fragment.new == fragment.stored =>
-        stays("depth-fragment-tie").answers("nearer");
-    lost: Event::Fragment { .. } => stays("depth-fragment-lost").answers("nearer");
-    nothing: Event::Done if step.held.so_far.tally.pixels == 0 =>
-        Row::new(Accept, COMPARE, "depth-done-nothing");
-    done: Event::Done => Row::new(Accept, COMPARE, "depth-done").so(&["{average}"]);
-}
-
 const COMPARED: &[&str] = &["{z}{sign}{stored}"];
 const EMPTY: i32 = Picture::BACKGROUND;
 
-/// A triangle of which something is in the volume.
 const fn drawn(key: &'static str) -> Row {
     let row = Row::new(Phase, TRIANGLE, key).about("triangle");
     row.answers_as("drawn", "depth-answer-drawn")
 }
 
-/// A fragment that changes nothing at its pixel.
 const fn stays(key: &'static str) -> Row {
     Row::new(Test, COMPARE, key).so(COMPARED).about("at")
 }
@@ -136,7 +91,6 @@ impl<L: Variant> Telling for DepthBuffer<L> {
     const SOURCE: &'static str = "Catmull, 1974";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-triangle",
         "watch-pixel",
@@ -146,18 +100,32 @@ impl<L: Variant> Telling for DepthBuffer<L> {
         "watch-writes",
         "watch-pixels",
     ])];
+    const OPENING: Row = Row::new(Phase, CLEAR, "depth-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        clear: Event::Clear { .. } => Row::new(Phase, CLEAR, "depth-clear").so(&["~ z = {cleared}"]);
+        unseen: Event::Triangle { drawn: false, .. } =>
+            Row::new(Reject, TRIANGLE, "depth-triangle-unseen").answers("drawn").drops("triangle");
+        whole: Event::Triangle { .. } if step.input.steps == DepthSteps::Triangles =>
+            drawn("depth-triangle-whole");
+        triangle: Event::Triangle { .. } => drawn("depth-triangle");
+        span: Event::Span { .. } => Row::new(Test, FRAGMENT, "depth-span").about("triangle");
+        first: Event::Fragment { fragment: Fragment { kept: true, stored_id: EMPTY, .. }, .. } =>
+            Row::new(Cut, WRITE, "depth-fragment-first").so(COMPARED).answers("written").keeps("at");
+        kept: Event::Fragment { fragment: Fragment { kept: true, .. }, .. } =>
+            Row::new(Cut, WRITE, "depth-fragment-kept").so(COMPARED).answers("nearer").keeps("at");
+        left_empty: Event::Fragment { fragment: Fragment { stored_id: EMPTY, .. }, .. } =>
+            stays("depth-fragment-lost-to-nothing").answers("written");
+        tie: Event::Fragment { fragment, .. } if fragment.new == fragment.stored =>
+            stays("depth-fragment-tie").answers("nearer");
+        lost: Event::Fragment { .. } => stays("depth-fragment-lost").answers("nearer");
+        nothing: Event::Done if step.held.so_far.tally.pixels == 0 =>
+            Row::new(Accept, COMPARE, "depth-done-nothing");
+        done: Event::Done => Row::new(Accept, COMPARE, "depth-done").so(&["{average}"]);
     }
 
     fn row_at(at: &At<'_, Self>) -> &'static Row {
-        names::in_shades(at).map_or_else(|| row(&at.step), |shades| shades.row)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, CLEAR, "depth-opening");
-        &OPENING
+        names::in_shades(at).map_or_else(|| Self::row(&at.step), |shades| shades.row)
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

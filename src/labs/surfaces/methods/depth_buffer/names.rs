@@ -2,14 +2,11 @@
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, FragmentTally, Rays},
-    figure::{Link, Raster, Tick::Accept},
     labs::{
-        space::Tones,
+        space::{Tones, prelude::*},
         surfaces::methods::on_raster::{self, name_of, sign, spaced, triangle},
-        telling::{At, Named, Row},
         words::pixel_formula,
     },
-    text::{Formula, Value},
 };
 
 use super::{
@@ -74,7 +71,6 @@ pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Name
     })
 }
 
-/// The triangle whose turn it is.
 pub fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
     match at.step.event()? {
         Event::Triangle { id, .. } | Event::Span { id, .. } => Some(id),
@@ -83,7 +79,6 @@ pub fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
     }
 }
 
-/// The fragment that has been asked.
 pub fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
     let Event::Fragment { fragment, .. } = at.step.event()? else {
         return None;
@@ -91,7 +86,6 @@ pub fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> 
     Some(fragment)
 }
 
-/// The pixel that the step is about.
 pub fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
     let input = at.step.input;
     let [width, height] = input.surfaces.size();
@@ -100,7 +94,6 @@ pub fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {
     pixel.filter(|&[column, row]| column < width && row < height)
 }
 
-/// What had been counted one step before.
 fn before(past: &[Event]) -> FragmentTally {
     match past.iter().nth_back(1) {
         Some(
@@ -112,9 +105,7 @@ fn before(past: &[Event]) -> FragmentTally {
     }
 }
 
-/// A finished buffer that is shown in shades.
 pub struct InShades {
-    /// How it is said.
     pub row: &'static Row,
     /// So many of its pixels have a depth.
     n_pixels: usize,
@@ -122,7 +113,6 @@ pub struct InShades {
     range: [Value; 2],
 }
 
-/// None where the buffer is not finished, or not shown in shades, or nothing was drawn.
 pub fn in_shades<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<InShades> {
     const STORED: Row = Row::new(Accept, COMPARE, "depth-done-stored");
     const DISTANCE: Row = Row::new(Accept, COMPARE, "depth-done-distance");

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::surface::{DepthFormat, DepthNumber, Fragment, Rays, Surfaces},
-    text::{Formula, Message, Value},
+    labs::space::prelude::*,
 };
 
 use super::{super::on_raster::sign, variant::Variant};
@@ -45,7 +45,6 @@ pub fn against(format: &DepthFormat, fragment: &Fragment) -> Value {
     Value::Formula(depth(sign, format, fragment.stored))
 }
 
-/// `0.647`, for a table.
 pub fn value(format: &DepthFormat, stored: f64) -> Value {
     Value::Formula(depth(Formula::decimals(), format, stored))
 }
@@ -70,7 +69,6 @@ impl<'a> InPixels<'a> {
         Self { format, unit }
     }
 
-    /// ∞ where nothing has been written.
     pub fn value(&self, stored: f64) -> Value {
         if !stored.is_finite() {
             let infinite = depth(Formula::default(), self.format, stored);
@@ -80,7 +78,6 @@ impl<'a> InPixels<'a> {
         Value::Count(n_units.round().max(0.0) as usize)
     }
 
-    /// What the numbers count.
     pub fn title(&self) -> Value {
         match (self.format.number, self.unit) {
             (DepthNumber::Fixed(bits), _) => {

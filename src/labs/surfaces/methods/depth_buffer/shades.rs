@@ -3,9 +3,7 @@
 
 use crate::{
     algo::surface::{DepthFormat, Rays},
-    figure::{Pixel, Role},
-    labs::space::Tones,
-    text::{Formula, Message, Value},
+    labs::space::{Tones, prelude::*},
 };
 
 use super::{
@@ -13,7 +11,6 @@ use super::{
     variant::Variant,
 };
 
-/// Depths of one picture as shades.
 pub struct Shades<'a> {
     pub rays: Rays,
     pub format: &'a DepthFormat,
@@ -42,7 +39,6 @@ impl Shades<'_> {
         })
     }
 
-    /// What the darkest and the palest shade stand for.
     pub fn scale(&self) -> Option<[Value; 2]> {
         let nearest = self.format.nearest();
         let values = match self.tones {

@@ -4,12 +4,10 @@ use crate::{
     algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, pixel_story},
     figure::{CellStage, Story, StoryCard, StoryFate},
     labs::{
-        space::{soup::surface_link, stage::Scenery},
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{name_of, tone},
-        telling::At,
         words::pixel_formula,
     },
-    text::{Message, Value},
 };
 
 use super::{
@@ -18,7 +16,6 @@ use super::{
     variant::Variant,
 };
 
-/// The story of a pixel; what has not come yet is pale.
 pub fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32; 2]) -> Story {
     let own = at.step.input;
     let format = &own.format;

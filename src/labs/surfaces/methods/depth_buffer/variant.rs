@@ -8,7 +8,7 @@ use crate::{
             faulty::{ClearsToNear, StraightDistance, TurnsComparison, WritesAlways},
         },
     },
-    labs::{CodeLine, but_for, code_line},
+    labs::space::prelude::*,
 };
 
 pub const CLEAR: usize = 0;
@@ -17,7 +17,6 @@ pub const FRAGMENT: usize = 2;
 pub const COMPARE: usize = 3;
 pub const WRITE: usize = 4;
 
-/// The pseudocode of any variant.
 type Pseudocode = [CodeLine; WRITE + 1];
 
 const RIGHT: Pseudocode = [
@@ -57,7 +56,6 @@ const STRAIGHT: [(usize, &str, &str); 1] = [(
     "words-faulty-depth-straight",
 )];
 
-/// The depth buffer by some rules.
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
     const NAME_KEY: &'static str;

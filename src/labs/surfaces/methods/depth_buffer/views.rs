@@ -2,19 +2,12 @@
 
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthNumber, Rays},
-    figure::{Body, Mark3, Pixel, Raster, Role, Shape3, View},
     labs::{
-        space::{
-            Scene,
-            stage::{Fate, Scenery},
-        },
+        space::prelude::*,
         surfaces::methods::on_raster::{
             faces, fitting, lettered, name_of, outline, pixels, sight, titled, wrong_pixels,
         },
-        telling::At,
     },
-    text::Value,
-    trace::silent,
 };
 
 use super::{
@@ -55,7 +48,6 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
     fitting(scenery, views)
 }
 
-/// The line of sight to the fragment, and to what stands before or behind it.
 fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark3> {
     let surfaces = &at.step.input.surfaces;
     let camera = scenery.scene().camera.camera();

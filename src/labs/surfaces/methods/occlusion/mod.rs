@@ -4,25 +4,12 @@ mod names;
 mod occluders;
 mod views;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{
         Occlusion, OcclusionEvent as Event, OcclusionInput, OcclusionOutput, QueryResult,
     },
-    figure::{
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View,
-    },
-    labs::{
-        Answer, CodeLine, code_line,
-        space::{Scene, SpaceTelling, Subject, soup::surfaces_on_raster, stage::Scenery},
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    trace::Step,
+    labs::space::{prelude::*, soup::surfaces_on_raster},
 };
-
-use super::on_raster::depth_list;
 
 pub use occluders::with_occluders;
 
@@ -32,15 +19,7 @@ const ASK: usize = 2;
 const SKIP: usize = 3;
 const DRAW: usize = 4;
 
-impl Answer for OcclusionOutput {
-    fn json(&self) -> Json {
-        json!({
-            "ids": self.picture,
-            "depth": depth_list(&self.depth),
-            "skipped": self.skipped,
-        })
-    }
-}
+impl AnswerAsItIs for OcclusionOutput {}
 
 impl SpaceTelling for Occlusion {
     const SUBJECT: Subject = Subject::Surfaces;
@@ -50,27 +29,6 @@ impl SpaceTelling for Occlusion {
         let objects = occluders::objects_of(scene, &surfaces);
         OcclusionInput { surfaces, objects }
     }
-}
-
-rows! { |event, step: Occlusion|
-    unasked: Event::Query { result: QueryResult { unasked: true, .. }, .. } =>
-        Row::new(Test, OTHERS, "occlusion-unasked").answers("seen").keeps("object");
-    beside: Event::Query { result: QueryResult { asked: 0, .. }, .. } =>
-        Row::new(Test, ASK, "occlusion-beside").answers("seen").drops("object");
-    hidden: Event::Query { result: QueryResult { passed: 0, .. }, .. } =>
-        Row::new(Test, ASK, "occlusion-hidden")
-            .answers_as("seen", "occlusion-answer-hidden").drops("object");
-    seen: Event::Query { .. } =>
-        Row::new(Test, ASK, "occlusion-seen")
-            .answers_as("seen", "occlusion-answer-seen").keeps("object");
-    skip: Event::Skip { .. } => Row::new(Reject, SKIP, "occlusion-skip").about("object");
-    occluder: Event::Draw { .. } if names::answer(step.past).is_none() =>
-        Row::new(Cut, OCCLUDERS, "occlusion-occluder").about("object");
-    in_vain: Event::Draw { writes: 0, .. }
-        if names::answer(step.past).is_some_and(|(_, result)| !result.unasked) =>
-        Row::new(Cut, DRAW, "occlusion-in-vain").about("object");
-    draw: Event::Draw { .. } => Row::new(Cut, DRAW, "occlusion-draw").about("object");
-    done: Event::Done => Row::new(Accept, DRAW, "occlusion-done");
 }
 
 impl Telling for Occlusion {
@@ -86,21 +44,33 @@ impl Telling for Occlusion {
         code_line(1, "code-occlusion-skip", "words-occlusion-skip"),
         code_line(1, "code-occlusion-draw", "words-occlusion-draw"),
     ];
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-objects-drawn",
         "watch-objects-skipped",
         "watch-pixels-asked",
         "watch-triangles-spared",
     ])];
+    const OPENING: Row = Row::new(Phase, OCCLUDERS, "occlusion-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
-    }
-
-    fn opening(_: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, OCCLUDERS, "occlusion-opening");
-        &OPENING
+    table! { |event, step|
+        unasked: Event::Query { result: QueryResult { unasked: true, .. }, .. } =>
+            Row::new(Test, OTHERS, "occlusion-unasked").answers("seen").keeps("object");
+        beside: Event::Query { result: QueryResult { asked: 0, .. }, .. } =>
+            Row::new(Test, ASK, "occlusion-beside").answers("seen").drops("object");
+        hidden: Event::Query { result: QueryResult { passed: 0, .. }, .. } =>
+            Row::new(Test, ASK, "occlusion-hidden")
+                .answers_as("seen", "occlusion-answer-hidden").drops("object");
+        seen: Event::Query { .. } =>
+            Row::new(Test, ASK, "occlusion-seen")
+                .answers_as("seen", "occlusion-answer-seen").keeps("object");
+        skip: Event::Skip { .. } => Row::new(Reject, SKIP, "occlusion-skip").about("object");
+        occluder: Event::Draw { .. } if names::answer(step.past).is_none() =>
+            Row::new(Cut, OCCLUDERS, "occlusion-occluder").about("object");
+        in_vain: Event::Draw { writes: 0, .. }
+            if names::answer(step.past).is_some_and(|(_, result)| !result.unasked) =>
+            Row::new(Cut, DRAW, "occlusion-in-vain").about("object");
+        draw: Event::Draw { .. } => Row::new(Cut, DRAW, "occlusion-draw").about("object");
+        done: Event::Done => Row::new(Accept, DRAW, "occlusion-done");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -2,12 +2,7 @@
 
 use crate::{
     algo::surface::{Occlusion, OcclusionEvent as Event, QueryResult},
-    labs::{
-        space::stage::{Scenery, object_link},
-        surfaces::methods::on_raster,
-        telling::{At, Named},
-    },
-    text::Value,
+    labs::{space::prelude::*, surfaces::methods::on_raster},
 };
 
 /// `A`; without a scene, its number.
@@ -45,7 +40,6 @@ pub fn named(at: &At<'_, Occlusion>, name: &str) -> Option<Named> {
     })
 }
 
-/// The object whose turn it is.
 pub fn current(past: &[Event]) -> Option<usize> {
     match past.last()? {
         Event::Query { object_idx, .. }
@@ -58,20 +52,17 @@ pub fn current(past: &[Event]) -> Option<usize> {
 /// The lowest and the highest corner of a box.
 pub type Corners = [[f64; 3]; 2];
 
-/// The corners of the box of that object and the answer, once it is asked.
 pub fn answer(past: &[Event]) -> Option<(Option<Corners>, QueryResult)> {
     let current = current(past)?;
     let (object_idx, bounds, result) = past.iter().rev().take(2).find_map(query)?;
     (object_idx == current).then_some((bounds, result))
 }
 
-/// Every object that has been asked, in order, and the answer.
 pub fn answers(past: &[Event]) -> impl Iterator<Item = (usize, QueryResult)> {
     let queries = past.iter().filter_map(query);
     queries.map(|(object_idx, _, result)| (object_idx, result))
 }
 
-/// The object that is asked, the corners of its box, and the answer.
 const fn query(event: &Event) -> Option<(usize, Option<Corners>, QueryResult)> {
     let &Event::Query {
         object_idx,
@@ -84,7 +75,6 @@ const fn query(event: &Event) -> Option<(usize, Option<Corners>, QueryResult)> {
     Some((object_idx, bounds, result))
 }
 
-/// As many triangles as these objects have.
 fn n_triangles(at: &At<'_, Occlusion>, objects: &[usize]) -> usize {
     let of = |&object_idx: &usize| at.step.input.objects.get(object_idx);
     let objects = objects.iter().filter_map(of);

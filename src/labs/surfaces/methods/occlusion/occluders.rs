@@ -10,14 +10,12 @@ use crate::{
 /// A longer run cannot be followed.
 const MOST_OBJECTS: usize = 300;
 
-/// The first objects of a scene, whose triangles these are, one after the other.
 pub fn objects_of(scene: &Scene, surfaces: &Surfaces) -> Vec<OcclusionObject> {
     let objects = scene.objects().iter().take(MOST_OBJECTS);
     let counts = objects.map(|object| object.model().mesh().faces().len());
     with_occluders(surfaces, counts)
 }
 
-/// Objects of so many triangles each, one after the other.
 pub fn with_occluders(
     surfaces: &Surfaces,
     counts: impl Iterator<Item = usize>,

@@ -2,17 +2,11 @@
 
 use crate::{
     algo::surface::{Occlusion, OcclusionEvent as Event},
-    figure::{
-        Body, ListColumn, ListRow, Lists, Mark3, Raster, RasterMark, RasterShape, Role, Shape3,
-        View,
-    },
     geom::AlignedBox,
     labs::{
-        space::stage::{Fate, object_link},
+        space::prelude::*,
         surfaces::methods::on_raster::{fitting, lettered, pixels, raster_so_far, segment},
-        telling::At,
     },
-    text::Value,
 };
 
 use super::names::{answer, answers, current, name_of};
@@ -55,7 +49,6 @@ fn asked_box(at: &At<'_, Occlusion>) -> Option<AlignedBox> {
     AlignedBox::new([x, y, z, right, top, front]).ok()
 }
 
-/// The picture so far by objects, the box over it, and where it would be seen.
 fn raster(at: &At<'_, Occlusion>) -> Raster {
     let (input, event) = (at.step.input, at.step.event());
     // Objects are in the order of their triangles.
@@ -87,7 +80,6 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     raster_so_far(&input.surfaces, pixels, over)
 }
 
-/// A pixel of the box, and whether it would be seen there.
 fn mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
     let at = pixel.map(|x| f64::from(x) + 0.5);
     let (role, shape) = if passes {
@@ -98,7 +90,6 @@ fn mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
     RasterMark { role, shape }
 }
 
-/// Each object with its pixels, those at which its box would be seen, and what becomes of it.
 fn lists(at: &At<'_, Occlusion>) -> Lists {
     let held = at.step.held;
     let objects = &at.step.input.objects;

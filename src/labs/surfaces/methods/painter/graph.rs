@@ -2,13 +2,11 @@
 
 use crate::{
     algo::surface::{Painter, PainterEvent as Event, PainterHeld},
-    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
+    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places},
     labs::{
-        space::{Scene, soup::surface_link},
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{middle_of, name_of, text_of, tone},
-        telling::At,
     },
-    text::{Formula, Value},
 };
 
 use super::{names::test_key, overlap::overlap, variant::Variant};
@@ -69,7 +67,6 @@ fn number_of(held: &PainterHeld, id: u32) -> Option<Value> {
     Some(Value::Count(place + 1))
 }
 
-/// Between two triangles, by their ids.
 struct Arrow {
     ends: [u32; 2],
     kind: ArrowKind,
@@ -77,7 +74,6 @@ struct Arrow {
     reason: Option<Value>,
 }
 
-/// What has been found, what this step asks.
 fn arrows<L: Variant>(at: &At<'_, Painter<L>>, now: [Option<u32>; 2]) -> Vec<Arrow> {
     let held = at.step.held;
     let found = held.constraints.iter().map(|&ends| {
@@ -132,7 +128,6 @@ fn hides<L: Variant>(at: &At<'_, Painter<L>>, [far, near]: [u32; 2]) -> Option<V
     Some(Value::Formula(formula.num(near_depth)))
 }
 
-/// Does the second follow the first in a cycle, as far as it has been found?
 fn is_in_ring(cycle: &[u32], [before, after]: [u32; 2]) -> bool {
     let next = cycle.iter().cycle().skip(1);
     let mut pairs = cycle.iter().zip(next);

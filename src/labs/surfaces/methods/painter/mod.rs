@@ -6,43 +6,20 @@ mod overlap;
 mod variant;
 mod views;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{
-        Painter, PainterAnswer, PainterEvent as Event, PainterOutput,
+        Painter, PainterEvent as Event, PainterOutput,
         PairTest::{BeforePlane, BehindPlane, DepthExtents, Overlap, ScreenExtents},
         Surfaces,
     },
-    figure::{
-        Run,
-        Tick::{Accept, Cut, Phase, Reject, Test},
-        View,
-    },
-    labs::{
-        Answer, CodeLine,
-        recorded::Recorded,
-        space::{
-            Scene, SpaceTelling, Subject, demo::scenery_of, soup::surfaces_on_raster,
-            stage::Scenery,
-        },
-        telling::{At, Named, Row, Telling, Watched, rows},
-    },
-    trace::Step,
+    labs::space::{prelude::*, soup::surfaces_on_raster},
 };
 
 use super::on_raster;
 
 use variant::{ASK, CYCLE, KEY, OBJECT, PAINT, PLACE, SORT, Variant};
 
-impl Answer for PainterOutput {
-    fn json(&self) -> Json {
-        match &self.answer {
-            PainterAnswer::Order { order, picture } => json!({ "ids": picture, "order": order }),
-            PainterAnswer::Cycle { cycle } => json!({ "cycle": cycle }),
-        }
-    }
-}
+impl AnswerAsItIs for PainterOutput {}
 
 impl<L: Variant> SpaceTelling for Painter<L> {
     const SUBJECT: Subject = Subject::Surfaces;
@@ -59,35 +36,8 @@ impl<L: Variant> SpaceTelling for Painter<L> {
     }
 }
 
-rows! { [L: Variant] |event, step: Painter<L>|
-    key: Event::Key { .. } =>
-        Row::new(Phase, KEY, "painter-key").so(&["~ {nearest} … {farthest}"]).about("triangle");
-    sort: Event::Sort { .. } => Row::new(Phase, SORT, "painter-sort")
-        .so(&["~ z = {z}"]).about("triangle").picks("triangle", "unsorted");
-    depths: Event::Pair { test: DepthExtents, .. } => may("painter-pair-depths").so(EXTENTS);
-    screen: Event::Pair { test: ScreenExtents, .. } => may("painter-pair-screen").so(EXTENTS);
-    behind: Event::Pair { test: BehindPlane, .. } => may("painter-pair-behind").so(&["{behind}"]);
-    front: Event::Pair { test: BeforePlane, .. } => may("painter-pair-before").so(&["{front}"]);
-    nowhere: Event::Pair { test: Overlap, may: true, .. } =>
-        may("painter-pair-overlap").so(EXTENTS);
-    hides: Event::Pair { test: Overlap, may: false, .. } =>
-        Row::new(Test, OBJECT, "painter-pair-hides")
-            .so(&["{hidden}"]).answers("may").drops("triangle");
-    constraint: Event::Constraint { .. } => Row::new(Cut, OBJECT, "painter-constraint");
-    place: Event::Place { .. } => Row::new(Accept, PLACE, "painter-place").about("triangle");
-    cycle_first: Event::Cycle { .. } if step.held.cycle.len() == 1 =>
-        in_cycle("painter-cycle-first");
-    cycle_closes: Event::Cycle { id } if step.held.constraints.contains(&[id, step.held.cycle[0]]) =>
-        in_cycle("painter-cycle-closes");
-    cycle_next: Event::Cycle { .. } => in_cycle("painter-cycle-next");
-    paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").about("triangle");
-    done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
-    no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
-}
-
 const EXTENTS: &[&str] = &["~ {nearest}{sign}{farthest}"];
 
-/// A pair of which the first may come first.
 const fn may(key: &'static str) -> Row {
     Row::new(Test, ASK, key).answers("may").keeps("triangle")
 }
@@ -104,7 +54,6 @@ impl<L: Variant> Telling for Painter<L> {
     const SOURCE: &'static str = "Newell, Newell & Sancha, 1972";
     const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
-    const ROWS: &'static [Row] = ROWS;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-pairs",
         "watch-depth-extents",
@@ -113,14 +62,36 @@ impl<L: Variant> Telling for Painter<L> {
         "watch-before-plane",
         "watch-overlap",
     ])];
+    const OPENING: Row = Row::new(Phase, KEY, "painter-opening");
 
-    fn row(step: &Step<'_, Self>) -> &'static Row {
-        row(step)
+    table! { |event, step|
+        key: Event::Key { .. } =>
+            Row::new(Phase, KEY, "painter-key").so(&["~ {nearest} … {farthest}"]).about("triangle");
+        sort: Event::Sort { .. } => Row::new(Phase, SORT, "painter-sort")
+            .so(&["~ z = {z}"]).about("triangle").picks("triangle", "unsorted");
+        depths: Event::Pair { test: DepthExtents, .. } => may("painter-pair-depths").so(EXTENTS);
+        screen: Event::Pair { test: ScreenExtents, .. } => may("painter-pair-screen").so(EXTENTS);
+        behind: Event::Pair { test: BehindPlane, .. } => may("painter-pair-behind").so(&["{behind}"]);
+        front: Event::Pair { test: BeforePlane, .. } => may("painter-pair-before").so(&["{front}"]);
+        nowhere: Event::Pair { test: Overlap, may: true, .. } =>
+            may("painter-pair-overlap").so(EXTENTS);
+        hides: Event::Pair { test: Overlap, may: false, .. } =>
+            Row::new(Test, OBJECT, "painter-pair-hides")
+                .so(&["{hidden}"]).answers("may").drops("triangle");
+        constraint: Event::Constraint { .. } => Row::new(Cut, OBJECT, "painter-constraint");
+        place: Event::Place { .. } => Row::new(Accept, PLACE, "painter-place").about("triangle");
+        cycle_first: Event::Cycle { .. } if step.held.cycle.len() == 1 =>
+            in_cycle("painter-cycle-first");
+        cycle_closes: Event::Cycle { id } if step.held.constraints.contains(&[id, step.held.cycle[0]]) =>
+            in_cycle("painter-cycle-closes");
+        cycle_next: Event::Cycle { .. } => in_cycle("painter-cycle-next");
+        paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").about("triangle");
+        done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
+        no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
     }
 
     fn opening(at: &At<'_, Self>) -> &'static Row {
-        const OPENING: Row = Row::new(Phase, KEY, "painter-opening");
-        on_raster::opening(&OPENING, at.step.input, at.scenery)
+        on_raster::opening(const { &Self::OPENING }, at.step.input, at.scenery)
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -8,10 +8,9 @@ use crate::{
         volume::signed_distance,
     },
     labs::{
+        space::prelude::*,
         surfaces::methods::on_raster::{self, plane_of, sign, spaced, triangle},
-        telling::{At, Named},
     },
-    text::Formula,
 };
 
 use super::{overlap::overlap, variant::Variant};
@@ -56,7 +55,6 @@ pub fn named<L: Variant>(at: &At<'_, Painter<L>>, name: &str) -> Option<Named> {
     })
 }
 
-/// The triangle that a step is about, and the one that is asked beside it.
 pub fn about(event: Option<Event>) -> [Option<u32>; 2] {
     match event {
         Some(

@@ -9,9 +9,7 @@ use crate::{
 /// Of more triangles the reasons are not looked for: their names only are seen.
 const MOST_WITH_REASONS: usize = 26;
 
-/// A pixel at which a triangle hides another one.
 pub struct Overlap {
-    /// Its middle.
     pub at: [f64; 2],
     /// How far both are there, the farther first.
     pub depths: [f64; 2],

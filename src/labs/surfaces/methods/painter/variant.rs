@@ -8,7 +8,7 @@ use crate::{
             faulty::{KeysOnly, NearestKeys},
         },
     },
-    labs::{CodeLine, but_for, code_line},
+    labs::space::prelude::*,
 };
 
 pub const KEY: usize = 0;
@@ -19,7 +19,6 @@ pub const CYCLE: usize = 4;
 pub const PLACE: usize = 5;
 pub const PAINT: usize = 6;
 
-/// The pseudocode of any variant.
 type Pseudocode = [CodeLine; PAINT + 1];
 
 const RIGHT: Pseudocode = [
@@ -32,7 +31,6 @@ const RIGHT: Pseudocode = [
     code_line(0, "code-paint-paint", "words-paint-paint"),
 ];
 
-/// Painter's algorithm by some rules.
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
     const NAME_KEY: &'static str;

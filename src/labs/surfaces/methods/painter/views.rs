@@ -2,16 +2,13 @@
 
 use crate::{
     algo::surface::{Painter, PainterEvent as Event, Picture},
-    figure::{Body, ListColumn, ListRow, Lists, Raster, RasterMark, RasterShape, Role, View},
     labs::{
-        space::{Scene, soup::surface_link, stage::Fate},
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{
             faces, fitting, lettered_or_outlined, name_of, outline, pixels, raster_so_far, titled,
             wrong_pixels,
         },
-        telling::At,
     },
-    text::{Formula, Value},
 };
 
 use super::{

@@ -2,13 +2,11 @@
 
 use crate::{
     algo::surface::{PlaneHit, Ray, RayCasting, RayCastingEvent as Event, RayHit},
-    figure::{Link, Raster},
     labs::{
+        space::prelude::*,
         surfaces::methods::on_raster::{self, name_of, triangle},
-        telling::{At, Named},
         words::{self, pixel_formula},
     },
-    text::{Formula, Value},
 };
 
 pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
@@ -54,7 +52,6 @@ pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
     })
 }
 
-/// What a pixel may take: what its ray has hit, or nothing.
 pub fn listed(at: &At<'_, RayCasting>, list: &str) -> Vec<Named> {
     if list != "hits" {
         return Vec::new();
@@ -76,13 +73,11 @@ fn quotient(found: &PlaneHit) -> Formula {
     }
 }
 
-/// Where the turn of the pixel in hand, or of the last one, begins among all events; and its events.
 fn of_turn(past: &[Event]) -> &[Event] {
     let is_turn = |event: &Event| matches!(event, Event::Pixel { .. });
     &past[past.iter().rposition(is_turn).unwrap_or(past.len())..]
 }
 
-/// The pixel in hand, or the last one, and its ray.
 pub fn turn(past: &[Event]) -> Option<([u32; 2], Ray)> {
     let Event::Pixel { pixel, ray } = *of_turn(past).first()? else {
         return None;
@@ -90,7 +85,6 @@ pub fn turn(past: &[Event]) -> Option<([u32; 2], Ray)> {
     Some((pixel, ray))
 }
 
-/// Every triangle that this ray has been asked about, in order, and what was found.
 pub fn asked(past: &[Event]) -> impl DoubleEndedIterator<Item = (u32, PlaneHit)> {
     of_turn(past).iter().filter_map(|event| {
         let Event::Ask { id, found, .. } = *event else {
@@ -100,7 +94,6 @@ pub fn asked(past: &[Event]) -> impl DoubleEndedIterator<Item = (u32, PlaneHit)>
     })
 }
 
-/// All that this ray has hit so far.
 pub fn hits(past: &[Event]) -> impl DoubleEndedIterator<Item = RayHit> {
     of_turn(past).iter().filter_map(hit_of)
 }
@@ -116,7 +109,6 @@ fn hit_of(event: &Event) -> Option<RayHit> {
     Some(RayHit { id, t, depth })
 }
 
-/// What was the nearest hit before the triangle that is asked.
 pub fn nearest_before(past: &[Event]) -> Option<RayHit> {
     let [before @ .., _] = past else {
         return None;

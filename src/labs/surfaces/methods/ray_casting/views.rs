@@ -2,21 +2,14 @@
 
 use crate::{
     algo::surface::{Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event, Rays},
-    figure::{
-        Body, Cell, LineTick, Mark3, NumberLine, Raster, Role, Shape3, Side, Table, TableRow, View,
-    },
+    figure::{LineTick, NumberLine, Side},
     labs::{
-        space::{
-            soup::surface_link,
-            stage::{Fate, Scenery},
-        },
+        space::{prelude::*, soup::surface_link},
         surfaces::methods::on_raster::{
             faces, fitting, lettered, name_of, pixels, raster_so_far, sight,
         },
-        telling::At,
         words::pixel_formula,
     },
-    text::{Formula, Value},
 };
 
 use super::names::{asked, hits, turn};
@@ -61,7 +54,6 @@ fn cast(at: &At<'_, RayCasting>) -> Option<([u32; 2], Ray)> {
     turn(at.step.past).filter(|_| !is_over)
 }
 
-/// The triangle that is asked at this step.
 fn now(at: &At<'_, RayCasting>) -> Option<u32> {
     let Event::Ask { id, .. } = at.step.event()? else {
         return None;
@@ -114,7 +106,6 @@ fn raster(at: &At<'_, RayCasting>, own: Option<u32>) -> Raster {
     }
 }
 
-/// Every triangle, or of many those that were hit: what its plane said.
 fn table(at: &At<'_, RayCasting>, scenery: &Scenery) -> Table {
     let (surfaces, past) = (&at.step.input.surfaces, at.step.past);
     let is_cast = cast(at).is_some();

@@ -16,28 +16,31 @@ fn gauge(name: Value, value: Option<f64>, role: Role) -> Gauge {
     }
 }
 
+/// The planes of a view volume.
+const PLANES: [&str; 6] = [
+    "plane-near",
+    "plane-far",
+    "plane-left",
+    "plane-right",
+    "plane-bottom",
+    "plane-top",
+];
+
 /// One sphere, six planes, of which three have been asked.
 pub fn distances() -> Gauges {
-    let rows = [
-        ("plane-near", Some(2.6), Role::Accent),
-        ("plane-far", Some(4.4), Role::Accent),
-        ("plane-left", Some(-3.4), Role::Signal),
-        ("plane-right", None, Role::Accent),
-        ("plane-bottom", None, Role::Accent),
-        ("plane-top", None, Role::Accent),
-    ];
-    let sides = ["gauge-outside", "gauge-inside"].map(Message::new);
+    let asked = [2.6, 4.4, -3.4];
+    let row = |(i, plane)| {
+        let role = if i == 2 { Role::Signal } else { Role::Accent };
+        gauge(Value::Term(plane), asked.get(i).copied(), role)
+    };
     Gauges {
         title: Message::new("gauges-sphere").with("planes", 6_usize),
-        sides,
+        sides: ["gauge-outside", "gauge-inside"].map(Message::new),
         band: Some(1.01),
-        rows: rows
-            .map(|(name, value, role)| gauge(Value::Term(name), value, role))
-            .to_vec(),
+        rows: PLANES.into_iter().enumerate().map(row).collect(),
     }
 }
 
-/// All eight faces.
 pub fn products() -> Gauges {
     let products = [117.0, 45.0, 27.0, -9.0, -45.0, -81.0, -99.0, -171.0];
     let row = |(i, &product): (usize, &f64)| {
@@ -60,7 +63,6 @@ pub fn products() -> Gauges {
     }
 }
 
-/// Five levels: at the second gate, or with more after the cuts than there were at first.
 pub fn ribbon(amounts: [usize; 5]) -> Ribbon {
     let titles = [
         "level-scene",
@@ -69,16 +71,16 @@ pub fn ribbon(amounts: [usize; 5]) -> Ribbon {
         "level-cuts",
         "level-facing",
     ];
-    let stage = |(i, title): (usize, &'static str)| RibbonStage {
-        title: Message::new(title),
-        counts: Message::new("level-counts")
-            .with("objects", 10_usize)
-            .with("triangles", amounts[i]),
-        amount: amounts[i],
-        change: i
-            .checked_sub(1)
-            .map(|before| amounts[i] as i64 - amounts[before] as i64),
-        is_to_come: i > 1,
+    let counts = Message::new("level-counts").with("objects", 10_usize);
+    let stage = |(i, title): (usize, &'static str)| {
+        let before = i.checked_sub(1);
+        RibbonStage {
+            title: Message::new(title),
+            counts: counts.clone().with("triangles", amounts[i]),
+            amount: amounts[i],
+            change: before.map(|before| amounts[i] as i64 - amounts[before] as i64),
+            is_to_come: i > 1,
+        }
     };
     Ribbon {
         stages: titles.into_iter().enumerate().map(stage).collect(),
@@ -87,16 +89,7 @@ pub fn ribbon(amounts: [usize; 5]) -> Ribbon {
     }
 }
 
-/// Six planes, some at work and some to come, with numbers of two digits.
 pub fn small_drawings(current: Option<usize>) -> Multiples {
-    let keys = [
-        "plane-near",
-        "plane-far",
-        "plane-left",
-        "plane-right",
-        "plane-bottom",
-        "plane-top",
-    ];
     let outline = vec![[0.0, 0.0], [4.0, 1.0], [1.0, 3.0]];
     let drawing = |(i, key): (usize, &'static str)| SmallDrawing {
         title: Value::Term(key),
@@ -107,7 +100,7 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
         link: None,
     };
     Multiples {
-        drawings: keys.into_iter().enumerate().map(drawing).collect(),
+        drawings: PLANES.into_iter().enumerate().map(drawing).collect(),
         bounds: [[0.0, 0.0], [4.0, 3.0]],
     }
 }

@@ -11,20 +11,30 @@ use crate::{
 use super::name;
 
 fn entry(symbol: &str, marker: Option<ItemMarker>, role: Role) -> ListRow {
-    let mut entry = ListRow::new(name(symbol));
-    entry.marker = marker;
-    entry.role = role;
-    entry
+    ListRow {
+        marker,
+        role,
+        ..ListRow::new(name(symbol))
+    }
 }
 
-fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> ListColumn {
-    let marker = |symbol: &str| match symbol {
-        "C₁" | "C₃" => Some(ItemMarker::Ring),
-        "C₂" | "C₄" => Some(ItemMarker::Dot),
-        _ => None,
-    };
-    let entries = entries.iter();
-    let entries = entries.map(|&(symbol, role)| entry(symbol, marker(symbol), role));
+/// Entries by their symbols: after `.` soft, after `=` ink, after `+` accent, after `!` this step's.
+fn list(title: &str, entries: &[&str], focus: usize) -> ListColumn {
+    let entries = entries.iter().map(|entry_of| {
+        let (role, symbol) = entry_of.split_at(1);
+        let role = match role {
+            "=" => Role::Ink,
+            "+" => Role::Accent,
+            "!" => Role::Signal,
+            _ => Role::Soft,
+        };
+        let marker = match symbol {
+            "C₁" | "C₃" => Some(ItemMarker::Ring),
+            "C₂" | "C₄" => Some(ItemMarker::Dot),
+            _ => None,
+        };
+        entry(symbol, marker, role)
+    });
     ListColumn {
         is_ring: true,
         focus: Some(focus),
@@ -34,46 +44,21 @@ fn list(title: &str, entries: &[(&str, Role)], focus: usize) -> ListColumn {
 
 /// C3: the walk leaves the subject's list for the window's.
 pub fn two_lists() -> Lists {
-    use Role::{Accent, Ink, Signal, Soft};
     let subject = [
-        ("S₁", Soft),
-        ("C₁", Ink),
-        ("S₂", Soft),
-        ("S₃", Soft),
-        ("S₄", Soft),
-        ("C₂", Accent),
-        ("S₅", Accent),
-        ("C₃", Signal),
-        ("S₆", Soft),
-        ("S₇", Soft),
-        ("C₄", Ink),
+        ".S₁", "=C₁", ".S₂", ".S₃", ".S₄", "+C₂", "+S₅", "!C₃", ".S₆", ".S₇", "=C₄",
     ];
-    let window = [
-        ("W₁", Soft),
-        ("W₂", Soft),
-        ("C₁", Ink),
-        ("C₄", Ink),
-        ("C₃", Signal),
-        ("W₃", Soft),
-        ("C₂", Ink),
-        ("W₄", Soft),
-    ];
-    let link = |from, to, role| ListLink {
+    let window = [".W₁", ".W₂", "=C₁", "=C₄", "!C₃", ".W₃", "=C₂", ".W₄"];
+    let links = [(7, 4), (1, 2), (5, 6), (10, 3)].map(|(from, to)| ListLink {
         from: [0, from],
         to: [1, to],
-        role,
-    };
+        role: if from == 7 { Role::Signal } else { Role::Soft },
+    });
     Lists {
         lists: vec![
             list("Subject list", &subject, 7),
             list("Window list", &window, 4),
         ],
-        links: vec![
-            link(7, 4, Signal),
-            link(1, 2, Soft),
-            link(5, 6, Soft),
-            link(10, 3, Soft),
-        ],
+        links: links.to_vec(),
         legend: vec![
             (ItemMarker::Dot, name("entering")),
             (ItemMarker::Ring, name("leaving")),
@@ -81,7 +66,6 @@ pub fn two_lists() -> Lists {
     }
 }
 
-/// Sutherland–Hodgman: what comes in, what has come out.
 pub fn in_and_out() -> Lists {
     use Role::{Accent, Discarded, Faint, Ink, Signal};
     let place = |mut entry: ListRow, at: [f64; 2]| {
@@ -109,15 +93,11 @@ pub fn in_and_out() -> Lists {
     }
 }
 
-/// Lists of which a part is folded, some of it before the view was asked.
 pub fn long_lists() -> Lists {
     let entries = |letter: &str| -> Vec<ListRow> {
         let entry = |i: usize| {
-            entry(
-                &format!("{letter}{i}"),
-                None,
-                if i == 25 { Role::Signal } else { Role::Soft },
-            )
+            let role = if i == 25 { Role::Signal } else { Role::Soft };
+            entry(&format!("{letter}{i}"), None, role)
         };
         (10..50).map(entry).collect()
     };
@@ -139,36 +119,31 @@ pub fn long_lists() -> Lists {
     }
 }
 
-/// Four clippers, a vertex leaving the second and its crossing on the way to the third.
 pub fn pipeline() -> ClipperRow {
-    let clipper = |side, first, previous, is_closed| ClipperBox {
+    let clipper = |side, first, previous| ClipperBox {
         name: name(side),
         first,
         previous,
-        is_closed,
+        is_closed: side == "x = −4",
         link: None,
     };
-    let traveller = |symbol, arrow, fate| Traveller {
+    let traveller = |symbol, fate| Traveller {
         name: name(symbol),
-        arrow,
+        arrow: 2,
         fate,
     };
+    let first = Some([-2.0, 1.0]);
     ClipperRow {
         clippers: vec![
-            clipper("x = −4", Some([-2.0, 1.0]), Some([6.0, 1.0]), true),
-            clipper(
-                "x = 4",
-                Some([-2.0, 1.0]),
-                Some([-1.0 / 3.0, 0.123_456]),
-                false,
-            ),
-            clipper("y = −3", Some([-2.0, 1.0]), None, false),
-            clipper("y = 3", None, None, false),
+            clipper("x = −4", first, Some([6.0, 1.0])),
+            clipper("x = 4", first, Some([-1.0 / 3.0, 0.123_456])),
+            clipper("y = −3", first, None),
+            clipper("y = 3", None, None),
         ],
         at_work: Some(1),
         travellers: vec![
-            traveller("I₁", 2, Fate::GoesOn),
-            traveller("V₃", 2, Fate::Dropped),
+            traveller("I₁", Fate::GoesOn),
+            traveller("V₃", Fate::Dropped),
         ],
         output: name("V′"),
         n_out: 1,

@@ -1,28 +1,32 @@
 //! The polygons lab's cases: a polygon against a window or another polygon, or a polygon alone.
 
-mod verdict;
-
 use crate::{
     algo::polygon::{
-        ClipRegion, EarClipping, Pipeline, SutherlandHodgman, SutherlandHodgmanInput, Textured,
-        TriangulateAndClip, TriangulateAndClipInput,
-        weiler_atherton::{WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
+        ClipRegion, ClippedRing, EarClipping, Pipeline, RingOutcome, SutherlandHodgman,
+        SutherlandHodgmanInput, Textured, TriangulateAndClip, TriangulateAndClipInput,
+        Triangulation, Vertex,
+        weiler_atherton::{Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     },
-    geom::{Polygon, Region, SimplePolygon},
+    geom::{Point, Polygon, Region, SimplePolygon},
     input::{
         CLIP, CONVEX_CLIP, Dim, Fault, Field, Given, HOLES, MOST_VERTICES, POLYGON, Part, Shape,
         WINDOW,
     },
-    text::Message,
+    labs::vertex_symbol,
+    text::{Formula, Message},
 };
 
-use super::{Code, Fields, Path, Refusal, Solvable, Solve, Solver, solver::read_problem};
-
-use verdict::{pieces, polygons, ring, triangles};
+use super::{
+    Code, Fields, Path, Refusal, Solvable, Solve, Solver,
+    solver::{Reading, Verdict, read_problem},
+};
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
-    Solver::of::<SutherlandHodgman>().reading(read_sutherland_hodgman),
+    Solver {
+        read: read_sutherland_hodgman,
+        ..Solver::of::<SutherlandHodgman>()
+    },
     Solver::of::<Pipeline>(),
     Solver::of::<WeilerAtherton>(),
     Solver::of::<EarClipping>(),
@@ -42,7 +46,6 @@ fn read_sutherland_hodgman(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Ref
 /// which the JSON answer holds every one. 10,000 vertices against a window are less.
 const MOST_PAIRS: usize = 1 << 16;
 
-/// A place in the texture for each vertex.
 const UV: Part<Vec<[f64; 2]>> = Part::new(
     "uv",
     &Shape::Numbers(&[Dim::UpTo(MOST_VERTICES), Dim::Exactly(2)]),
@@ -151,21 +154,14 @@ fn to_clip(fields: &Fields<'_>) -> Result<SutherlandHodgmanInput, Refusal> {
 impl Solve for SutherlandHodgman {
     const FIELDS: &'static [Field] = &TEXTURED;
     const OUTPUT: &'static [Field] = &TEXTURED_RING;
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        to_clip(fields)
-    }
-
-    fn verdict(output: &Self::Output) -> Message {
-        ring(output)
-    }
+    const READ: Reading<Self> = to_clip;
+    const VERDICT: Verdict<Self> = ring;
 }
 
 impl Solve for SutherlandHodgman<Textured> {
     const FIELDS: &'static [Field] = &TEXTURED;
     const OUTPUT: &'static [Field] = &TEXTURED_RING;
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let plain = to_clip(fields)?;
         let (uvs, n_vertices) = (fields.need(&UV)?, plain.vertices.len());
         if uvs.len() != n_vertices {
@@ -179,39 +175,26 @@ impl Solve for SutherlandHodgman<Textured> {
             region: plain.region,
             vertices: vertices.map(|(at, uv)| Textured { at, uv }).collect(),
         })
-    }
-
-    fn verdict(output: &Self::Output) -> Message {
-        ring(output)
-    }
+    };
+    const VERDICT: Verdict<Self> = ring;
 }
 
 impl Solve for Pipeline {
     const FIELDS: &'static [Field] = &CLIPPED;
     const OUTPUT: &'static [Field] = &RING;
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        to_clip(fields)
-    }
-
-    fn verdict(output: &Self::Output) -> Message {
-        ring(output)
-    }
+    const READ: Reading<Self> = to_clip;
+    const VERDICT: Verdict<Self> = ring;
 }
 
 impl Solve for WeilerAtherton {
     const FIELDS: &'static [Field] = &WITH_HOLES;
     const OUTPUT: &'static [Field] = &[RINGS, RELATION];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let (clip, n_clip_edges) = simple_clip(fields)?;
         let subject = region(fields, n_clip_edges)?;
         Ok(WeilerAthertonInput { subject, clip })
-    }
-
-    fn verdict(output: &WeilerAthertonOutput) -> Message {
-        pieces(output)
-    }
+    };
+    const VERDICT: Verdict<Self> = pieces;
 }
 
 impl Solve for EarClipping {
@@ -226,27 +209,86 @@ impl Solve for EarClipping {
             &Shape::Wholes(&[Dim::ANY, Dim::Exactly(3)], 0, i64::MAX),
         ),
     ];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
-        simple_polygon(fields, 1)
-    }
-
-    fn verdict(output: &Self::Output) -> Message {
-        triangles(output)
-    }
+    const READ: Reading<Self> = |fields| simple_polygon(fields, 1);
+    const VERDICT: Verdict<Self> = triangles;
 }
 
 impl Solve for TriangulateAndClip {
     const FIELDS: &'static [Field] = &CLIPPED;
     const OUTPUT: &'static [Field] = &[RINGS];
-
-    fn read(fields: &Fields<'_>) -> Result<Self::Input, Refusal> {
+    const READ: Reading<Self> = |fields| {
         let region = convex_region(fields)?;
         let polygon = simple_polygon(fields, region.n_edges())?;
         Ok(TriangulateAndClipInput { region, polygon })
-    }
+    };
+    const VERDICT: Verdict<Self> =
+        |output| polygons(output.len(), output.rings().map(|ring| (ring, false)));
+}
 
-    fn verdict(output: &Self::Output) -> Message {
-        polygons(output.len(), output.rings().map(|ring| (ring, false)))
+/// Points, or triangles, beyond these are left out.
+const MAX_SHOWN: usize = 16;
+
+/// How many there are, and of each ring its vertices; a minus sign stands before a hole.
+fn polygons<'a>(n: usize, rings: impl Iterator<Item = (&'a [Point], bool)>) -> Message {
+    if n == 0 {
+        return Message::new("case-nothing-left");
     }
+    let mut shown = Formula::default();
+    let mut n_points = 0;
+    for (i, (ring, is_hole)) in rings.enumerate() {
+        if i > 0 {
+            shown = shown.sym(if is_hole { " − " } else { "; " });
+        }
+        for (k, p) in ring.iter().take(MAX_SHOWN - n_points).enumerate() {
+            let gap = if k > 0 { " " } else { "" };
+            shown = shown.sym(gap).point(p.to_array());
+        }
+        n_points += ring.len();
+        if n_points > MAX_SHOWN {
+            shown = shown.sym(" …");
+            break;
+        }
+    }
+    Message::new("case-polygons")
+        .with("n", n)
+        .with("rings", shown)
+}
+
+fn pieces(clipped: &WeilerAthertonOutput) -> Message {
+    if clipped.relation == Relation::Touching {
+        return Message::new("case-no-area");
+    }
+    let rings = clipped.pieces.iter().flat_map(|piece| {
+        let holes = piece.holes.iter().map(|hole| (&hole[..], true));
+        std::iter::once((&piece.outer[..], false)).chain(holes)
+    });
+    polygons(clipped.pieces.len(), rings)
+}
+
+/// The one ring of Sutherland–Hodgman, where there is something to fill.
+fn ring<V: Vertex>(ring: &ClippedRing<V>) -> Message {
+    if ring.outcome == RingOutcome::Degenerate {
+        return Message::new("case-no-area");
+    }
+    let polygon = ring.polygon();
+    let rings = polygon.iter().map(|polygon| (polygon.vertices(), false));
+    polygons(rings.len(), rings)
+}
+
+/// `V₁V₂V₃, V₁V₃V₄`.
+fn triangles(whole: &Triangulation) -> Message {
+    let triangles = whole.triangles();
+    let names: Vec<String> = triangles
+        .iter()
+        .take(MAX_SHOWN)
+        .map(|triangle| triangle.map(vertex_symbol).concat())
+        .collect();
+    let more = if triangles.len() > MAX_SHOWN {
+        ", …"
+    } else {
+        ""
+    };
+    Message::new("case-triangles")
+        .with("n", triangles.len())
+        .with("triangles", names.join(", ") + more)
 }

@@ -1,8 +1,14 @@
-//! What must come before what, as in the prototype B2, and trees.
+//! What the surfaces lab holds: what must come before what, as in the prototype B2, and trees; and what has come to a pixel,
+//! as in the prototype B4.
+
+use std::cmp::Ordering;
 
 use crate::{
-    figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Role},
-    text::{Formula, Value},
+    figure::{
+        ArrowKind, CellStage, Graph, GraphArrow, GraphNode, NodeStage, Places, Role, Story,
+        StoryCard, StoryFate,
+    },
+    text::{Formula, Message, Value},
 };
 
 use super::name;
@@ -31,7 +37,6 @@ fn arrow([from, to]: [usize; 2], kind: ArrowKind, role: Role) -> GraphArrow {
     }
 }
 
-/// Each of three before the next.
 pub fn cycle() -> Graph {
     let next = |i: usize| arrow([i, (i + 1) % 3], ArrowKind::Ring, Role::Signal);
     Graph {
@@ -44,7 +49,6 @@ pub fn cycle() -> Graph {
     }
 }
 
-/// Of many triangles on a heap, of which one is asked about another, and told no.
 pub fn many(n: usize) -> Graph {
     let names = (1..=n).map(|i| node(&format!("A{i}"), 0.3));
     let mut nodes: Vec<GraphNode> = names.collect();
@@ -68,15 +72,10 @@ pub fn many(n: usize) -> Graph {
     }
 }
 
-/// A tree with so many nodes, each layer full; of those walked the first is the current one.
 pub fn tree(n: usize, focus: usize) -> Graph {
     let below = |i: usize| [2 * i + 1, 2 * i + 2].map(|child| (child < n).then_some(child));
     let branch = |to: usize| GraphArrow {
-        reason: Some(Value::Term(if to % 2 == 1 {
-            "bsp-before"
-        } else {
-            "bsp-behind"
-        })),
+        reason: Some(Value::Term(["bsp-behind", "bsp-before"][to % 2])),
         ..arrow([(to - 1) / 2, to], ArrowKind::Branch, Role::Soft)
     };
     let mut nodes: Vec<GraphNode> = (0..n).map(|i| node(&format!("D{i}+"), 0.3)).collect();
@@ -91,4 +90,60 @@ pub fn tree(n: usize, focus: usize) -> Graph {
         ring: None,
         focus: Some(focus),
     }
+}
+
+fn number(before: Formula, x: f64) -> Value {
+    Value::Formula(if x.is_finite() {
+        before.num(x)
+    } else {
+        before.sym("∞")
+    })
+}
+
+/// These depths come, the smaller one wins; the one at `now` has come last.
+pub fn story(depths: &[f64], now: usize) -> Story {
+    let mut held = f64::INFINITY;
+    let cards = depths.iter().enumerate().map(|(nth, &new)| {
+        let stored = held;
+        let (fate, sign, word) = match new.total_cmp(&stored) {
+            Ordering::Less => (StoryFate::Kept, "< ", "story-kept"),
+            Ordering::Equal => (StoryFate::Tie, "= ", "story-tie"),
+            Ordering::Greater => (StoryFate::Lost, "> ", "story-lost"),
+        };
+        held = held.min(new);
+        let none = Formula::decimals();
+        StoryCard {
+            name: name(&format!("A{}", nth + 1)),
+            tone: (Role::Soft, 0.2 * (nth % 5) as f64),
+            new: (new, number(none.clone(), new)),
+            against: number(none.sym(sign), stored),
+            fate,
+            word: Value::Term(word),
+            stage: match nth.cmp(&now) {
+                Ordering::Less => CellStage::Done,
+                Ordering::Equal => CellStage::Current,
+                Ordering::Greater => CellStage::ToCome,
+            },
+            link: None,
+        }
+    });
+    let title = Message::new("story-title");
+    Story {
+        title: Value::Message(title.with("at", Formula::decimals().sym("[8, 6]"))),
+        cards: cards.collect(),
+        opening: (f64::INFINITY, number(Formula::decimals(), f64::INFINITY)),
+        held: Value::Term("story-held"),
+        down: Value::Term("story-nearer"),
+        is_reversed: false,
+    }
+}
+
+pub fn story_of_five(now: usize) -> Story {
+    story(&[0.742, 0.563, 0.624, 0.419, 0.674], now)
+}
+
+pub fn long_story(n: usize, now: usize) -> Story {
+    let depth = |i: usize| 0.9 - 0.6 * (i - i % 3) as f64 / n as f64;
+    let depths: Vec<f64> = (0..n).map(depth).collect();
+    story(&depths, now)
 }

@@ -1,0 +1,3 @@
+//! The words of every method of this lab.
+
+pub(super) use crate::labs::space::prelude::*;

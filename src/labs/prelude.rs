@@ -1,0 +1,20 @@
+//! The words of every file that tells a method: what is drawn, what is said, and the table of its steps.
+
+pub(in crate::labs) use crate::{
+    figure::{
+        Body, Cell, Link, ListColumn, ListRow, Lists, Mark, Mark3, Pixel, Raster, RasterMark,
+        RasterShape, Role, Run, Shape, Shape3, Table, TableNote, TableRow,
+        Tick::{Accept, Cut, Phase, Reject, Test},
+        View, Watch, WatchRow, WatchSection,
+    },
+    text::{Formula, Message, Value},
+    trace::{Recording, Step, silent},
+};
+
+pub(in crate::labs) use super::{
+    Answer, CodeLine, Verdict,
+    card::{MethodCard, but_for, code_line},
+    recorded::Recorded,
+    telling::{AnswerAsItIs, At, Named, Row, Telling, Watched, table},
+    words::{end_link, end_name, end_name_now, equal_to, name, subscript, sum_of, sym, times},
+};

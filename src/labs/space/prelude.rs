@@ -1,0 +1,11 @@
+//! The words of every method that works on a scene in space.
+
+pub(in crate::labs) use crate::labs::{
+    prelude::*,
+    space::{
+        Scene, SpaceTelling, Subject, scenery_of,
+        stage::{
+            FaceLook, Fate, Scenery, face_link, object_link, plane_at_work, side_link, side_name,
+        },
+    },
+};

@@ -1,0 +1,11 @@
+//! What every view draws with, beside what every widget does.
+
+pub use super::{
+    super::prelude::*,
+    fold::{Fold, more},
+    slate::{
+        Face, LEAST_SCALE, Links, OnSlate, Slate, bracketed, colour, joined, now, text_colour,
+        tone, wash,
+    },
+};
+pub use crate::figure::{CellStage, Role};
