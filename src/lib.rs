@@ -27,7 +27,7 @@
 //! // The same answer from the algorithm that is taught, with the steps that lead to it.
 //! let input = WindowInput { window, segment: segment(375_000)? };
 //! assert_eq!(silent::<LiangBarsky>(&input), clipped.get(375_000));
-//! assert_eq!(Recording::<LiangBarsky>::new(input).events().len(), 5);
+//! assert_eq!(Recording::<LiangBarsky>::new(input).events().len(), 16);
 //!
 //! // Polygons, one after the other, without new memory for each.
 //! let mut clipper = Clipper::new(&window.into());

@@ -45,6 +45,7 @@ impl Words {
         self.ends.clear();
         let reader = Reader {
             words: self,
+            word: String::new(),
             depth: 0,
             is_key: false,
             is_name: false,
@@ -82,6 +83,8 @@ impl<'a> FromIterator<&'a str> for Words {
 /// Writes an event's JSON nowhere, and takes the strings among its fields.
 struct Reader<'w> {
     words: &'w mut Words,
+    /// What has come of a string: it comes in pieces.
+    word: String,
     /// 1 among the event's own fields.
     depth: usize,
     is_key: bool,
@@ -120,12 +123,18 @@ impl Formatter for Reader<'_> {
     }
 
     fn write_string_fragment<W: ?Sized + Write>(&mut self, _: &mut W, s: &str) -> io::Result<()> {
+        self.word.push_str(s);
+        Ok(())
+    }
+
+    fn end_string<W: ?Sized + Write>(&mut self, _: &mut W) -> io::Result<()> {
         match self.depth {
-            1 if self.is_key => self.is_name = s == NAME,
-            1 if self.is_name => self.words.push_name(s),
-            1 => self.words.push(s),
+            1 if self.is_key => self.is_name = self.word == NAME,
+            1 if self.is_name => self.words.push_name(&self.word),
+            1 => self.words.push(&self.word),
             _ => {}
         }
+        self.word.clear();
         Ok(())
     }
 

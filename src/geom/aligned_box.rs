@@ -1,6 +1,54 @@
 //! A box along the axes.
 
-use super::{SpaceError, VolumeSide, error::finite};
+use serde::Serialize;
+
+use super::{SpaceError, error::finite};
+
+/// One of the six sides of a view volume, of the clip volume −w ≤ x, y, z ≤ w, and of a box.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum VolumeSide {
+    /// Before the eye; z = −w.
+    Near,
+    /// Farthest from it; z = w.
+    Far,
+    /// x = −w
+    Left,
+    /// x = w
+    Right,
+    /// y = −w
+    Bottom,
+    /// y = w
+    Top,
+}
+
+impl VolumeSide {
+    /// All six, in the order in which everything here asks them.
+    pub const ALL: [Self; 6] = [
+        Self::Near,
+        Self::Far,
+        Self::Left,
+        Self::Right,
+        Self::Bottom,
+        Self::Top,
+    ];
+
+    /// The axis across it: 0 is x.
+    #[must_use]
+    pub const fn axis(self) -> usize {
+        match self {
+            Self::Left | Self::Right => 0,
+            Self::Bottom | Self::Top => 1,
+            Self::Near | Self::Far => 2,
+        }
+    }
+
+    /// Is it the side of the larger coordinate, in clip space?
+    #[must_use]
+    pub const fn is_high(self) -> bool {
+        matches!(self, Self::Far | Self::Right | Self::Top)
+    }
+}
 
 /// All points between two corners, both included. It may be flat, an edge or a point.
 #[derive(Clone, Copy, PartialEq, Debug)]

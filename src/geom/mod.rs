@@ -28,7 +28,7 @@ mod texture;
 mod view_volume;
 mod window;
 
-pub use aligned_box::AlignedBox;
+pub use aligned_box::{AlignedBox, VolumeSide};
 pub use camera::Camera;
 pub use determinant::{sign_of_four, sign_of_three};
 pub use error::{Axis, GeomError, SpaceError};
@@ -45,7 +45,7 @@ pub use simple_polygon::SimplePolygon;
 pub use solids::Solid;
 pub use sphere::Sphere;
 pub use texture::Texture;
-pub use view_volume::{Sight, ViewVolume, VolumeSide, planes_from_matrix};
+pub use view_volume::{Sight, ViewVolume, planes_from_matrix};
 pub use window::{Edge, Window};
 
 /// Knuth's generator: the same numbers in every run of a test.

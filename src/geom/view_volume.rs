@@ -1,54 +1,6 @@
 //! The view volume: what a camera sees, in its own axes, of which it looks down −z.
 
-use serde::Serialize;
-
-use super::{Matrix, Plane, SpaceError, error::finite};
-
-/// One of the six sides of a view volume, and of the clip volume −w ≤ x, y, z ≤ w.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum VolumeSide {
-    /// Before the eye; z = −w.
-    Near,
-    /// Farthest from it; z = w.
-    Far,
-    /// x = −w
-    Left,
-    /// x = w
-    Right,
-    /// y = −w
-    Bottom,
-    /// y = w
-    Top,
-}
-
-impl VolumeSide {
-    /// All six, in the order in which everything here asks them.
-    pub const ALL: [Self; 6] = [
-        Self::Near,
-        Self::Far,
-        Self::Left,
-        Self::Right,
-        Self::Bottom,
-        Self::Top,
-    ];
-
-    /// The axis across it: 0 is x.
-    #[must_use]
-    pub const fn axis(self) -> usize {
-        match self {
-            Self::Left | Self::Right => 0,
-            Self::Bottom | Self::Top => 1,
-            Self::Near | Self::Far => 2,
-        }
-    }
-
-    /// Is it the side of the larger coordinate, in clip space?
-    #[must_use]
-    pub const fn is_high(self) -> bool {
-        matches!(self, Self::Far | Self::Right | Self::Top)
-    }
-}
+use super::{Matrix, Plane, SpaceError, VolumeSide, error::finite};
 
 /// How sight lines run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -127,7 +127,27 @@ fn width(mark: &Mark) -> f32 {
         Shape::Path(_) if is_living || mark.is_dashed => 3.0,
         Shape::Arrow(_) => 2.5,
         Shape::Cross(_) if role == Role::Discarded => 1.75,
-        _ => 2.0,
+        Shape::Segment(_)
+        | Shape::Path(_)
+        | Shape::Cross(_)
+        | Shape::Heading(_)
+        | Shape::Border(..)
+        | Shape::Line(_)
+        | Shape::Ray(_)
+        | Shape::Area(_)
+        | Shape::Fill(_)
+        | Shape::Outline(_)
+        | Shape::HalfPlane(_)
+        | Shape::Wash(_)
+        | Shape::Solids(_)
+        | Shape::Label(_)
+        | Shape::Textured(_)
+        | Shape::Dot(_)
+        | Shape::Vertex(_)
+        | Shape::Ring(_)
+        | Shape::Bound(_)
+        | Shape::Crowd(_)
+        | Shape::Region(_) => 2.0,
     }
 }
 

@@ -43,7 +43,12 @@ pub fn stage(
         match piece.layer {
             Layer::Glow => stage.glow(piece),
             Layer::Casing => stage.casing(piece),
-            _ => stage.part(piece),
+            Layer::Wash
+            | Layer::Construction
+            | Layer::Area
+            | Layer::Stroke
+            | Layer::Head
+            | Layer::Marker => stage.part(piece),
         }
     }
     let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
@@ -159,7 +164,13 @@ impl Stage<'_> {
             Part::Stroke(points) => Line::new(points, false).draw(self.painter, stroke),
             Part::Ring(points) => Line::new(points, true).draw(self.painter, stroke),
             Part::Arrow(ends) => Line::new(ends, false).draw(self.painter, stroke),
-            _ => {}
+            Part::Wash(_)
+            | Part::Fill(_)
+            | Part::Solids(_)
+            | Part::Texture(_)
+            | Part::Crowd(_)
+            | Part::Head(_)
+            | Part::Marker(..) => {}
         }
     }
 
@@ -177,7 +188,12 @@ impl Stage<'_> {
                     .circle(*at, radius, self.theme.accent_wash, rim);
             }
             // An outline shows well enough what is meant, and a glow of all its edges would hide what is inside.
-            _ => {}
+            Part::Wash(_)
+            | Part::Fill(_)
+            | Part::Solids(_)
+            | Part::Texture(_)
+            | Part::Crowd(_)
+            | Part::Ring(_) => {}
         }
     }
 }

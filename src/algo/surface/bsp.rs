@@ -44,7 +44,7 @@ use serde::Serialize;
 use crate::trace::{Listening, Method, Real, Tell, Told};
 
 use super::{
-    BspNode, BspPiece, BspSide, Picture, Surfaces,
+    BspChoice, BspNode, BspPiece, BspSide, Picture, Surfaces,
     bsp_tree::{attach, chosen, eye_side, sorted, whole_pieces},
 };
 
@@ -56,21 +56,6 @@ const PAINTING: usize = 16;
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
 pub struct Bsp;
-
-/// Whose plane is taken.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum BspChoice {
-    /// That of the first in the list.
-    #[default]
-    First,
-    /// Of the first few, that which cuts the fewest.
-    FewestCuts,
-}
-
-impl BspChoice {
-    /// So many are compared.
-    pub const MOST_CANDIDATES: usize = 8;
-}
 
 /// It would come to too many pieces, or to too many questions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -11,10 +11,25 @@ use crate::{
 };
 
 use super::{
-    BspChoice, Rays, Surfaces,
+    Rays, Surfaces,
     coverage::{Coverage, Rows, plane},
     screen_triangle::Linear,
 };
+
+/// Whose plane is taken.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum BspChoice {
+    /// That of the first in the list.
+    #[default]
+    First,
+    /// Of the first few, that which cuts the fewest.
+    FewestCuts,
+}
+
+impl BspChoice {
+    /// So many are compared.
+    pub const MOST_CANDIDATES: usize = 8;
+}
 
 /// Where a piece lies, as seen from the plane of a node.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]

@@ -29,8 +29,8 @@ mod surface_list;
 use super::ring::Right;
 
 pub use assembly::{Cull, MeshRef, assemble};
-pub use bsp::{Bsp, BspChoice, BspEvent, BspHeld, BspInput, BspOutput, BspTooLarge};
-pub use bsp_tree::{BspNode, BspPiece, BspSide};
+pub use bsp::{Bsp, BspEvent, BspHeld, BspInput, BspOutput, BspTooLarge};
+pub use bsp_tree::{BspChoice, BspNode, BspPiece, BspSide};
 pub use depth_buffer::{
     DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferInput, DepthBufferOutput,
     DepthSteps, Fragment, FragmentTally, pixel_story,

@@ -56,12 +56,25 @@ impl Anchor {
             }
             // Too many things for one label.
             Shape::Solids(_) | Shape::Textured(_) | Shape::Crowd(_) => None,
-            _ => {
+            Shape::Arrow(_)
+            | Shape::Heading(_)
+            | Shape::Dot(_)
+            | Shape::Vertex(_)
+            | Shape::Ring(_)
+            | Shape::Cross(_)
+            | Shape::Bound(_)
+            | Shape::Angle(_)
+            | Shape::RightAngle(_) => {
                 let (at, radius) = parts.iter().find_map(|part| match part {
                     Part::Marker(marker, at) => Some((*at, radius(theme, *marker, mark))),
                     Part::Arrow([_, tip]) | Part::Head([_, tip]) => Some((*tip, 2.0)),
                     Part::Stroke(points) => points.get(points.len() / 2).map(|&at| (at, 2.0)),
-                    _ => None,
+                    Part::Wash(_)
+                    | Part::Fill(_)
+                    | Part::Solids(_)
+                    | Part::Texture(_)
+                    | Part::Crowd(_)
+                    | Part::Ring(_) => None,
                 })?;
                 let is_seen = stage.expand(1.0).contains(at);
                 is_seen.then_some(Self::Point(at, radius))
@@ -109,6 +122,12 @@ pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
             points.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
         }
         Part::Arrow(ends) => vec![*ends],
-        _ => Vec::new(),
+        Part::Wash(_)
+        | Part::Fill(_)
+        | Part::Solids(_)
+        | Part::Texture(_)
+        | Part::Crowd(_)
+        | Part::Head(_)
+        | Part::Marker(..) => Vec::new(),
     }
 }

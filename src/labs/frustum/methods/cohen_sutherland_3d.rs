@@ -74,7 +74,13 @@ fn fate(input: &Input, asked: Option<End>) -> Option<Fate> {
             Event::And { and } if asked.is_none() => {
                 and.lowest().map(|side| Outcome::Lost(side as usize))
             }
-            _ => None,
+            Event::Code { .. }
+            | Event::Or { .. }
+            | Event::And { .. }
+            | Event::Cut { .. }
+            | Event::Choose { .. }
+            | Event::Accept { .. }
+            | Event::Reject { .. } => None,
         };
         let step = i + 1;
         fate = outcome.map(|outcome| Fate { step, outcome }).or(fate);

@@ -202,7 +202,7 @@ fn both_sides(before: [Point; 2], input: &WindowInput, edge: Edge) -> Formula {
         let relation = match a.partial_cmp(&c) {
             Some(Ordering::Less) => " < ",
             Some(Ordering::Greater) => " > ",
-            _ => " = ",
+            Some(Ordering::Equal) | None => " = ",
         };
         let subscript = ["₁", "₂"][end.idx()];
         let is_given = at == end.of(&input.segment);

@@ -278,7 +278,10 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
     let current = match event {
         Some(Event::Side { line, .. }) => Some(line.corner),
         Some(Event::Reject { corner, .. }) => corner,
-        _ => None,
+        Some(
+            Event::Region { .. } | Event::Sector { .. } | Event::Cut { .. } | Event::Accept { .. },
+        )
+        | None => None,
     };
     let asked = lines(step).map(|(_, line)| line.corner);
     let asked: Vec<Point> = asked.filter(|&corner| corner != p1).collect();

@@ -2,10 +2,8 @@
 
 use crate::figure::{ArrowKind, Graph, GraphArrow, Places};
 
-use super::{
-    super::{prelude::*, slate::cross},
-    plan::Plan,
-};
+use super::super::{prelude::*, slate::cross};
+use super::plan::Plan;
 
 const PIECES: usize = 16;
 /// How far an arrow bends, over its length: away from the middle of the graph first.

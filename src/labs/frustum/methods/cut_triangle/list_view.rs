@@ -78,8 +78,8 @@ pub fn lists(
 /// An entry without details.
 pub fn row(symbol: String, role: Role, marker: Option<ItemMarker>, link: Option<Link>) -> ListRow {
     ListRow {
-        role,
         marker,
+        role,
         link,
         ..ListRow::new(name(symbol))
     }

@@ -115,7 +115,15 @@ fn at_work_marks<L: Variant<OnePolygon>>(
     let d = match step.event() {
         Some(Event::First(first)) => Some(first.distance),
         Some(Event::Test(test)) => Some(test.distances[1]),
-        _ => None,
+        Some(
+            Event::Plane { .. }
+            | Event::Cross(_)
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Fan { .. }
+            | Event::Done { .. },
+        )
+        | None => None,
     };
     let asked = step.event().and_then(|event| asked_vertex(&event));
     if let Some((v, d)) = asked.zip(d) {

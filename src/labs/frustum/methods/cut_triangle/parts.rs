@@ -273,7 +273,12 @@ pub fn in_clip_space(given: [Vertex; 3], events: &[HomogeneousTriangleEvent<Uv>]
                 }
             }
             Event::Side { side } => parts.plane_idx = side as usize,
-            _ => parts.hear(event),
+            Event::First(_)
+            | Event::Test(_)
+            | Event::Cross(_)
+            | Event::Output { .. }
+            | Event::Pass { .. }
+            | Event::Done { .. } => parts.hear(event),
         }
     }
     parts

@@ -43,7 +43,12 @@ pub fn fate<const N: usize, B: LineLook<N>, L: LineRules>(
                     looked = step;
                     continue;
                 }
-                _ => continue,
+                Event::Delta { .. }
+                | Event::Row { .. }
+                | Event::Put { .. }
+                | Event::Enter { .. }
+                | Event::Leave { .. }
+                | Event::Accept { .. } => continue,
             };
             fate = Some(Fate { step, outcome });
         }
@@ -65,7 +70,14 @@ pub fn fate<const N: usize, B: LineLook<N>, L: LineRules>(
                 Outcome::Lost(number(plane))
             }
             Event::Row { .. } => Outcome::Kept,
-            _ => continue,
+            Event::Delta { .. }
+            | Event::Put { .. }
+            | Event::Interval { .. }
+            | Event::Parallel { .. }
+            | Event::Enter { .. }
+            | Event::Leave { .. }
+            | Event::Accept { .. }
+            | Event::Reject { .. } => continue,
         };
         fate = Some(Fate { step, outcome });
         if outcome != Outcome::Kept {
