@@ -4,6 +4,7 @@
 //! and reports small events on the way (see [`crate::trace`]).
 #![warn(
     missing_docs,
+    clippy::missing_errors_doc,
     clippy::must_use_candidate,
     clippy::return_self_not_must_use
 )]

@@ -28,6 +28,7 @@
 //! ```
 #![warn(
     missing_docs,
+    clippy::missing_errors_doc,
     clippy::must_use_candidate,
     clippy::return_self_not_must_use
 )]

@@ -3,6 +3,7 @@
 //! camera looks down −z of its own axes. Coordinates are `f64` in world units.
 #![warn(
     missing_docs,
+    clippy::missing_errors_doc,
     clippy::must_use_candidate,
     clippy::return_self_not_must_use
 )]

@@ -6,6 +6,7 @@
 //! had been done by each. To show step *k*, the run is made again up to its *k*-th event.
 #![warn(
     missing_docs,
+    clippy::missing_errors_doc,
     clippy::must_use_candidate,
     clippy::return_self_not_must_use
 )]

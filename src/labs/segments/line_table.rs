@@ -84,9 +84,10 @@ fn plane_row<const N: usize, B: LineLook<N>>(
     above: [f64; 2],
     scenery: Option<&B::Scenery>,
 ) -> TableRow {
+    use LineEvent::{Enter, Interval, Leave};
+
     let row = shown.rows.get(nth);
     let is_current = shown.in_hand() == Some(plane);
-    use LineEvent::{Enter, Interval, Leave};
     let [numbers_role, r_role] = match shown.event.filter(|_| is_current) {
         Some(LineEvent::Row { .. }) => [Role::Signal, Role::Ink],
         Some(Enter { .. } | Leave { .. } | Interval { .. }) => [Role::Ink, Role::Signal],

@@ -75,9 +75,9 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Label
         Anchor::Inside(rect) => {
             let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
             let mut places = inside(*rect, half);
-            places
-                .iter_mut()
-                .for_each(|it| it.centre = seen.clamp(it.centre));
+            for place in &mut places {
+                place.centre = seen.clamp(place.centre);
+            }
             places.extend(near(seen.clamp(rect.center()), half));
             places
         }

@@ -22,7 +22,7 @@ fn line(catalog: &Catalog, formula: &Formula) -> Typeset {
     set(|painter| Typeset::line(painter, std::slice::from_ref(&span)))
 }
 
-fn text(text: &str, font: FontId) -> Typeset {
+fn text(text: &str, font: &FontId) -> Typeset {
     set(|painter| Typeset::text(painter, text, font.clone(), INK))
 }
 
@@ -79,7 +79,7 @@ fn a_quotient_is_centred_on_its_line_and_clear_of_it() {
 
 #[test]
 fn a_subscript_is_lowered_and_smaller() {
-    let typeset = text("u_nun P₁", FONT);
+    let typeset = text("u_nun P₁", &FONT);
     let (glyphs, bars) = ink(&typeset.galley.rows[0]);
     assert_eq!(bars, []);
     let us = glyphs.iter().filter(|(c, _)| *c == 'u');
@@ -94,7 +94,7 @@ fn a_subscript_is_lowered_and_smaller() {
 #[test]
 fn letters_stand_on_one_line_with_and_without_a_quotient() {
     let centre = |typeset: &Typeset| typeset.baseline() - 0.5 * typeset.size().y;
-    let plain = text("17", FONT);
+    let plain = text("17", &FONT);
     let stacked = line(Catalog::of(Lang::En), &Formula::default().num(0.375));
     assert!((centre(&plain) - centre(&stacked)).abs() <= 0.5);
     assert!(stacked.size().y < 2.4 * FONT.size, "{:?}", stacked.size());
@@ -104,7 +104,7 @@ fn letters_stand_on_one_line_with_and_without_a_quotient() {
 fn a_minus_is_as_wide_as_a_plus() {
     for family in [FontFamily::Proportional, semibold(), FontFamily::Monospace] {
         let font = FontId::new(40.0, family);
-        let typeset = text("−+-", font.clone());
+        let typeset = text("−+-", &font);
         let (glyphs, _) = ink(&typeset.galley.rows[0]);
         let [minus, plus, hyphen] = [0, 1, 2].map(|i| glyphs[i].1.width());
         let is_wide = (minus - plus).abs() <= 1.5 && hyphen < 0.8 * minus;

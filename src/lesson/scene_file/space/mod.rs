@@ -84,15 +84,14 @@ fn scene(lab: &'static SpaceLab, fields: &TomlFields<'_>, room: &mut usize) -> O
     let mut scene = scene.map_err(refuse).ok()?;
     (scene.beside, scene.frozen) = (beside?, frozen);
     (scene.places, scene.raster) = (places?, raster?);
-    let set: [(_, fn(&mut Scene, usize) -> _); 3] = [
-        (focus, Scene::set_focus),
-        (face, Scene::set_face),
-        (vertex, Scene::set_vertex),
-    ];
-    for (index, set) in set {
-        if let Some((node, index)) = index {
-            node.accept(set(&mut scene, index));
-        }
+    if let Some((node, index)) = focus {
+        node.accept(scene.set_focus(index));
+    }
+    if let Some((node, index)) = face {
+        node.accept(scene.set_face(index));
+    }
+    if let Some((node, index)) = vertex {
+        node.accept(scene.set_vertex(index));
     }
     (fields.sink.n_errors() == n_errors).then_some(scene)
 }

@@ -29,9 +29,9 @@ struct Told<V> {
 }
 
 impl<V> Told<V> {
-    fn fate(&self, outcome: fn(usize) -> Outcome) -> Option<Fate> {
+    fn fate(&self, outcome: fn(usize) -> Outcome) -> Fate {
         let (step, outcome) = (self.step, outcome(self.plane_idx));
-        Some(Fate { step, outcome })
+        Fate { step, outcome }
     }
 }
 
@@ -96,9 +96,9 @@ impl<V: Copy + PartialEq> Parts<V> {
             let ends = told.ends.iter().zip(inside);
             for (_, is_inside) in ends.filter(|(end, _)| **end == corner) {
                 if !is_inside {
-                    return told.fate(Outcome::Lost);
+                    return Some(told.fate(Outcome::Lost));
                 }
-                fate = told.fate(|_| Outcome::Kept);
+                fate = Some(told.fate(|_| Outcome::Kept));
             }
         }
         fate
@@ -112,11 +112,11 @@ impl<V: Copy + PartialEq> Parts<V> {
                 continue;
             }
             match told.said {
-                Said::AreInside([false, false]) => return told.fate(Outcome::Lost),
-                Said::AreInside([true, true]) => kept = told.fate(|_| Outcome::Kept),
+                Said::AreInside([false, false]) => return Some(told.fate(Outcome::Lost)),
+                Said::AreInside([true, true]) => kept = Some(told.fate(|_| Outcome::Kept)),
                 Said::AreInside(_) => {}
                 Said::Cut(at) => {
-                    cut = cut.or(told.fate(Outcome::Cut));
+                    cut = cut.or(Some(told.fate(Outcome::Cut)));
                     left = [told.ends[0], at];
                 }
             }

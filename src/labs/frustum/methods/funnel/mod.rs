@@ -171,11 +171,11 @@ fn of_triangle<L: Variant>(at: &At<'_, Funnel<L>>, of: &str) -> Option<Named> {
             ..Named::from(face_idx + 1)
         });
     }
-    let (codes, n_pieces) = match at.step.event()? {
-        Event::Triangle {
-            codes, n_pieces, ..
-        } => (codes, n_pieces),
-        _ => return None,
+    let Event::Triangle {
+        codes, n_pieces, ..
+    } = at.step.event()?
+    else {
+        return None;
     };
     let [a, b, c] = codes;
     Some(match of {

@@ -84,7 +84,8 @@ fn headings(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         let edges = (0..border.points().len())
             .filter(|edge_idx| !walked.contains(edge_idx) && !is_along(*edge_idx));
         let heading = |edge_idx| Shape::Heading(border.edge(edge_idx).map(Point::to_array));
-        Vec::from_iter(edges.map(|edge_idx| Mark::new(role, heading(edge_idx))))
+        let marks = edges.map(|edge_idx| Mark::new(role, heading(edge_idx)));
+        marks.collect::<Vec<_>>()
     };
     BOTH.into_iter().flat_map(of).collect()
 }
@@ -182,7 +183,8 @@ fn nodes(step: &Step<'_, WeilerAtherton>, standing: &Standing) -> Vec<Mark> {
             .unwrap_or(Role::Ink);
         let link = names::node_link(node_idx);
         let shapes = node_shapes(held, node_idx, node).into_iter();
-        let mut marks = Vec::from_iter(shapes.map(|it| Mark::new(role, it).linked(link)));
+        let marks = shapes.map(|it| Mark::new(role, it).linked(link));
+        let mut marks: Vec<Mark> = marks.collect();
         let label = name(names::meeting(step.input, node_idx, node));
         marks[0] = marks[0].clone().labelled(label).strong();
         marks
