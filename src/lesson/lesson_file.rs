@@ -67,7 +67,7 @@ pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Op
         });
         let source = fields.require("source").and_then(Node::text);
         let mut reader = Steps {
-            lab: format.map(SceneFormat::lab),
+            lab: format.map(|format| format.lab),
             scenes: scenes(format, moments, &fields),
             ids: Names::default(),
             figures: Names::default(),
@@ -80,8 +80,7 @@ pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Op
         let complete = sink.n_errors() == 0;
         Some(Skeleton {
             ids,
-            lesson: (|| Some((format?.lab().id, source?.to_owned(), steps?)))()
-                .filter(|_| complete),
+            lesson: (|| Some((format?.lab.id, source?.to_owned(), steps?)))().filter(|_| complete),
         })
     })
 }
@@ -97,16 +96,16 @@ struct NamedScene {
 
 /// Scenes of an unknown lab have names, but cannot be read.
 fn scenes(
-    format: Option<&dyn SceneFormat>,
+    format: Option<&SceneFormat>,
     moments: Moments,
     fields: &TomlFields<'_>,
 ) -> BTreeMap<String, NamedScene> {
-    let mut room = format.map_or(0, |format| format.spelling().room);
+    let mut room = format.map_or(0, |format| format.room);
     let named = fields.get("scenes").and_then(Node::named);
     let read = |(key, node): (&Spanned<DeString<'_>>, Node<'_>)| {
         let scene = format.and_then(|format| {
-            let fields = node.fields(format.spelling().fields)?;
-            format.read(&fields, &mut room)
+            let fields = node.fields(format.fields)?;
+            (format.read)(&fields, &mut room)
         });
         let recorded = scene.as_ref().filter(|_| moments == Moments::Now);
         let scene = NamedScene {

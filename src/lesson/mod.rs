@@ -38,9 +38,7 @@ pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline};
 pub use mesh_file::{ObjFile, picture_of, read_mtl, read_obj, read_obj_while, read_picture};
 pub use problem::{Place, Problem, Severity};
+#[cfg(all(test, feature = "gui"))]
+pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
-#[cfg(all(test, feature = "gui"))]
-pub(crate) use scene_file::{SceneFormat, Spelling};
 pub use step::{CodeView, LessonStep};
-#[cfg(all(test, feature = "gui"))]
-pub(crate) use toml_fields::TomlFields;

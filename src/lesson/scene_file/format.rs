@@ -27,38 +27,30 @@ pub struct SceneFile {
     pub position: usize,
 }
 
-pub(crate) trait SceneFormat: Sync {
-    fn lab(&self) -> &'static Lab;
-    fn spelling(&self) -> &'static Spelling;
-    /// Reads a scene, reporting all its mistakes; takes its size from `room`.
-    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<Scene>;
-    /// Writes a scene, if it is this lab's.
-    fn write(&self, scene: &Scene) -> Option<String>;
-}
-
-pub(crate) struct Spelling {
+pub(crate) struct SceneFormat {
+    pub lab: &'static Lab,
     pub fields: &'static [&'static str],
     /// The field that tells its scenes from all other labs', where the method does not.
     pub own_field: &'static str,
     /// How much, in segments or vertices, all scenes of one file may hold.
     pub room: usize,
+    /// Reads a scene, reporting all its mistakes; takes its size from `room`.
+    pub read: fn(fields: &TomlFields<'_>, room: &mut usize) -> Option<Scene>,
+    /// Writes a scene of this lab.
+    pub write: fn(&Scene) -> Option<String>,
 }
 
 #[derive(Clone, Copy)]
-pub struct SceneFormats(&'static [&'static dyn SceneFormat]);
+pub struct SceneFormats(pub(crate) &'static [&'static SceneFormat]);
 
 impl SceneFormats {
-    pub(crate) const fn new(formats: &'static [&'static dyn SceneFormat]) -> Self {
-        Self(formats)
-    }
-
     pub(crate) fn lab_ids(self) -> Vec<&'static str> {
-        self.0.iter().map(|format| format.lab().id).collect()
+        self.0.iter().map(|format| format.lab.id).collect()
     }
 
-    pub(crate) fn of(self, lab_id: &str) -> Option<&'static dyn SceneFormat> {
+    pub(crate) fn of(self, lab_id: &str) -> Option<&'static SceneFormat> {
         let mut formats = self.0.iter().copied();
-        formats.find(|format| format.lab().id == lab_id)
+        formats.find(|format| format.lab.id == lab_id)
     }
 
     // One scene's fields stand at the top level, as `write` writes them; `file` is how mistakes name it.
@@ -67,11 +59,9 @@ impl SceneFormats {
         let sink = Sink::new(&source);
         let read = with_toml(&sink, |table, sink| {
             let format = self.of_table(table)?;
-            let &Spelling {
-                fields, mut room, ..
-            } = format.spelling();
-            let fields = TomlFields::new(table, 0..0, &[fields, &[AT]].concat(), sink);
-            let scene = format.read(&fields, &mut room)?;
+            let known = [format.fields, &[AT]].concat();
+            let fields = TomlFields::new(table, 0..0, &known, sink);
+            let scene = (format.read)(&fields, &mut { format.room })?;
             let position = fields.get(AT).map_or(Some(0), |at| position(&scene, at))?;
             Some(SceneFile { scene, position })
         });
@@ -83,7 +73,8 @@ impl SceneFormats {
 
     /// Writes a scene so that [`SceneFormats::read`] reads the very same one, bit for bit, and finds the same moment.
     pub fn write(self, scene: &Scene, at: &Moment) -> String {
-        let written = self.0.iter().find_map(|format| format.write(scene));
+        let format = self.of(scene.document().lab().id);
+        let written = format.and_then(|format| (format.write)(scene));
         let mut text = written.unwrap_or_default();
         match at {
             Moment::Start => {}
@@ -95,16 +86,16 @@ impl SceneFormats {
     }
 
     /// The one that a scene file is for: that of its method's lab, or of a field that only one lab has.
-    fn of_table(self, table: &DeTable<'_>) -> Option<&'static dyn SceneFormat> {
+    fn of_table(self, table: &DeTable<'_>) -> Option<&'static SceneFormat> {
         let method = table.get("method").and_then(|item| item.get_ref().as_str());
         let formats = || self.0.iter().copied();
-        let has_method = |format: &&'static dyn SceneFormat| {
-            let methods = (format.lab().methods)();
+        let has_method = |format: &&'static SceneFormat| {
+            let methods = (format.lab.methods)();
             methods.iter().any(|card| Some(card.id) == method)
         };
         formats()
             .find(has_method)
-            .or_else(|| formats().find(|format| table.contains_key(format.spelling().own_field)))
+            .or_else(|| formats().find(|format| table.contains_key(format.own_field)))
             .or_else(|| formats().next())
     }
 }

@@ -3,19 +3,11 @@
 use crate::{
     algo::line::BitOrder,
     geom::{Segment, Window},
-    input::{BIT_ORDER, CONVEX_CLIP, Dim, Part, Shape, WINDOW},
-    labs::{
-        self, Lab,
-        lines::{LAB, MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
-    },
-    lesson::toml_fields::{Node, TomlFields},
-    text::Message,
+    input::{BIT_ORDER, CONVEX_CLIP, WINDOW},
+    labs::lines::{LAB, MAX_SEGMENTS, Method, Scene, SceneError, random_segments},
 };
 
-use super::{
-    format::{SceneFormat, Spelling},
-    parts::{array, count_and_seed, counted, lines, list, method, points, quoted, rows},
-};
+use super::prelude::*;
 
 const SEGMENTS: Part<Vec<Segment>> = Part::new(
     "segments",
@@ -27,40 +19,25 @@ const SEGMENTS: Part<Vec<Segment>> = Part::new(
 )
 .expecting("expect-segments");
 
-pub(super) struct Format;
+pub(super) static FORMAT: SceneFormat = SceneFormat {
+    lab: LAB,
+    fields: &[
+        "method",
+        "compare",
+        "window",
+        "clip",
+        "bit_order",
+        "segments",
+        "random",
+        "focus",
+    ],
+    own_field: "segments",
+    room: MAX_SEGMENTS,
+    read: scene,
+    write: |scene| scene.get().map(to_toml),
+};
 
-impl SceneFormat for Format {
-    fn lab(&self) -> &'static Lab {
-        LAB
-    }
-
-    fn spelling(&self) -> &'static Spelling {
-        &Spelling {
-            fields: &[
-                "method",
-                "compare",
-                "window",
-                "clip",
-                "bit_order",
-                "segments",
-                "random",
-                "focus",
-            ],
-            own_field: "segments",
-            room: MAX_SEGMENTS,
-        }
-    }
-
-    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<labs::Scene> {
-        scene(fields, room).map(labs::Scene::from)
-    }
-
-    fn write(&self, scene: &labs::Scene) -> Option<String> {
-        scene.get().map(to_toml)
-    }
-}
-
-fn scene(fields: &TomlFields<'_>, segments_left: &mut usize) -> Option<Scene> {
+fn scene(fields: &TomlFields<'_>, segments_left: &mut usize) -> Option<labs::Scene> {
     let n_errors = fields.sink.n_errors();
     let method = fields.require("method").and_then(line_method);
     let compare = fields.get("compare").and_then(line_method);
@@ -82,7 +59,7 @@ fn scene(fields: &TomlFields<'_>, segments_left: &mut usize) -> Option<Scene> {
     (scene.compare, scene.clip) = (compare, clip);
     scene.bit_order = bit_order.unwrap_or_default();
     scene.set_focus(focus.unwrap_or(0));
-    (fields.sink.n_errors() == n_errors).then_some(scene)
+    (fields.sink.n_errors() == n_errors).then(|| scene.into())
 }
 
 fn line_method(node: Node<'_>) -> Option<Method> {

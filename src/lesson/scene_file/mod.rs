@@ -3,13 +3,11 @@
 
 mod format;
 mod lines;
-mod parts;
 mod polygons;
+mod prelude;
 mod space;
 
 pub(crate) use format::SceneFormat;
-#[cfg(all(test, feature = "gui"))]
-pub(crate) use format::Spelling;
 pub use format::{SceneFile, SceneFormats};
 pub use space::spot;
 
@@ -17,12 +15,16 @@ use crate::labs::{frustum::FRUSTUM, surfaces::SURFACES};
 
 impl SceneFormats {
     pub const fn standard() -> Self {
-        static FORMATS: [&dyn SceneFormat; 4] = [
-            &lines::Format,
-            &polygons::Format,
-            &space::Format(&FRUSTUM),
-            &space::Format(&SURFACES),
+        static FORMATS: [&SceneFormat; 4] = [
+            &lines::FORMAT,
+            &polygons::FORMAT,
+            &space::format(&FRUSTUM, |fields, room| {
+                space::scene(&FRUSTUM, fields, room)
+            }),
+            &space::format(&SURFACES, |fields, room| {
+                space::scene(&SURFACES, fields, room)
+            }),
         ];
-        Self::new(&FORMATS)
+        Self(&FORMATS)
     }
 }

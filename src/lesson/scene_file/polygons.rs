@@ -3,46 +3,23 @@
 use crate::{
     geom::{Polygon, Window},
     input::{CLIP, POLYGON, WINDOW},
-    labs::{
-        self, Lab,
-        polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
-    },
-    lesson::toml_fields::{Node, TomlFields},
-    text::Message,
+    labs::polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
 };
 
-use super::{
-    format::{SceneFormat, Spelling},
-    parts::{array, count_and_seed, lines, list, method, points, quoted},
+use super::prelude::*;
+
+pub(super) static FORMAT: SceneFormat = SceneFormat {
+    lab: LAB,
+    fields: &[
+        "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
+    ],
+    own_field: "polygon",
+    room: 10 * MAX_VERTICES,
+    read: scene,
+    write: |scene| scene.get().map(to_toml),
 };
 
-pub(super) struct Format;
-
-impl SceneFormat for Format {
-    fn lab(&self) -> &'static Lab {
-        LAB
-    }
-
-    fn spelling(&self) -> &'static Spelling {
-        &Spelling {
-            fields: &[
-                "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
-            ],
-            own_field: "polygon",
-            room: 10 * MAX_VERTICES,
-        }
-    }
-
-    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<labs::Scene> {
-        scene(fields, room).map(labs::Scene::from)
-    }
-
-    fn write(&self, scene: &labs::Scene) -> Option<String> {
-        scene.get().map(to_toml)
-    }
-}
-
-fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize) -> Option<Scene> {
+fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize) -> Option<labs::Scene> {
     let n_errors = fields.sink.n_errors();
     let method = fields.require("method").and_then(polygon_method);
     let compare = fields.get("compare").and_then(polygon_method);
@@ -64,7 +41,7 @@ fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize) -> Option<Scene> {
     } else {
         *vertices_left -= n_vertices;
     }
-    (fields.sink.n_errors() == n_errors).then_some(scene)
+    (fields.sink.n_errors() == n_errors).then(|| scene.into())
 }
 
 fn polygon_method(node: Node<'_>) -> Option<Method> {

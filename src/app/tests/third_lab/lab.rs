@@ -12,7 +12,7 @@ use crate::{
         Answers, Backdrop, Click, Document, Draggable, Edit, Handle, HandleKind, Lab, MethodCard,
         Motion, Own, Scene, recorded::Recorded,
     },
-    lesson::{SceneFormat, Spelling, TomlFields},
+    lesson::SceneFormat,
     panels::{LabPanel, PanelAsk},
     text::{Diagnostic, Message},
     widgets::Look,
@@ -120,33 +120,22 @@ impl Document for BoxScene {
     }
 }
 
-pub struct BoxFormat;
-
-impl SceneFormat for BoxFormat {
-    fn lab(&self) -> &'static Lab {
-        LAB
-    }
-
-    fn spelling(&self) -> &'static Spelling {
-        &Spelling {
-            fields: &["method", "half", "c"],
-            own_field: "half",
-            room: 100,
-        }
-    }
-
-    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<Scene> {
+pub static FORMAT: SceneFormat = SceneFormat {
+    lab: LAB,
+    fields: &["method", "half", "c"],
+    own_field: "half",
+    room: 100,
+    read: |fields, room| {
         *room -= 8;
         let read = |name| fields.require(name)?.number("expect-point");
         let (half, c) = (read("half")?, read("c")?);
         Some(BoxScene { half, c }.into())
-    }
-
-    fn write(&self, scene: &Scene) -> Option<String> {
+    },
+    write: |scene| {
         let BoxScene { half, c } = scene.get()?;
         Some(format!("half = {half:?}\nc = {c:?}\n"))
-    }
-}
+    },
+};
 
 pub struct BoxPanel;
 

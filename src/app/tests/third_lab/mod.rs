@@ -15,14 +15,13 @@ use crate::{
 };
 
 use corners::corner;
-use lab::{BoxFormat, BoxPanel, BoxScene, CLICKED, LAB, N_RECORDED, SOLVERS};
-
-static FORMATS: [&dyn SceneFormat; 1] = [&BoxFormat];
+use lab::{BoxPanel, BoxScene, CLICKED, FORMAT, LAB, N_RECORDED, SOLVERS};
 
 fn kit() -> Kit {
+    static FORMATS: [&SceneFormat; 1] = [&FORMAT];
     Kit {
         panels: vec![Box::new(BoxPanel)],
-        formats: SceneFormats::new(&FORMATS),
+        formats: SceneFormats(&FORMATS),
     }
 }
 

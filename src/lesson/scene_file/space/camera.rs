@@ -4,13 +4,8 @@ use glam::DVec3;
 
 use crate::{
     geom::Orbit,
-    input::{At, Field, Shape, Table},
     labs::space::{Opening, TaughtCamera},
-    lesson::{
-        scene_file::parts::{array, exact, table},
-        toml_fields::Node,
-    },
-    text::Message,
+    lesson::scene_file::prelude::*,
 };
 
 const EYE: Shape = Shape::Table(&Table {

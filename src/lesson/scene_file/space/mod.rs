@@ -7,57 +7,42 @@ pub mod spot;
 
 use crate::{
     geom::Solid,
-    input::{CAMERA_IN_FILE, Dim, FROZEN, Shape},
-    labs::{
-        self, Lab,
-        space::{
-            MAX_OBJECTS, Method, Model, Object, Places, RasterPlan, Scene, SceneError, SpaceLab,
-            TaughtCamera, street,
-        },
+    input::{CAMERA_IN_FILE, FROZEN},
+    labs::space::{
+        MAX_OBJECTS, Method, Model, Object, Places, RasterPlan, Scene, SceneError, SpaceLab,
+        TaughtCamera, street,
     },
-    lesson::toml_fields::{Node, TomlFields},
-    text::Message,
 };
 
-use super::{
-    format::{SceneFormat, Spelling},
-    parts::{array, count_and_seed, counted, lines, list, method, quoted, rows},
-};
+use super::prelude::*;
 
 use camera::{camera_to_toml, eye, eye_to_toml, watching};
 use model::{n_faces_listed, object, object_to_toml};
 use raster::{RASTER, raster_to_toml};
 
-pub(in crate::lesson) struct Format(pub &'static SpaceLab);
-
-impl SceneFormat for Format {
-    fn lab(&self) -> &'static Lab {
-        &self.0.lab
-    }
-
-    fn spelling(&self) -> &'static Spelling {
-        &Spelling {
-            fields: &[
-                "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle",
-                "raster", "objects", "street", "focus", "face", "vertex",
-            ],
-            own_field: "camera",
-            // In objects, and in faces that the file lists.
-            room: 10 * MAX_OBJECTS,
-        }
-    }
-
-    fn read(&self, fields: &TomlFields<'_>, room: &mut usize) -> Option<labs::Scene> {
-        scene(self.0, fields, room).map(labs::Scene::from)
-    }
-
-    fn write(&self, scene: &labs::Scene) -> Option<String> {
-        let is_mine = scene.document().lab() == self.lab();
-        scene.get().filter(|_| is_mine).map(to_toml)
+pub(super) const fn format(
+    lab: &'static SpaceLab,
+    read: fn(&TomlFields<'_>, &mut usize) -> Option<labs::Scene>,
+) -> SceneFormat {
+    SceneFormat {
+        lab: &lab.lab,
+        fields: &[
+            "method", "compare", "camera", "frozen", "eye", "point", "segment", "triangle",
+            "raster", "objects", "street", "focus", "face", "vertex",
+        ],
+        own_field: "camera",
+        // In objects, and in faces that the file lists.
+        room: 10 * MAX_OBJECTS,
+        read,
+        write: |scene| scene.get().map(to_toml),
     }
 }
 
-fn scene(lab: &'static SpaceLab, fields: &TomlFields<'_>, room: &mut usize) -> Option<Scene> {
+pub(super) fn scene(
+    lab: &'static SpaceLab,
+    fields: &TomlFields<'_>,
+    room: &mut usize,
+) -> Option<labs::Scene> {
     let n_errors = fields.sink.n_errors();
     let method = fields.require("method");
     let method = method.and_then(|node| method_of(lab, node));
@@ -93,7 +78,7 @@ fn scene(lab: &'static SpaceLab, fields: &TomlFields<'_>, room: &mut usize) -> O
     if let Some((node, index)) = vertex {
         node.accept(scene.set_vertex(index));
     }
-    (fields.sink.n_errors() == n_errors).then_some(scene)
+    (fields.sink.n_errors() == n_errors).then(|| scene.into())
 }
 
 const SEGMENT: Shape = Shape::Numbers(&[Dim::Exactly(2), Dim::Exactly(3)]);

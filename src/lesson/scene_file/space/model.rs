@@ -6,15 +6,8 @@ use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
-    input::{At, Dim, Got, Shape},
     labs::space::{Model, NamedMesh, Object, Picture},
-    lesson::{
-        nearest::clipped,
-        picture_of, read_obj, read_picture,
-        scene_file::parts::{Spelt, array, exact, list, quoted, rows, table},
-        toml_fields::{Node, TomlFields},
-    },
-    text::Message,
+    lesson::{nearest::clipped, picture_of, read_obj, read_picture, scene_file::prelude::*},
 };
 
 use super::spot;

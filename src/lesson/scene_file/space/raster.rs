@@ -2,9 +2,8 @@
 
 use crate::{
     algo::surface::{DepthBits, DepthFormat, DepthNumber, DepthSteps},
-    input::{Dim, Field, Got, Part, Shape, Table},
     labs::space::{RasterPlan, Tones},
-    lesson::scene_file::parts::{quoted, table},
+    lesson::scene_file::prelude::*,
 };
 
 const STEPS: [(&str, DepthSteps); 3] = [

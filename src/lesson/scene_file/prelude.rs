@@ -1,8 +1,17 @@
-//! What scenes of several labs spell alike.
+//! What scenes of several labs spell alike, and the names that all of them are told in.
 
 use std::{fmt::Write as _, ops::Range};
 
-use crate::{geom::Point, labs::Lab, lesson::toml_fields::Node};
+use crate::geom::Point;
+
+pub(super) use crate::{
+    input::{At, Dim, Field, Got, Part, Shape, Table},
+    labs::{self, Lab},
+    lesson::toml_fields::{Node, TomlFields},
+    text::Message,
+};
+
+pub(super) use super::format::SceneFormat;
 
 pub(super) fn method(lab: &Lab, node: Node<'_>) -> Option<&'static str> {
     let known: Vec<&'static str> = (lab.methods)().iter().map(|card| card.id).collect();
