@@ -1,15 +1,11 @@
 //! Doing what was asked for: the only place where the app changes.
 
-use egui::Context;
-
-use crate::{
-    labs::{Edit, OutlineKind, Scene, Sketch},
-    text::{Diagnostic, Message, Value},
-};
+use crate::labs::OutlineKind;
 
 use super::{
     App, Command, Dialog, PathOf,
     history::{History, UndoGroup},
+    prelude::*,
     room::Room,
 };
 

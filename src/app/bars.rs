@@ -1,21 +1,15 @@
 //! The bar at the top and the transport at the bottom.
 
-use egui::{Align, Button, Label, Layout, Popup, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::Popup;
 
 use crate::{
-    labs::Lab,
-    lesson::CodeView,
-    paint::{ThemeKind, theme},
-    panels::{LabPanel, compare_picker, method_picker},
-    text::{Message, Value},
-    widgets::{
-        Icon, Look, Press, Timeline, caption_text, icon_button, menu_style, speed_menu,
-        transport_buttons,
-    },
+    panels::{compare_picker, method_picker},
+    widgets::{Press, Timeline, menu_style, speed_menu, transport_buttons},
 };
 
 use super::{
     App, Command, menus,
+    prelude::*,
     room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
@@ -178,9 +172,9 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
 }
 
 fn hall(app: &App, ui: &mut Ui) {
-    let (look, soft) = (app.look(), app.look().theme.soft);
-    let leave = RichText::new(look.say("action-present-leave")).color(soft);
-    if ui.add(Button::new(leave)).clicked() {
+    let look = app.look();
+    let leave = Button::new(soft(look, "action-present-leave"));
+    if ui.add(leave).clicked() {
         app.push(Command::Present);
     }
     let is_on = look.theme.kind == ThemeKind::Projector;

@@ -1,12 +1,6 @@
 //! Where the reader stands: in the course, or beside it.
 
-use crate::{
-    labs::Lab,
-    lesson::{Course, Lesson, LessonStep},
-    text::Lang,
-};
-
-use super::desk::Page;
+use super::{desk::Page, prelude::*};
 
 /// A course, and an open step of it where it has one; or the free scene of a lab, and the step to come back to.
 #[derive(Default)]

@@ -1,17 +1,13 @@
 //! What was done to a stage, as commands; and an outline that is drawn by clicking.
 
-use egui::{Key, Pos2, Shape, Stroke, Ui};
+use egui::Shape;
 
 use crate::{
-    figure::{Lens, Link, ViewId},
-    geom::Orbit,
-    labs::{Click, Edit, Handle, Lock, Motion, Sketch},
-    paint::Viewport,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, PanZoom, place_at},
+    widgets::{CanvasShown, Gesture, place_at},
 };
 
-use super::{App, Command, history::UndoGroup, stage_state::StageState};
+use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f64 = 8.0;

@@ -1,18 +1,8 @@
 //! Everything that can be done, and the keys that do it.
 
-use egui::{Key, Modifiers, Pos2};
+use crate::labs::OutlineKind;
 
-use crate::{
-    figure::{Link, ViewId},
-    geom::Orbit,
-    labs::{Edit, Handle, OutlineKind},
-    lesson::CodeView,
-    paint::ThemeKind,
-    text::Lang,
-    widgets::PanZoom,
-};
-
-use super::{dialog::Dialog, history::UndoGroup};
+use super::{dialog::Dialog, history::UndoGroup, prelude::*};
 
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
 #[derive(Clone, Debug)]

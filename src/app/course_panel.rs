@@ -1,20 +1,14 @@
 //! The course: lessons, the steps of the open one, its text, its source.
 
 use egui::{
-    Align, Align2, Button, CursorIcon, Frame, Id, Layout, Panel, Rect, Response, RichText, Role,
-    ScrollArea, Sense, Stroke, StrokeKind, TextFormat, TextStyle, Ui, Vec2, WidgetInfo, pos2,
+    Frame, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, Vec2, WidgetInfo,
     style::ScrollAnimation,
     text::{LayoutJob, TextWrapping},
-    vec2,
 };
 
-use crate::{
-    lesson::Lesson,
-    paint::{Theme, theme},
-    widgets::{Icon, Look, icon_button, lesson_text, step_title},
-};
+use crate::widgets::{lesson_text, step_title};
 
-use super::{App, Command};
+use super::{App, Command, prelude::*};
 
 const GAP: f32 = 4.0;
 const CHANGED: f32 = 3.0;
@@ -24,7 +18,7 @@ const ASIDE: f32 = 0.6;
 pub fn show(app: &App, ui: &mut Ui) {
     let look = app.look();
     let Some(lesson) = app.bookmark.lesson() else {
-        ui.label(RichText::new(look.say("lesson-empty")).color(look.theme.soft));
+        ui.label(soft(look, "lesson-empty"));
         return;
     };
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -59,11 +53,7 @@ pub fn show(app: &App, ui: &mut Ui) {
                 }
                 lesson_text(ui, look, id, &step.body, app.shown.is_answered);
                 if !lesson.speaks(app.settings.lang) {
-                    ui.label(
-                        RichText::new(look.say("lesson-not-translated"))
-                            .small()
-                            .color(look.theme.soft),
-                    );
+                    ui.label(soft(look, "lesson-not-translated").small());
                 }
             });
         });
@@ -130,21 +120,16 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
                     } else {
                         "lesson-answer-show"
                     };
-                    let text = RichText::new(look.say(key)).color(look.theme.accent);
-                    if ui.add(Button::new(text)).clicked() {
+                    if ui.add(Button::new(accent(look, key))).clicked() {
                         app.push(Command::Answer(!app.shown.is_answered));
                     }
                 }
                 if has_source {
-                    source(ui, look, &lesson.source);
+                    let text = RichText::new(&lesson.source).small();
+                    ui.add(Label::new(text.color(look.theme.soft)).truncate());
                 }
             });
         });
-}
-
-fn source(ui: &mut Ui, look: Look<'_>, source: &str) {
-    let text = RichText::new(source).small().color(look.theme.soft);
-    ui.add(egui::Label::new(text).truncate());
 }
 
 fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
@@ -157,8 +142,12 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
 fn lessons(app: &App, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 0.0;
     let [open, _] = app.bookmark.at;
-    let free = app.look().say("action-free");
-    if row(ui, app.look(), Row::new("+", &free)).clicked() {
+    let free = Row {
+        number: "+",
+        title: &app.look().say("action-free"),
+        ..Row::default()
+    };
+    if row(ui, app.look(), free).clicked() {
         app.push(Command::Free);
     }
     for (i, lesson) in app.bookmark.course.lessons.iter().enumerate() {
@@ -201,23 +190,13 @@ fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
     page.is_some_and(|page| app.desk.is_changed(&page))
 }
 
-#[derive(Clone, Copy)]
+/// A lesson in the list, or a step among the numbers.
+#[derive(Clone, Copy, Default)]
 struct Row<'a> {
     number: &'a str,
     title: &'a str,
     is_open: bool,
     is_changed: bool,
-}
-
-impl<'a> Row<'a> {
-    const fn new(number: &'a str, title: &'a str) -> Self {
-        Self {
-            number,
-            title,
-            is_open: false,
-            is_changed: false,
-        }
-    }
 }
 
 fn named(look: Look<'_>, title: &str, is_changed: bool) -> String {
@@ -291,29 +270,22 @@ fn steps(app: &App, ui: &mut Ui, lesson: &Lesson) {
     ui.add_space(12.0);
 }
 
-struct Disc<'a> {
-    number: usize,
-    title: &'a str,
-    is_open: bool,
-    is_changed: bool,
-}
-
-impl Disc<'_> {
-    fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
+impl Row<'_> {
+    fn disc(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
         let theme = look.theme;
         let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
         let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
         let title = named(look, self.title, self.is_changed);
         let name = format!("{}: {title}", self.number);
         response.widget_info(|| WidgetInfo::selected(Role::Tab, true, self.is_open, &name));
-        self.draw(ui, theme, rect, &response);
+        self.draw_disc(ui, theme, rect, &response);
         response
             .on_hover_cursor(CursorIcon::PointingHand)
             .on_hover_text(title)
             .clicked()
     }
 
-    fn draw(&self, ui: &Ui, theme: &Theme, rect: Rect, response: &Response) {
+    fn draw_disc(&self, ui: &Ui, theme: &Theme, rect: Rect, response: &Response) {
         let (fill, text, rim) = match (self.is_open, response.hovered()) {
             (true, _) => (theme.accent, theme.background, theme.accent),
             (false, true) => (theme.hover, theme.ink, theme.hairline),
@@ -335,16 +307,13 @@ impl Disc<'_> {
         }
     }
 }
+
 fn changed(app: &App, ui: &mut Ui) {
     let look = app.look();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
-        ui.label(
-            RichText::new(look.say("lesson-changed"))
-                .small()
-                .color(look.theme.soft),
-        );
-        let restore = RichText::new(look.say("lesson-restore")).color(look.theme.accent);
-        if ui.add(Button::new(restore).frame(false)).clicked() {
+        ui.label(soft(look, "lesson-changed").small());
+        let restore = Button::new(accent(look, "lesson-restore")).frame(false);
+        if ui.add(restore).clicked() {
             app.push(Command::Reset);
         }
     });
@@ -354,13 +323,13 @@ fn discs(app: &App, ui: &mut Ui, lesson: &Lesson, room: f32) {
     let [lesson_idx, open] = app.bookmark.at;
     let titles = &lesson.text(app.settings.lang).steps;
     for i in 0..lesson.steps.len() {
-        let disc = Disc {
-            number: i + 1,
+        let step = Row {
+            number: &(i + 1).to_string(),
             title: titles.get(i).map_or("", |step| &step.title),
             is_open: i == open,
             is_changed: is_changed(app, lesson_idx, i),
         };
-        if disc.show(ui, app.look(), room) {
+        if step.disc(ui, app.look(), room) {
             app.push(Command::Open([lesson_idx, i]));
         }
     }

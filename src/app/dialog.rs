@@ -1,15 +1,9 @@
 //! What lies over the window, or beside it: the list of keys, the question which file. It is asked in the system's dialog, or
 //! in the window, where its path is typed.
 
-use egui::Context;
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    paint::ThemeKind,
-    text::{Lang, Message},
-};
-
-use super::App;
+use super::{App, prelude::*};
 
 #[derive(Clone, PartialEq, Debug)]
 pub enum Dialog {

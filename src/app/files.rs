@@ -2,21 +2,15 @@
 
 use std::path::Path;
 
-use egui::Context;
-
-use crate::{
-    labs::{Edit, Scene},
-    lesson::{Problem, SceneFile},
-    text::{Diagnostic, Message},
-};
-
-#[cfg(not(target_arch = "wasm32"))]
-use super::mesh_loading::{is_mesh, is_of_a_mesh};
 use super::{
     App, Dialog,
     dialog::{Figures, Target},
     platform::StageFigure,
+    prelude::*,
 };
+
+#[cfg(not(target_arch = "wasm32"))]
+use super::mesh_loading::{is_mesh, is_of_a_mesh};
 
 /// Figures on their way into files.
 pub struct Export {

@@ -1,17 +1,10 @@
 //! Beside the course: a lab's free scene, with all that can be put into it at hand.
 
-use egui::{Button, Frame, Margin, RichText, ScrollArea, Ui};
+use egui::Frame;
 
-use crate::{
-    labs::Edit,
-    lesson::Lesson,
-    paint::theme,
-    panels::{LabPanel, panel_of},
-    text::Message,
-    widgets::{menu_button, rule},
-};
+use crate::widgets::rule;
 
-use super::{App, Command, menus::asked_of};
+use super::{App, Command, menus::asked_of, prelude::*};
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
@@ -19,13 +12,12 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     Frame::new().inner_margin(margin).show(ui, |ui| {
         ui.label(RichText::new(look.say("free-title")).text_style(theme::strong()));
         ui.add_space(4.0);
-        ui.label(RichText::new(look.say("free-about")).color(look.theme.soft));
+        ui.label(soft(look, "free-about"));
         ui.add_space(8.0);
         if let Some(lesson) = app.bookmark.lesson() {
             let title = lesson.text(app.settings.lang).title.clone();
-            let back = look
-                .catalog
-                .message(&Message::new("free-back").with("lesson", title));
+            let back = Message::new("free-back").with("lesson", title);
+            let back = look.catalog.message(&back);
             let back = Button::new(RichText::new(back).color(look.theme.accent)).frame(false);
             if ui.add(back.truncate()).clicked() {
                 app.push(Command::Free);
@@ -33,13 +25,10 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         }
         rule(ui, look);
         let panel = panel_of(panels, app.scene());
-        app.push_all(
-            panel
-                .and_then(|panel| panel.menu(ui, look, app.scene()))
-                .map(asked_of),
-        );
+        let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
+        app.push_all(asked.map(asked_of));
         rule(ui, look);
-        ui.label(RichText::new(look.say("free-from-course")).color(look.theme.soft));
+        ui.label(soft(look, "free-from-course"));
     });
     ScrollArea::vertical()
         .id_salt("scenes of the course")

@@ -1,21 +1,17 @@
 //! The inspector: pseudocode, watch table, cost.
 
-use egui::{
-    Align, Button, Id, Label, Layout, RichText, Role, ScrollArea, Ui, UiBuilder, WidgetInfo,
-};
+use egui::{Role, WidgetInfo};
 
 use crate::{
-    figure::{CodeLinks, Frame, Link, Run, Watch, unseen},
-    labs::{CodeLine, MethodCard},
-    lesson::CodeView,
-    paint::theme,
+    figure::{CodeLinks, Frame, unseen},
+    labs::CodeLine,
     widgets::{
-        CodeStep, CodeText, Cost, Pseudocode, WatchTable, caption_text, code_view_switch, cost,
-        most_of_a_kind, rule, section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
+        rule, section, watch,
     },
 };
 
-use super::{App, Command, bars::step_text, stage_state::StageState, typing::told_of};
+use super::{App, Command, bars::step_text, prelude::*, stage_state::StageState, typing::told_of};
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
@@ -115,8 +111,7 @@ fn pseudocode(
     };
     let line = code.show(ui, &step, most);
     if app.shown.code == CodeView::Hidden {
-        let note = app.look().say("pseudocode-hidden-note");
-        ui.label(RichText::new(note).color(app.look().theme.soft));
+        ui.label(soft(app.look(), "pseudocode-hidden-note"));
     }
     let line = line?;
     let now = frame.focus().next();
@@ -143,9 +138,8 @@ fn watched(
     rule(ui, look);
     section(ui, look, &look.say("panel-watch"));
     if frame.watch.iter().all(|section| section.rows.is_empty()) {
-        let nothing = RichText::new(look.say("watch-empty")).color(look.theme.soft);
         let inner = UiBuilder::new().max_rect(ui.available_rect_before_wrap());
-        ui.new_child(inner).label(nothing);
+        ui.new_child(inner).label(soft(look, "watch-empty"));
     }
     let table = WatchTable {
         watch: scalars,
@@ -246,8 +240,8 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
         ui.label(look.catalog.message(note));
     }
     if verdict.step.is_some() {
-        let text = RichText::new(look.say("verdict-go")).color(look.theme.accent);
-        if ui.add(Button::new(text).frame(false)).clicked() {
+        let go = Button::new(accent(look, "verdict-go")).frame(false);
+        if ui.add(go).clicked() {
             app.push(Command::Verdict);
         }
     }
@@ -258,8 +252,7 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
     ui.horizontal(|ui| {
         section(ui, look, &look.say("cost-title"));
         if app.shown.measures {
-            let measure = RichText::new(look.say("cost-measure"));
-            let measure = measure.small().color(look.theme.accent);
+            let measure = accent(look, "cost-measure").small();
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if ui.add(Button::new(measure).frame(false)).clicked() {
                     app.push(Command::Measure(true));

@@ -1,11 +1,10 @@
 //! Where everything stands: five places in a wide window, one at a time in a narrow one.
 
-use egui::{CentralPanel, Frame, Margin, Panel, Ui};
-
-use crate::panels::LabPanel;
+use egui::{CentralPanel, Frame, Panel};
 
 use super::{
     App, bars, course_panel, free_panel, inspector, overlays,
+    prelude::*,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room, panel_scale},
     stage,
     stage_state::StageState,

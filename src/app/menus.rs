@@ -1,18 +1,16 @@
 //! The menus: in a row at the right of the bar, or in a narrow window behind one button.
 
-use egui::{Button, Context, Id, Popup, RichText, Ui};
+use egui::Popup;
 
 use crate::{
-    panels::{LabPanel, PanelAsk, compare_choices, panel_of},
-    text::{Message, Value},
-    widgets::{
-        Icon, Look, icon_button, language_menu, menu_button, menu_style, speed_menu, theme_menu,
-    },
+    panels::{PanelAsk, compare_choices},
+    widgets::{language_menu, menu_style, speed_menu, theme_menu},
 };
 
 use super::{
     App, Command, PathOf,
     history::UndoGroup,
+    prelude::*,
     room::{BESIDE_TRANSPORT, transport_has_room},
 };
 

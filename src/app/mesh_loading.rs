@@ -12,15 +12,12 @@ use std::{
     thread,
 };
 
-use egui::Context;
-
 use crate::{
     labs::space::Picture,
-    lesson::{FileError, ObjFile, Problem, picture_of, read_obj_while},
-    text::{Diagnostic, Message},
+    lesson::{FileError, ObjFile, picture_of, read_obj_while},
 };
 
-use super::{App, notice::Notice};
+use super::{App, notice::Notice, prelude::*};
 
 /// A larger file is refused: what it holds could not be drawn in time.
 const MAX_MESH_BYTES: u64 = 128 << 20;

@@ -36,6 +36,7 @@ mod overlays;
 mod pages;
 mod platform;
 mod playback;
+mod prelude;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod room;
@@ -66,20 +67,16 @@ pub use web::start;
 
 use std::{cell::RefCell, collections::BTreeMap};
 
-use egui::{Pos2, Ui, Vec2};
+use egui::Vec2;
 use web_time::Instant;
 
-use crate::{
-    labs::{Lab, Scene},
-    lesson::{CodeView, Course, SceneFile, SceneFormats},
-    paint::ThemeKind,
-    panels::{self, LabPanel},
-};
+use crate::{lesson::SceneFormats, panels};
 
 use bookmark::Bookmark;
 use desk::Desk;
 use history::History;
 use playback::Playback;
+use prelude::*;
 
 /// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
 pub struct Kit {
@@ -288,7 +285,7 @@ impl App {
         self.commands.borrow_mut().extend(commands);
     }
 
-    fn pressed(&self, ctx: &egui::Context) -> Vec<Command> {
+    fn pressed(&self, ctx: &Context) -> Vec<Command> {
         let focus = keys::Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
         let mut commands = keys::commands(ctx, focus);
         if focus == keys::Focus::Free && self.shown.dialog.is_none() {
@@ -308,7 +305,7 @@ impl App {
         commands
     }
 
-    fn pass_time(&mut self, ctx: &egui::Context, now: f64) {
+    fn pass_time(&mut self, ctx: &Context, now: f64) {
         self.export_next(ctx, now);
         if let Some(wait) = self.playback.advance(now) {
             ctx.request_repaint_after_secs(wait.max(0.0));

@@ -1,15 +1,11 @@
 //! The app in a window of a desktop.
 
 use eframe::{CreationContext, NativeOptions, Storage};
-use egui::{Ui, ViewportBuilder};
+use egui::ViewportBuilder;
 
-use crate::{
-    lesson::{Course, Folder, SceneFile},
-    paint::fonts,
-    text::Message,
-};
+use crate::{lesson::Folder, paint::fonts};
 
-use super::{App, Desktop, Settings};
+use super::{App, Desktop, Settings, prelude::*};
 
 const SETTINGS_KEY: &str = "settings";
 const DEFAULT_SIZE: [f32; 2] = [1280.0, 720.0];

@@ -1,21 +1,14 @@
 //! What lies over the window: messages, the list of keys, where to save, measured costs.
 
 use egui::{
-    Align, Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Layout, Margin, Modal,
-    Modifiers, Order, RichText, ScrollArea, TextEdit, Ui,
+    Area, Frame, Grid, KeyboardShortcut, Modal, Order, TextEdit,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
-    vec2,
 };
 
-use crate::{
-    paint::{ThemeKind, theme},
-    panels::{LabPanel, panel_of},
-    text::Lang,
-    widgets::{Icon, Look, icon_button, theme_key},
-};
+use crate::widgets::theme_key;
 
-use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice};
+use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice, prelude::*};
 
 const WIDTH: f32 = 528.0;
 /// Keys that are no commands.
@@ -46,7 +39,7 @@ pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>]) {
 fn modal(id: &str, look: Look<'_>) -> Modal {
     let frame = Frame::new()
         .fill(look.theme.background)
-        .stroke(egui::Stroke::new(1.0, look.theme.hairline))
+        .stroke(Stroke::new(1.0, look.theme.hairline))
         .corner_radius(8)
         .inner_margin(24);
     Modal::new(Id::unique(id)).frame(frame)
@@ -68,7 +61,7 @@ fn notices(app: &App, ctx: &Context) {
         };
         let frame = Frame::new()
             .fill(look.theme.background)
-            .stroke(egui::Stroke::new(1.0, edge))
+            .stroke(Stroke::new(1.0, edge))
             .corner_radius(6)
             .inner_margin(Margin::symmetric(16, 8));
         frame.show(ui, |ui| {
@@ -104,10 +97,10 @@ fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
     let is_listing = notice.text.contains('\n');
     let words = RichText::new(&notice.text).color(look.theme.ink);
     if is_listing {
-        ui.add(egui::Label::new(words.monospace()).extend());
+        ui.add(Label::new(words.monospace()).extend());
     } else {
         ui.add_space(6.0);
-        ui.add(egui::Label::new(words).wrap());
+        ui.add(Label::new(words).wrap());
     }
 }
 
@@ -129,14 +122,13 @@ fn help(app: &App, ctx: &Context) {
                         let others = OTHER_KEYS.map(|(keys, help)| (keys.to_owned(), help));
                         for (keys, help) in lines(ctx).into_iter().chain(others) {
                             ui.label(RichText::new(keys).monospace().color(look.theme.ink));
-                            ui.label(RichText::new(look.say(help)).color(look.theme.soft));
+                            ui.label(soft(look, help));
                             ui.end_row();
                         }
                     });
                 ui.add_space(8.0);
                 for note in ["help-drag", "help-edge"] {
-                    let text = RichText::new(look.say(note)).color(look.theme.soft);
-                    ui.add(egui::Label::new(text).wrap());
+                    ui.add(Label::new(soft(look, note)).wrap());
                 }
             });
     });
@@ -244,7 +236,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
 }
 
 fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
-    let label = ui.label(RichText::new(look.say("save-path")).color(look.theme.soft));
+    let label = ui.label(soft(look, "save-path"));
     let field = TextEdit::singleline(&mut target.path)
         .desired_width(f32::INFINITY)
         .font(egui::TextStyle::Monospace);
@@ -270,7 +262,7 @@ fn select_name(ctx: &Context, field: Id, path: &str) {
 
 fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
     let named = |ui: &mut Ui, key: &str, row: &mut dyn FnMut(&mut Ui)| {
-        ui.label(RichText::new(look.say(key)).color(look.theme.soft));
+        ui.label(soft(look, key));
         ui.horizontal_wrapped(row);
         ui.end_row();
     };

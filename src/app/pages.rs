@@ -1,10 +1,6 @@
 //! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
 
-use crate::{
-    figure::Moment,
-    labs::{Edit, Scene},
-    lesson::{Block, CodeView, LessonStep},
-};
+use crate::lesson::Block;
 
 use super::{
     App,
@@ -12,6 +8,7 @@ use super::{
     desk::{Page, StoredWork, Work},
     history::History,
     playback::Playback,
+    prelude::*,
     room::{CoursePart, Room},
     stage_state::StageState,
 };

@@ -6,15 +6,11 @@ use std::{
     time::Duration,
 };
 
-use egui::Context;
 use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
-use crate::{
-    lesson::{Course, Folder, Lesson, Loaded, Problem, Severity},
-    text::Message,
-};
+use crate::lesson::{Folder, Loaded, Severity};
 
-use super::{App, bookmark::Bookmark};
+use super::{App, bookmark::Bookmark, prelude::*};
 
 /// Editors write a file in several strokes: wait until they are done.
 const SETTLE: Duration = Duration::from_millis(150);

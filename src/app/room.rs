@@ -1,12 +1,8 @@
 //! What the window shows of itself: a narrow one has room for one place, a low one for less of each.
 
-use crate::{
-    paint::Theme,
-    text::Catalog,
-    widgets::{Look, transport_width},
-};
+use crate::{text::Catalog, widgets::transport_width};
 
-use super::{App, run_room::OnStage};
+use super::{App, prelude::*, run_room::OnStage};
 
 /// In windows narrower than this, in points, the course and the inspector take the stage's place.
 const NARROW: f32 = 860.0;

@@ -1,17 +1,9 @@
 //! What is found once for a run and kept until another run asks for more, such as the room of its captions and of its watch
 //! tables, and why what was clicked was kept or dropped.
 
-use egui::Ui;
+use crate::{figure::watches, labs::Verdict, widgets::WatchRoom};
 
-use crate::{
-    figure::{Link, Run, Watch, watches},
-    labs::{Scene, Verdict},
-    paint::ThemeKind,
-    text::Lang,
-    widgets::{Look, WatchRoom},
-};
-
-use super::playback::Playback;
+use super::{playback::Playback, prelude::*};
 
 pub type OnStage<'a> = (&'a Playback, Look<'a>);
 

@@ -3,27 +3,20 @@
 
 use std::borrow::Cow;
 
-use egui::{
-    Align2, Button, CursorIcon, Id, InputState, Rect, RichText, Stroke, Ui, UiBuilder, vec2,
-};
+use egui::InputState;
 
 use crate::{
-    figure::{
-        Body, Caption, ColumnLayout, Frame, Layout, Lens, Mark, Raster, Role, Seer, ViewId,
-        sentences,
-    },
-    labs::{Click, Edit, Handle, Lock, MethodCard, Sketch},
-    paint::Viewport,
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Mark, Raster, Role, Seer, sentences},
     panels::{Reach, spots},
-    text::Message,
     widgets::{
-        Canvas, CanvasShown, Composition, Spacing, Spot, caption_text, covered, gripped,
-        height_for_all, link_at, picture_viewport, projected, rect_of, title_ground,
-        title_of_space, under_title,
+        Canvas, CanvasShown, Composition, Spacing, Spot, covered, gripped, height_for_all, link_at,
+        picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
     },
 };
 
-use super::{App, Command, clicks, room::CoursePart, stage_state::StageState, typing::told_of};
+use super::{
+    App, Command, clicks, prelude::*, room::CoursePart, stage_state::StageState, typing::told_of,
+};
 
 struct Hands<'a> {
     handles: &'a [Handle],
@@ -320,7 +313,7 @@ impl Column<'_> {
 
 fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     let look = app.look();
-    let text = RichText::new(look.say("action-fit")).color(look.theme.accent);
+    let text = accent(look, "action-fit");
     let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
     let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 32.0), size);
     let button = ui.put(place, Button::new(text).fill(look.theme.background));

@@ -2,20 +2,15 @@
 
 use std::{borrow::Cow, collections::BTreeMap};
 
-use egui::{Context, Id, Pos2, Rect};
-
 use crate::{
-    figure::{Body, CodeLinks, Frame, Lens, Link, Mark, Seer, Slot, View, ViewId},
-    geom::Orbit,
-    labs::{Handle, MethodCard, Scene, Sketch},
-    paint::Viewport,
-    text::Message,
-    widgets::{PanZoom, picture_viewport},
+    figure::{Body, CodeLinks, Frame, Mark, Seer, Slot, View},
+    widgets::picture_viewport,
 };
 
 use super::{
     history::History,
     playback::Playback,
+    prelude::*,
     run_room::{RunRoom, Verdicts, WatchRooms},
     typing::Typing,
 };

@@ -1,14 +1,10 @@
 //! A place that is typed: P₁, a vertex, a side of the window, edited where it lies.
 
-use egui::{Area, Context, Frame, Id, Key, Order, Pos2, RichText, TextEdit, vec2};
+use egui::{Area, Frame, Order, TextEdit};
 
-use crate::{
-    figure::{Link, Watch},
-    labs::{Edit, Handle, Lock, Motion, place_of, written},
-    text::{Diagnostic, Value},
-};
+use crate::labs::{place_of, written};
 
-use super::{App, Command};
+use super::{App, Command, prelude::*};
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Typing {

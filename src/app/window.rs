@@ -1,10 +1,8 @@
 //! The window around the app: its title, its look, and the presentation, which fills the screen.
 
-use egui::{Context, CursorIcon, Ui, ViewportCommand};
+use egui::ViewportCommand;
 
-use crate::paint::{Theme, ThemeKind, theme};
-
-use super::App;
+use super::{App, prelude::*};
 
 /// In a presentation, a pointer that has rested for so long is hidden, in seconds.
 const IDLE_SECS: f32 = 3.0;
