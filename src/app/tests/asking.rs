@@ -3,7 +3,6 @@
 use std::{cell::RefCell, rc::Rc};
 
 use super::*;
-use crate::text::Diagnostic;
 
 /// A desktop whose dialogs are answered by the test.
 #[derive(Clone, Default)]

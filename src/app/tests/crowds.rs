@@ -3,7 +3,6 @@
 use super::*;
 use crate::{
     labs::polygons::{PolygonsChange, SceneVertex},
-    text::Value,
     trace::Counts,
 };
 

@@ -6,9 +6,7 @@ use super::*;
 
 /// The free scene of the frustum lab, the camera's handle in focus.
 fn focused() -> (Bench, Handle) {
-    let mut bench = Bench::new(SIZE);
-    bench.command(Command::Lab("frustum"));
-    bench.settle();
+    let mut bench = Bench::lab("frustum");
     let handles = bench.document().handles();
     let is_camera = |handle: &Handle| handle.kind().id == "camera";
     let i = handles.iter().position(is_camera);
@@ -26,7 +24,7 @@ fn place(bench: &Bench, handle: Handle) -> DVec3 {
 #[test]
 fn full_stop_takes_a_handle_away_from_the_eye() {
     let (mut bench, handle) = focused();
-    let eye = DVec3::from(bench.scene::<space::Scene>().eye.position());
+    let eye = DVec3::from(bench.space().eye.position());
     let before = place(&bench, handle);
     bench.key(Key::Period);
     let after = place(&bench, handle);

@@ -5,7 +5,16 @@ use crate::labs::lines::LinesChange;
 
 #[test]
 fn an_idle_app_asks_for_no_repaint() {
-    for mut bench in [Bench::new(SIZE), Bench::course(SIZE)] {
+    let mut drawing = Bench::polygons();
+    drawing.key(Key::D);
+    drawing.click_at([0.5, 0.5]);
+    drawing.frame(10.0, Vec::new());
+    for mut bench in [
+        Bench::new(SIZE),
+        Bench::course(SIZE),
+        Bench::polygons(),
+        drawing,
+    ] {
         bench.frame(10.0, Vec::new());
         let wait_secs = bench.wait_secs;
         assert!(wait_secs > 1e6, "asks for a repaint in {wait_secs} s");
@@ -32,7 +41,7 @@ fn every_size_language_and_theme_is_drawn() {
                     theme,
                     ..Settings::default()
                 };
-                let mut bench = Bench::with(App::new(Course::embedded(), settings), size);
+                let mut bench = Bench::set(settings, size);
                 for key in keys {
                     bench.key(key);
                     let n_shapes = bench.frame(0.3, Vec::new());

@@ -1,7 +1,6 @@
 //! Handles, dragged and nudged.
 
 use super::*;
-use crate::labs::Lock;
 
 #[test]
 fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {

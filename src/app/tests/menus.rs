@@ -33,17 +33,13 @@ fn n_segments(bench: &Bench) -> usize {
 #[test]
 fn random_numbers_are_typed_and_another_set_follows() {
     let mut bench = Bench::new(SIZE);
-    bench.click_on("Scene");
-    bench.click_on("Random segments");
-    let field = bench.found("How many");
-    bench.press_at(field.right_center() + vec2(24.0, 0.0));
+    bench.open_menus(&["Scene", "Random segments"]);
+    bench.type_into("How many", "30");
     assert!(bench.where_is("How many").is_some(), "the menu stays open");
-    bench.write("30");
     bench.click_on("Replace all segments");
     assert_eq!(n_segments(&bench), 30);
     assert!(bench.where_is("How many").is_none());
-    bench.click_on("Scene");
-    bench.click_on("Random segments");
+    bench.open_menus(&["Scene", "Random segments"]);
     let mut seen = vec![bench.app.scene().clone()];
     for _ in 0..3 {
         bench.click_on("Another set, from the next seed");

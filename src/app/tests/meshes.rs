@@ -52,7 +52,7 @@ fn a_mesh_that_is_dropped_stands_in_the_free_scene_and_can_be_undone() {
     let lines = bench.app.scene().clone();
     dropped(&mut bench, "wedge.OBJ", WEDGE);
     assert_eq!(n_added(&bench), 1, "{}", bench.said());
-    let wedge = bench.scene::<space::Scene>().focused();
+    let wedge = bench.space().focused();
     let space::Model::Mesh(named) = wedge.model() else {
         panic!("a mesh, not {:?}", wedge.model());
     };
@@ -86,12 +86,18 @@ fn what_is_no_mesh_is_explained_with_its_place_and_changes_nothing() {
         assert!(said.contains(place) && said.contains("as it was"), "{said}");
         assert_eq!(*bench.app.scene(), before);
     }
-    bench.drop_file("/nowhere/there-is-none.obj", None);
-    wait(&mut bench);
-    let said = bench.said();
-    assert!(said.contains("there-is-none.obj"), "{said}");
-    assert!(!said.contains("os error"), "{said}");
-    assert_eq!(*bench.app.scene(), before);
+    let folder = folder(&[]);
+    let file = fs::File::create(folder.path().join("large.obj")).expect("writable");
+    file.set_len(2 << 30).expect("a hole takes no room");
+    // Two gigabytes are refused unread.
+    for (name, why) in [("there-is-none.obj", ""), ("large.obj", "128 MiB")] {
+        bench.drop_file(folder.path().join(name), None);
+        wait(&mut bench);
+        let said = bench.said();
+        assert!(said.contains(name) && said.contains(why), "{said}");
+        assert!(!said.contains("os error"), "{said}");
+        assert_eq!(*bench.app.scene(), before);
+    }
 }
 
 #[test]
@@ -153,28 +159,12 @@ fn a_mesh_is_painted_with_the_picture_beside_it() {
     ]);
     bench.drop_file(folder.path().join("wedge.obj"), None);
     wait(&mut bench);
-    let wedge = bench.scene::<space::Scene>().focused();
+    let wedge = bench.space().focused();
     let skin = wedge.model().skin([0, 1, 2]).expect("it is painted");
     assert_eq!(skin.texture.size(), [16, 8]);
     assert_eq!(skin.uvs, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
     let said = bench.said();
     assert!(!said.contains("wedge.mtl"), "{said}");
-}
-
-#[test]
-fn two_gigabytes_are_refused_unread() {
-    let mut bench = Bench::new(SIZE);
-    let before = bench.app.scene().clone();
-    let folder = folder(&[]);
-    let path = folder.path().join("large.obj");
-    let file = fs::File::create(&path).expect("writable");
-    file.set_len(2 << 30).expect("a hole takes no room");
-    bench.drop_file(path, None);
-    wait(&mut bench);
-    let said = bench.said();
-    assert!(said.contains("large.obj"), "{said}");
-    assert!(said.contains("128 MiB"), "{said}");
-    assert_eq!(*bench.app.scene(), before);
 }
 
 #[test]

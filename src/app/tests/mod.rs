@@ -24,17 +24,14 @@ use std::{
     sync::Arc,
 };
 
-use egui::{
-    Context, CursorIcon, Event, Id, Key, Modifiers, PointerButton, RawInput, Rect, ViewportCommand,
-    ViewportId, pos2, vec2,
-};
+use egui::{Event, PointerButton, RawInput, ViewportCommand, ViewportId};
 
 use super::*;
 use crate::{
-    figure::{Frame, Link, Moment},
-    labs::{Document, Edit, Handle, lines, space},
+    figure::Frame,
+    labs::{Document, lines, space},
     paint::fonts,
-    text::{Catalog, Lang},
+    text::Catalog,
     widgets::rect_of,
 };
 
@@ -62,8 +59,20 @@ impl Bench {
         Self::with(App::new(Course::default(), Settings::default()), size)
     }
 
+    /// On this lab's first scene.
+    fn lab(id: &'static str) -> Self {
+        let mut bench = Self::new(SIZE);
+        bench.command(Command::Lab(id));
+        bench
+    }
+
     fn course(size: Vec2) -> Self {
-        Self::with(App::new(Course::embedded(), Settings::default()), size)
+        Self::set(Settings::default(), size)
+    }
+
+    /// With the course, and these settings.
+    fn set(settings: Settings, size: Vec2) -> Self {
+        Self::with(App::new(Course::embedded(), settings), size)
     }
 
     fn with(app: App, size: Vec2) -> Self {
@@ -190,6 +199,10 @@ impl Bench {
     /// The scene of the lab that is open.
     fn scene<D: Document>(&self) -> &D {
         self.app.scene().get().expect("of the open lab")
+    }
+
+    fn space(&self) -> &space::Scene {
+        self.scene()
     }
 
     fn n_steps(&self) -> usize {

@@ -38,10 +38,11 @@ fn a_tab_comes_back_to_where_it_was_left() {
     let mut bench = Bench::course(SIZE);
     bench.apply(Command::Open([4, 2]));
     let page = bench.app.bookmark.page();
-    bench.apply(Command::Lab("polygons"));
-    assert_ne!(bench.app.bookmark.page(), page);
-    bench.apply(Command::Lab("lines"));
-    assert_eq!(bench.app.bookmark.page(), page);
+    for (lab, is_there) in [("polygons", false), ("lines", true)] {
+        bench.apply(Command::Lab(lab));
+        assert_eq!(bench.document().lab().id, lab);
+        assert_eq!(bench.app.bookmark.page() == page, is_there, "{lab}");
+    }
 }
 
 #[test]

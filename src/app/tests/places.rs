@@ -2,13 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use egui::UiBuilder;
-
 use super::*;
-use crate::{
-    figure::{Body, CodeLinks, Need, View},
-    widgets::caption_text,
-};
+use crate::figure::{Body, CodeLinks, Need, View};
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
 const INSPECTOR: Vec2 = vec2(264.0, 600.0);
@@ -20,7 +15,7 @@ fn each_step(lang: Lang, theme: ThemeKind, mut what: impl FnMut(&mut Bench, &str
         theme,
         ..Settings::default()
     };
-    let mut bench = Bench::with(App::new(Course::embedded(), settings), SIZE);
+    let mut bench = Bench::set(settings, SIZE);
     let lessons = bench.app.bookmark.course.lessons.iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {
@@ -148,51 +143,39 @@ fn of_two_methods_the_one_that_is_clicked_is_inspected() {
 }
 
 #[test]
-fn a_mark_and_the_line_of_its_step_light_up_together() {
-    let mut n_lit = 0;
-    each_step_in_english(|bench, place| {
-        let frame = &bench.app.playback.frames[0];
-        let methods = bench.document().methods();
-        let line = frame.code_line.map(|i| methods[0].code[i].code);
-        let (Some(line), Some(link)) = (line, frame.focus().next()) else {
-            return;
-        };
-        bench.app.shown.code = CodeView::Full;
-        bench.settle();
-        let line = said_in_english(line);
-        let written = written_in_inspector(bench);
-        let rect = place_of(&written, &line)
-            .unwrap_or_else(|| panic!("{place}: {line} is not in sight in {written:?}"));
-        bench.point(rect.center());
-        assert_eq!(bench.app.stage.lit, Some(link), "{place}: {line} at {rect}");
-        n_lit += 1;
-    });
-    assert!(n_lit > 20, "only {n_lit}");
-}
-
-#[test]
 fn every_line_of_the_pseudocode_lights_what_it_is_about_and_is_lit_by_it() {
-    let mut n_others = 0;
+    let [mut n_current, mut n_others] = [0; 2];
     each_step_in_english(|bench, place| {
         let links = CodeLinks::of(bench.app.playback.main());
         let now = bench.app.position();
-        let current = bench.app.playback.frames[0].code_line;
+        let frame = &bench.app.playback.frames[0];
+        let (current, focus) = (frame.code_line, frame.focus().next());
         let code = bench.document().methods()[0].code;
         bench.app.shown.code = CodeView::Full;
         bench.settle();
         let written = written_in_inspector(bench);
-        for (i, line) in code.iter().enumerate().filter(|(i, _)| Some(*i) != current) {
+        for (i, line) in code.iter().enumerate() {
             let text = said_in_english(line.code);
-            let there = (links.of_line(i, now), place_of(&written, &text));
-            if let (Some(link), Some(rect)) = there {
+            let rect = place_of(&written, &text);
+            let is_current = current == Some(i);
+            let link = if is_current {
+                focus
+            } else {
+                links.of_line(i, now)
+            };
+            let is_in_sight = rect.is_some() || !is_current || link.is_none();
+            assert!(is_in_sight, "{place}: {text} is not in {written:?}");
+            if let (Some(link), Some(rect)) = (link, rect) {
                 bench.point(rect.center());
                 assert_eq!(bench.app.stage.lit, Some(link), "{place}: {text}");
-                assert!(links.lines(link).contains(&i), "{place}: and back");
-                n_others += 1;
+                let is_lit = is_current || links.lines(link).contains(&i);
+                assert!(is_lit, "{place}: and back");
+                n_current += usize::from(is_current);
+                n_others += usize::from(!is_current);
             }
         }
     });
-    assert!(n_others > 60, "only {n_others}");
+    assert!(n_current > 20 && n_others > 60, "{n_current}, {n_others}");
 }
 
 /// Every step keeps to the room that its run has asked for. The layout asks nothing else of a step, so those are drawn that

@@ -3,10 +3,7 @@
 use super::*;
 use crate::{
     geom::Polygon,
-    labs::{
-        MethodCard,
-        polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, SceneVertex},
-    },
+    labs::polygons::{LAB, OUTLINES, PRESETS, PolygonsChange, REGIONS, SceneVertex},
 };
 
 impl Bench {
@@ -33,27 +30,23 @@ impl Bench {
         self.app.stage.selected == Some(SceneVertex::Subject(vertex).handle())
     }
 
-    fn click(&mut self, at: Pos2, modifiers: Modifiers) {
+    fn click(&mut self, world: [f64; 2], n_times: usize, modifiers: Modifiers) {
+        let at = self.on_screen(world);
         let moved = Event::PointerMoved(at);
         self.frame(0.5, vec![moved, Event::ModifiersChanged(modifiers)]);
-        for pressed in [true, false] {
+        for pressed in [true, false].repeat(n_times) {
             self.frame(0.02, vec![button_event(at, pressed, modifiers)]);
         }
         let none = Event::ModifiersChanged(Modifiers::NONE);
         self.frame(0.02, vec![none]);
     }
 
-    fn click_at(&mut self, world: [f64; 2]) {
-        self.click(self.on_screen(world), Modifiers::NONE);
+    pub(super) fn click_at(&mut self, world: [f64; 2]) {
+        self.click(world, 1, Modifiers::NONE);
     }
 
     fn double_click_at(&mut self, world: [f64; 2]) {
-        let at = self.on_screen(world);
-        self.frame(0.5, vec![Event::PointerMoved(at)]);
-        for pressed in [true, false, true, false] {
-            self.frame(0.02, vec![button_event(at, pressed, Modifiers::NONE)]);
-        }
-        self.frame(0.02, Vec::new());
+        self.click(world, 2, Modifiers::NONE);
     }
 
     fn hint(&self) -> Option<&'static str> {
@@ -164,7 +157,7 @@ fn two_clicks_or_ctrl_and_one_put_a_vertex_on_an_edge() {
     assert_eq!(bench.subject().len(), 5);
     assert_eq!(bench.subject()[1], [0.5, -1.5]);
     assert!(bench.selects(1));
-    bench.click(bench.on_screen([-1.5, 0.5]), ctrl());
+    bench.click([-1.5, 0.5], 1, ctrl());
     let last = bench.subject()[5];
     assert_eq!(last, [-1.5, 0.5], "the last edge closes the ring");
     bench.key(Key::Delete);
@@ -282,28 +275,4 @@ fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
         assert_eq!(runs[0].event_json(same), runs[1].event_json(same));
     }
     assert_ne!(runs[0].event_json(step), runs[1].event_json(step));
-}
-
-#[test]
-fn an_idle_polygons_lab_asks_for_no_repaint() {
-    let mut bench = Bench::polygons();
-    bench.frame(10.0, Vec::new());
-    let wait_secs = bench.wait_secs;
-    assert!(wait_secs > 1e6, "asks for a repaint in {wait_secs} s");
-    bench.key(Key::D);
-    bench.click_at([0.5, 0.5]);
-    bench.frame(10.0, Vec::new());
-    bench.frame(10.0, Vec::new());
-    let wait_secs = bench.wait_secs;
-    assert!(wait_secs > 1e6, "while drawing: in {wait_secs} s");
-}
-
-#[test]
-fn the_lab_opens_from_its_tab_and_goes_back() {
-    let mut bench = Bench::course(SIZE);
-    for lab in [LAB, lines::LAB, LAB] {
-        bench.command(Command::Lab(lab.id));
-        assert_eq!(bench.document().lab(), lab);
-        assert!(bench.frame(0.1, Vec::new()) > 0);
-    }
 }

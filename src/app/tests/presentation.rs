@@ -7,7 +7,7 @@ fn dark() -> Bench {
         theme: ThemeKind::Dark,
         ..Settings::default()
     };
-    Bench::with(App::new(Course::embedded(), settings), SIZE)
+    Bench::set(settings, SIZE)
 }
 
 #[test]

@@ -2,13 +2,6 @@
 
 use super::*;
 
-/// On this lab's first scene.
-fn bench(lab: &'static str) -> Bench {
-    let mut bench = Bench::new(SIZE);
-    bench.command(Command::Lab(lab));
-    bench
-}
-
 impl Bench {
     /// What the inspector says under "Why?".
     fn verdict(&mut self) -> Option<String> {
@@ -26,7 +19,7 @@ impl Bench {
 
 #[test]
 fn an_object_that_is_clicked_is_told_and_enter_goes_to_its_step() {
-    let mut bench = bench("frustum");
+    let mut bench = Bench::lab("frustum");
     assert_eq!(bench.verdict(), None, "nothing was asked");
     bench.key(Key::Enter);
     assert_eq!(bench.app.position(), 0);
@@ -70,7 +63,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
             ],
         ),
     ] {
-        let mut bench = bench(lab);
+        let mut bench = Bench::lab(lab);
         for &(method, at, said, event) in of_lab {
             bench.edit(Edit::Method(method));
             bench.command(Command::First);
@@ -86,7 +79,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
 
 #[test]
 fn a_vertex_that_is_clicked_is_selected_and_told() {
-    let mut bench = bench("polygons");
+    let mut bench = Bench::lab("polygons");
     let handle = bench.document().handles()[0];
     let at = bench.document().position(handle);
     bench.click_in_space(at.expect("the first vertex"));
@@ -98,7 +91,7 @@ fn a_vertex_that_is_clicked_is_selected_and_told() {
 
 #[test]
 fn enter_belongs_to_whoever_has_the_focus() {
-    let mut bench = bench("frustum");
+    let mut bench = Bench::lab("frustum");
     bench.click_in_space([-6.5, 0.8, 0.5]);
     bench.focus(bench.app.stage.handle_ids[0]);
     bench.settle();
@@ -116,7 +109,7 @@ fn middle_of(bench: &Bench, view: &str) -> Pos2 {
 
 #[test]
 fn in_the_cameras_picture_the_pixel_is_told() {
-    let mut bench = bench("frustum");
+    let mut bench = Bench::lab("frustum");
     bench.press_at(middle_of(&bench, "camera"));
     let said = bench.verdict().expect("it is told");
     assert!(said.contains("ixel ["), "{said}");
@@ -124,8 +117,8 @@ fn in_the_cameras_picture_the_pixel_is_told() {
 
 #[test]
 fn a_pixel_of_a_raster_is_looked_at_and_let_go() {
-    let mut bench = bench("surfaces");
-    let looked_at = |bench: &Bench| bench.scene::<space::Scene>().raster.pixel;
+    let mut bench = Bench::lab("surfaces");
+    let looked_at = |bench: &Bench| bench.space().raster.pixel;
     assert_eq!(looked_at(&bench), None);
     let all = bench.n_steps();
     bench.press_at(middle_of(&bench, "raster"));
