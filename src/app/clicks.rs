@@ -4,7 +4,7 @@ use egui::Shape;
 
 use crate::{
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, place_at},
+    widgets::{CanvasShown, Gesture, Moved, place_at},
 };
 
 use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
@@ -32,21 +32,7 @@ pub fn ask(
         Lens::Camera(_) => None,
     }));
     if let Some(moved) = shown.moved {
-        let handle = handles[moved.spot];
-        let gesture = match moved.by {
-            Gesture::Drag => UndoGroup::Drag(moved.spot),
-            Gesture::Nudge => UndoGroup::Nudge(moved.spot),
-        };
-        if handle.kind().is_vertex && state.selected != Some(handle) {
-            app.push(Command::Select(handle));
-        }
-        let from = app.scene().document().position(handle);
-        let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
-        let to = from.map(|from| {
-            let to = moved_to(&lens, motion, from, moved.to);
-            lens.deeper(to, moved.deeper)
-        });
-        app.push_all(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
+        move_handle(app, ui, (handles[moved.spot], &moved), lens, state);
     }
     if shown.released {
         app.push(Command::EndGesture);
@@ -78,6 +64,29 @@ pub fn ask(
     app.push(Command::Ask(document.asked(&click)));
 }
 
+fn move_handle(
+    app: &App,
+    ui: &Ui,
+    (handle, moved): (Handle, &Moved),
+    lens: Lens,
+    state: &StageState,
+) {
+    let gesture = match moved.by {
+        Gesture::Drag => UndoGroup::Drag(moved.spot),
+        Gesture::Nudge => UndoGroup::Nudge(moved.spot),
+    };
+    if handle.kind().is_vertex && state.selected != Some(handle) {
+        app.push(Command::Select(handle));
+    }
+    let from = app.scene().document().position(handle);
+    let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
+    let to = from.map(|from| {
+        let to = moved_to(&lens, motion, from, moved.to);
+        lens.deeper(to, moved.deeper)
+    });
+    app.push_all(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
+}
+
 /// In space X, Y or Z held: along that axis only.
 fn held_axis(ui: &Ui, lens: Lens) -> Option<Motion> {
     const AXES: [(Key, [f64; 3]); 3] = [
@@ -101,10 +110,9 @@ pub fn click_at<'a>(
         at,
         place: at,
         reach: CLICK_REACH / viewport.scale,
-        inserts: false,
-        picture: None,
         link,
         locks,
+        ..Click::default()
     }
 }
 

@@ -49,11 +49,9 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let frames = &app.playback.frames;
     let methods = app.scene().document().methods();
     // A place that is clicked while an outline is drawn is a point of it.
-    let is_drawing = state.sketch.is_some();
-    let handles = if is_drawing {
-        Vec::new()
-    } else {
-        app.scene().document().handles()
+    let handles = match state.sketch {
+        Some(_) => Vec::new(),
+        None => app.scene().document().handles(),
     };
     let step = app.bookmark.step();
     let hands = Hands {
@@ -164,13 +162,9 @@ impl Column<'_> {
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
         if pixel.is_some() && is_clicked {
             let click = Click {
-                at: [0.0; 3],
-                place: [0.0; 3],
-                reach: 0.0,
-                inserts: false,
-                picture: None,
                 link: pixel,
                 locks: self.hands.locks,
+                ..Click::default()
             };
             let change = app.scene().document().click(&click);
             app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
@@ -271,14 +265,11 @@ impl Column<'_> {
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
+        let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
         let shown = Canvas {
             id,
             viewport,
-            name: format!(
-                "{}: {}",
-                look.say("panel-stage"),
-                look.say(self.method.name_key)
-            ),
+            name: format!("{panel}: {method}"),
             text: caption_text(look.catalog, said),
             spots: &spots,
             snap: app.settings.snap && is_flat,
@@ -296,18 +287,28 @@ impl Column<'_> {
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| id.with(spot.index));
         state.handle_ids.extend(ids);
-        if let Some(drawn) = &state.sketch {
-            clicks::draw_sketch(app, ui, &viewport, drawn);
-        }
-        if self.index == 0 && app.playback.main().is_refused() && state.sketch.is_none() {
-            ways_out(app, ui, state, rect);
-        }
-        if state.is_moved(drawing.0) {
-            fit(app, ui, rect);
-        }
+        self.over_the_drawing(app, ui, state, (drawing.0, &viewport), rect);
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.saw(drawing.0, shown.viewport);
         shown
+    }
+
+    fn over_the_drawing(
+        &self,
+        app: &App,
+        ui: &mut Ui,
+        state: &mut StageState,
+        (id, viewport): (ViewId, &Viewport),
+        rect: Rect,
+    ) {
+        if let Some(drawn) = &state.sketch {
+            clicks::draw_sketch(app, ui, viewport, drawn);
+        } else if self.index == 0 && app.playback.main().is_refused() {
+            ways_out(app, ui, state, rect);
+        }
+        if state.is_moved(id) {
+            fit(app, ui, rect);
+        }
     }
 }
 

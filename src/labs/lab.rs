@@ -188,7 +188,7 @@ impl fmt::Debug for Scene {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Click<'a> {
     pub at: [f64; 3],
     /// The point that it stands for: on the grid where handles keep to it.
