@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::text::Lang;
-
-use super::{markdown::Block, step::LessonStep};
+use super::{markdown::Block, prelude::*, step::LessonStep};
 
 /// Lessons in the order of their folders' names.
 #[derive(Clone, PartialEq, Debug, Default)]

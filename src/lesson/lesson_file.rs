@@ -1,20 +1,18 @@
 //! `lesson.toml`: scenes by name, and the steps that show them.
 
-use std::{collections::BTreeMap, ops::Range, sync::Arc};
+use std::{collections::BTreeMap, sync::Arc};
 
 use toml::{Spanned, de::DeString};
 
 use crate::{
     figure::{Moment, Run},
     labs::{Lab, Lock, Scene},
-    text::{Lang, Message},
 };
 
 use super::{
     course::{Lesson, LessonText},
-    nearest::clipped,
+    prelude::*,
     scene_file::{SceneFormat, SceneFormats},
-    sink::Sink,
     step::{CodeView, LessonStep, Stop, moment, never_comes},
     toml_errors::with_toml,
     toml_fields::{Node, TomlFields},

@@ -2,18 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::text::{Diagnostic, Lang, Message};
-
 use super::{
     course::{Course, Lesson},
     files::{Embedded, Files, LESSON_FILE, MAX_LESSONS},
     lesson_file::{self, Moments, Reading, Skeleton},
-    nearest::suggestion,
-    problem::{Problem, Severity},
+    prelude::*,
     scene_file::SceneFormats,
     sections,
-    sink::Sink,
-    source::Source,
 };
 
 #[derive(Clone, PartialEq, Debug, Default)]

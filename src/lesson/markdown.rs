@@ -1,12 +1,8 @@
 //! The part of Markdown that lesson texts are written in, parsed once into blocks that are only laid out.
 
-use std::ops::Range;
-
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 
-use crate::text::Message;
-
-use super::{problem::is_wide, sink::Sink};
+use super::{prelude::*, problem::is_wide};
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Block {

@@ -19,6 +19,7 @@ mod load;
 mod markdown;
 mod mesh_file;
 mod nearest;
+mod prelude;
 mod problem;
 mod scene_file;
 mod sections;

@@ -1,14 +1,11 @@
 //! A language's text of a lesson: its title, and one section for each step.
 
-use std::{collections::BTreeMap, ops::Range};
-
-use crate::text::Message;
+use std::collections::BTreeMap;
 
 use super::{
     course::{LessonText, StepText},
     markdown::{self, Block, TextPart},
-    nearest::{clipped, suggestion},
-    sink::Sink,
+    prelude::*,
 };
 
 /// One `## id: Title` and what follows it.

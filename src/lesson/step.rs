@@ -5,14 +5,9 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     figure::{Moment, Run},
     labs::{Handle, Lock, Scene},
-    text::{Diagnostic, Message},
 };
 
-use super::{
-    nearest::{clipped, nearest, suggestion},
-    problem::{Place, Problem, Severity},
-    toml_fields::Node,
-};
+use super::{prelude::*, toml_fields::Node};
 
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]

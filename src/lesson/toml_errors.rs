@@ -2,9 +2,7 @@
 
 use toml::de::{DeTable, Error};
 
-use crate::text::Message;
-
-use super::sink::Sink;
+use super::prelude::*;
 
 /// Parses the file and reads what of it is TOML. Where not all is, what was read is checked but not used.
 pub(super) fn with_toml<T>(

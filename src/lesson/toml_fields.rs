@@ -1,7 +1,5 @@
 //! Typed access to a parsed TOML file that reports what it finds wrong and reads on.
 
-use std::ops::Range;
-
 use toml::{
     Spanned,
     de::{DeString, DeTable, DeValue},
@@ -9,13 +7,10 @@ use toml::{
 
 use crate::{
     input::{At, Dim, Got, Part, Presence, Shape, Table},
-    text::{Diagnostic, Message, Value},
+    text::Value,
 };
 
-use super::{
-    nearest::{clipped, suggestion},
-    sink::Sink,
-};
+use super::prelude::*;
 
 /// A value, where it stands, and who hears what is wrong with it.
 #[derive(Clone, Copy)]

@@ -1,11 +1,10 @@
 //! Reading an OBJ file.
 
-use std::{collections::HashMap, ops::Range};
+use std::collections::HashMap;
 
 use crate::{
     geom::{Mesh, MeshError},
-    lesson::{problem::Problem, sink::Sink, source::Source},
-    text::Message,
+    lesson::prelude::*,
 };
 
 use super::{

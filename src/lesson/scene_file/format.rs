@@ -8,9 +8,7 @@ use crate::{
     figure::Moment,
     labs::{Lab, Scene},
     lesson::{
-        problem::Problem,
-        sink::Sink,
-        source::Source,
+        prelude::*,
         step::{moment, never_comes},
         toml_errors::with_toml,
         toml_fields::{Node, TomlFields},

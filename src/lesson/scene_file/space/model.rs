@@ -7,7 +7,7 @@ use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError},
     labs::space::{Model, NamedMesh, Object, Picture},
-    lesson::{nearest::clipped, picture_of, read_obj, read_picture, scene_file::prelude::*},
+    lesson::{picture_of, prelude::*, read_obj, read_picture, scene_file::prelude::*},
 };
 
 use super::spot;
