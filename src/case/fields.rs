@@ -1,16 +1,10 @@
 //! The fields that an algorithm takes, and those that a case gives.
 
-use serde_json::value::RawValue;
-
-use crate::{
-    input::{Fault, Field, Given, Got, Part, Presence, Shape, Table},
-    text::{Message, Value},
-};
+use crate::input::{Presence, Table};
 
 use super::{
-    Code, Detail, Path, Refusal,
+    prelude::*,
     raw::{Node, Pairs},
-    refusal::short,
 };
 
 /// The fields of one case, after a check against those that its algorithm takes; or those of an object in it.

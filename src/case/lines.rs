@@ -3,13 +3,13 @@
 use crate::{
     algo::line::{BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl},
     geom::{ConvexPolygon, GeomError, Segment, Window},
-    input::{BIT_ORDER, CONVEX_CLIP, Dim, Field, Given, Part, Shape, WINDOW},
+    input::{BIT_ORDER, CONVEX_CLIP, WINDOW},
     labs::lines::{LineTelling, Method, Scene},
-    text::{Formula, Message, Value},
 };
 
 use super::{
-    Code, Refusal, Solve, Solver,
+    Solve, Solver,
+    prelude::*,
     solver::{Reading, Verdict},
 };
 

@@ -38,6 +38,7 @@ mod frustum;
 mod line;
 mod lines;
 mod polygons;
+mod prelude;
 mod raw;
 mod read;
 mod refusal;

@@ -8,16 +8,13 @@ use crate::{
         weiler_atherton::{Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
     },
     geom::{Point, Polygon, Region, SimplePolygon},
-    input::{
-        CLIP, CONVEX_CLIP, Dim, Fault, Field, Given, HOLES, MOST_VERTICES, POLYGON, Part, Shape,
-        WINDOW,
-    },
+    input::{CLIP, CONVEX_CLIP, HOLES, MOST_VERTICES, POLYGON, WINDOW},
     labs::vertex_symbol,
-    text::{Formula, Message},
 };
 
 use super::{
-    Code, Fields, Path, Refusal, Solvable, Solve, Solver,
+    Fields, Solvable, Solve, Solver,
+    prelude::*,
     solver::{Reading, Verdict, read_problem},
 };
 

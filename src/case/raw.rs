@@ -9,14 +9,8 @@ use serde::{
     Deserialize, Deserializer, Serialize, Serializer,
     de::{MapAccess, Visitor},
 };
-use serde_json::value::RawValue;
 
-use crate::{
-    input::{Dim, Got},
-    text::{Message, Value},
-};
-
-use super::{Code, Detail, Path, Refusal, refusal::short};
+use super::prelude::*;
 
 /// Objects and lists inside each other in an `id`: as many as `serde_json` reads by itself.
 const MAX_DEPTH: usize = 128;

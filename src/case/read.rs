@@ -1,19 +1,12 @@
 //! From a line to a problem, and to its answer as a line of JSON.
 
 use serde::Serialize;
-use serde_json::{Value as Json, json, value::RawValue};
-
-use crate::{
-    input::Given,
-    text::{Message, Value},
-    trace::Counts,
-};
 
 use super::{
-    CaseLine, Code, Detail, Fields, Id, MAX_LINE_BYTES, Path, Refusal, Solvable, Solver, Solvers,
+    CaseLine, Fields, Id, MAX_LINE_BYTES, Solvable, Solver, Solvers,
     fields::missing,
+    prelude::*,
     raw::{Node, Pairs, kind},
-    refusal::short,
 };
 
 /// A case that can be solved.

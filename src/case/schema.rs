@@ -1,10 +1,10 @@
 //! What `clipscope trace --schema` prints.
 
-use serde_json::{Map, Value as Json, json};
+use serde_json::Map;
 
-use crate::input::{Field, Shape, of_fields, of_shape};
+use crate::input::{of_fields, of_shape};
 
-use super::{Code, Solver, Solvers};
+use super::{Solver, Solvers, prelude::*};
 
 /// The version of cases and answers that the schema describes.
 const VERSION: u32 = 2;

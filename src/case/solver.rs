@@ -2,17 +2,13 @@
 
 use std::convert::Infallible;
 
-use serde_json::Value as Json;
-
 use crate::{
     figure::Run,
-    input::Field,
     labs::{Answer, MethodCard, recorded::Recorded, telling::Telling},
-    text::Message,
-    trace::{Counted, Counts, Listening, Method, Told, held_after, silent},
+    trace::{Counted, Listening, Method, Told, held_after, silent},
 };
 
-use super::{Code, Detail, Fields, Path, Refusal};
+use super::{Fields, prelude::*};
 
 /// Makes an algorithm's input of checked fields, or refuses the first whose value means nothing.
 pub type Reading<A> = fn(&Fields<'_>) -> Result<<A as Method>::Input, Refusal>;

@@ -1,7 +1,5 @@
 //! The surfaces lab's cases: triangles in view space on a raster.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::surface::{
         Bsp, BspChoice, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Occlusion,
@@ -9,13 +7,13 @@ use crate::{
         Viewport,
     },
     geom::ViewVolume,
-    input::{CULL, Dim, FRUSTUM, Fault, Field, Given, Got, Part, SIZE, Shape},
+    input::{CULL, FRUSTUM, SIZE},
     labs::surfaces::with_occluders,
-    text::{Formula, Message, Value},
 };
 
 use super::{
-    Code, Detail, Fields, Refusal, Solve, Solver,
+    Fields, Solve, Solver,
+    prelude::*,
     solver::{Reading, Verdict},
 };
 
