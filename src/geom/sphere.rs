@@ -48,37 +48,6 @@ impl Sphere {
         Self::around((sum / n).into(), points)
     }
 
-    /// A tighter one: from two points that lie far apart the sphere grows just as far as every point needs (J. Ritter, "An
-    /// efficient bounding sphere", *Graphics Gems*, 1990); where that is no smaller, the centroid's.
-    ///
-    /// # Errors
-    /// As for [`Sphere::around`].
-    pub fn tighter(points: &[[f64; 3]]) -> Result<Self, SpaceError> {
-        let simple = Self::around_centroid(points)?;
-        let all = || points.iter().map(|&p| DVec3::from(p));
-        let farthest_from = |from: DVec3| {
-            let farther = |far: DVec3, p: DVec3| {
-                let is_farther = p.distance_squared(from) > far.distance_squared(from);
-                if is_farther { p } else { far }
-            };
-            all().fold(from, farther)
-        };
-        let one = farthest_from(DVec3::from(points[0]));
-        let other = farthest_from(one);
-        let mut center = one.midpoint(other);
-        let mut radius = 0.5 * one.distance(other);
-        for p in all() {
-            let distance = p.distance(center);
-            if distance > radius {
-                radius = radius.midpoint(distance);
-                center += (p - center) * ((distance - radius) / distance);
-            }
-        }
-        let grown = Self::around(center.into(), points)?;
-        let is_tighter = grown.radius < simple.radius;
-        Ok(if is_tighter { grown } else { simple })
-    }
-
     /// As large, around another point, which is finite.
     pub(crate) const fn moved_to(&self, center: [f64; 3]) -> Self {
         Self { center, ..*self }
@@ -103,21 +72,17 @@ mod tests {
     use crate::geom::random_bits;
 
     #[test]
-    fn every_point_lies_in_both_spheres_and_the_second_is_no_larger() {
+    fn every_point_lies_in_the_sphere() {
         let mut bits = random_bits(11);
         let mut next = || (bits() >> 40) as f64 / f64::from(1 << 22) - 2.0;
         for n in [1, 2, 3, 4, 8, 40] {
             for _ in 0..100 {
                 let points: Vec<[f64; 3]> =
                     (0..n).map(|_| [next(), 2.0 * next(), next()]).collect();
-                let simple = Sphere::around_centroid(&points).unwrap();
-                let tight = Sphere::tighter(&points).unwrap();
-                for sphere in [simple, tight] {
-                    let from_center = |&p| DVec3::from(p).distance(sphere.center().into());
-                    let is_in = |p| from_center(p) <= sphere.radius();
-                    assert!(points.iter().all(is_in), "{points:?}");
-                }
-                assert!(tight.radius() <= simple.radius(), "{points:?}");
+                let sphere = Sphere::around_centroid(&points).unwrap();
+                let from_center = |&p| DVec3::from(p).distance(sphere.center().into());
+                let is_in = |p| from_center(p) <= sphere.radius();
+                assert!(points.iter().all(is_in), "{points:?}");
             }
         }
     }
@@ -125,9 +90,7 @@ mod tests {
     #[test]
     fn of_one_far_vertex_the_centroid_makes_too_much() {
         let points = [[0.0; 3], [0.0; 3], [0.0; 3], [8.0, 0.0, 0.0]];
-        let simple = Sphere::around_centroid(&points).unwrap();
-        let tight = Sphere::tighter(&points).unwrap();
-        assert_eq!((simple.center(), simple.radius()), ([2.0, 0.0, 0.0], 6.0));
-        assert_eq!((tight.center(), tight.radius()), ([4.0, 0.0, 0.0], 4.0));
+        let sphere = Sphere::around_centroid(&points).unwrap();
+        assert_eq!((sphere.center(), sphere.radius()), ([2.0, 0.0, 0.0], 6.0));
     }
 }

@@ -24,6 +24,8 @@ const CLIP: usize = 2;
 const PIECE: usize = 3;
 
 const FEW_ENOUGH: usize = 200;
+/// The row of a vertex that is put out hangs on the edge asked before it, and on where that edge crosses.
+const LOOKS_BACK: usize = 4;
 
 const EARS: &[Row] = EarClipping::ROWS;
 const CLIPS: &[Row] = <SutherlandHodgman>::ROWS;
@@ -133,12 +135,14 @@ impl Telling for TriangulateAndClip {
         if let Some(Event::Each(event)) = step.event() {
             return own_idx(event);
         }
+        let recent = step.past.len().saturating_sub(LOOKS_BACK);
+        let past = &step.past[recent..];
         let of_ears = |at: &At<'_, EarClipping>| OWN.len() + EarClipping::row_idx(&at.step);
         let of_clip = |at: &At<'_, SutherlandHodgman>| {
             OWN.len() + EARS.len() + <SutherlandHodgman>::row_idx(&at.step)
         };
         // Only the opening has no event, and nobody asks for its row here.
-        of_part(step, of_ears, of_clip).unwrap_or_default()
+        of_part(&Step { past, ..*step }, of_ears, of_clip).unwrap_or_default()
     }
 
     const OPENING: Row = Row::new(Phase, TRIANGULATE, "tac-opening");
@@ -227,11 +231,7 @@ fn clip_at<T>(
     look: impl FnOnce(&At<'_, SutherlandHodgman>) -> T,
 ) -> T {
     let begins = |event: &Event| matches!(event, Event::Each(Each::Triangle { .. }));
-    let start = step
-        .past
-        .iter()
-        .rposition(begins)
-        .unwrap_or(step.past.len());
+    let start = step.past.iter().rposition(begins).unwrap_or_default();
     let past: Vec<_> = step.past[start..]
         .iter()
         .filter_map(|event| match event {
