@@ -4,17 +4,13 @@ mod names;
 mod tree;
 
 use crate::{
-    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide, Surfaces},
+    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide},
     figure::Tick,
     geom::Camera,
-    labs::space::{prelude::*, soup::surfaces_on_raster},
 };
 
-use super::on_raster::{
-    self, faces, fitting, lettered_or_outlined, name_of, outline, pixels, raster_so_far,
-};
+use super::prelude::*;
 
-const RASTER_VIEW: &str = "raster";
 const TREE_VIEW: &str = "tree";
 
 const NODE: usize = 0;
@@ -107,18 +103,16 @@ impl Telling for Bsp {
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
-        let Some(scenery) = at.scenery else {
-            return Vec::new();
-        };
-        let scene = scenery.scene();
-        let look = faces([(own(at), Role::Accent)], scene);
-        let marks = marks(at, scene.camera.camera());
-        let views = vec![
-            scenery.observer_with(|_| Fate::ToCome, look, marks),
-            View::new(RASTER_VIEW, Body::Raster(raster(at))),
-            View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
-        ];
-        fitting(scenery, views)
+        on_raster::views(at, |scenery| {
+            let scene = scenery.scene();
+            let look = faces([(own(at), Role::Accent)], scene);
+            let marks = marks(at, scene.camera.camera());
+            vec![
+                scenery.observer_with(|_| Fate::ToCome, look, marks),
+                View::new(RASTER_VIEW, Body::Raster(raster(at))),
+                View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
+            ]
+        })
     }
 }
 

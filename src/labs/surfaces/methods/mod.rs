@@ -5,6 +5,7 @@ mod depth_buffer;
 mod occlusion;
 mod on_raster;
 mod painter;
+mod prelude;
 mod ray_casting;
 
 pub use occlusion::with_occluders;

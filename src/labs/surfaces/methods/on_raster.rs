@@ -94,9 +94,18 @@ pub fn faces<const N: usize>(
 /// Beside another method there is no room to name each of more triangles.
 const MOST_NAMED: usize = 12;
 
+pub const RASTER_VIEW: &str = "raster";
+
 /// What has room: beside two other methods only space and large pixels, which come first, beside one a third view where it need
-/// not name too many triangles; alone, also the picture that the pixels are of, in full size.
-pub fn fitting(scenery: &Scenery, mut views: Vec<View>) -> Vec<View> {
+/// not name too many triangles; alone, also the picture that the pixels are of, in full size. Without a scene there is none.
+pub fn views<M: Telling<Scenery = Scenery>>(
+    at: &At<'_, M>,
+    shown: impl FnOnce(&Scenery) -> Vec<View>,
+) -> Vec<View> {
+    let Some(scenery) = at.scenery else {
+        return Vec::new();
+    };
+    let mut views = shown(scenery);
     let n_beside = scenery.scene().beside.len();
     if n_beside == 0 {
         views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new()));

@@ -3,13 +3,12 @@
 mod names;
 mod views;
 
-use crate::{
-    algo::surface::{
-        Meeting::{BeforeNear, Behind, Beside, BeyondFar, Culled, Hit, Parallel},
-        PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
-    },
-    labs::space::{prelude::*, soup::surfaces_on_raster},
+use crate::algo::surface::{
+    Meeting::{BeforeNear, Behind, Beside, BeyondFar, Culled, Hit, Parallel},
+    PlaneHit, RayCasting, RayCastingEvent as Event, RayCastingInput, RayCastingOutput,
 };
+
+use super::prelude::*;
 
 const PIXEL: usize = 0;
 const TRIANGLE: usize = 1;
@@ -30,10 +29,8 @@ impl SpaceTelling for RayCasting {
         let size = surfaces.size();
         let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
         let middle = is_long.then_some(size.map(|side| side / 2));
-        let asked = scene
-            .raster
-            .pixel
-            .filter(|at| (0..2).all(|i| at[i] < size[i]));
+        let asked = scene.raster.pixel;
+        let asked = asked.filter(|at| (0..2).all(|i| at[i] < size[i]));
         let pixel = asked.or(middle);
         RayCastingInput { surfaces, pixel }
     }

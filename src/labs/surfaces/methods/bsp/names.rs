@@ -1,25 +1,19 @@
 //! What the names stand for at a step, and what pieces are called.
 
-use crate::{
-    algo::{
-        surface::{Bsp, BspEvent as Event, BspPiece, BspSide},
-        volume::signed_distance,
-    },
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{self, name_of, plane_of, text_of},
-    },
+use crate::algo::{
+    surface::{Bsp, BspEvent as Event, BspPiece, BspSide},
+    volume::signed_distance,
 };
+
+use super::super::prelude::*;
 
 pub fn named(at: &At<'_, Bsp>, name: &str) -> Option<Named> {
     let (surfaces, held, event) = (at.step.input.surfaces(), at.step.held, at.step.event());
     let piece = |number: u32| {
         let piece = &held.pieces[number as usize];
         Named {
-            link: at
-                .scenery
-                .and_then(|scenery| surface_link(scenery.scene(), piece.id)),
-            ..piece_name(at.scenery, piece).into()
+            value: Some(piece_name(at.scenery, piece)),
+            ..triangle(at.scenery, piece.id)
         }
     };
     // A node is called like the piece that it was chosen for.
@@ -100,19 +94,15 @@ pub fn is_built(past: &[Event]) -> bool {
 }
 
 pub fn visited(past: &[Event]) -> impl Iterator<Item = (u32, BspSide)> {
-    past.iter().filter_map(|event| {
-        let Event::Visit { node, eye } = *event else {
-            return None;
-        };
-        Some((node, eye))
+    past.iter().filter_map(|event| match *event {
+        Event::Visit { node, eye } => Some((node, eye)),
+        _ => None,
     })
 }
 
 pub fn painted(past: &[Event]) -> impl Iterator<Item = u32> {
-    past.iter().filter_map(|event| {
-        let Event::Paint { piece, .. } = *event else {
-            return None;
-        };
-        Some(piece)
+    past.iter().filter_map(|event| match *event {
+        Event::Paint { piece, .. } => Some(piece),
+        _ => None,
     })
 }

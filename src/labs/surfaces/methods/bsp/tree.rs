@@ -4,11 +4,9 @@
 use crate::{
     algo::surface::{Bsp, BspEvent as Event, BspNode, BspSide},
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places},
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{name_of, text_of, tone},
-    },
 };
+
+use super::super::prelude::*;
 
 use super::names::{node_of, painted, piece_name, visited};
 
@@ -197,13 +195,6 @@ struct Waiting {
 
 /// Is this step about that piece, or one that it is a part of?
 fn is_sorted(event: Option<Event>, piece: u32) -> bool {
-    let Some(Event::Ask {
-        piece: asked,
-        parts,
-        ..
-    }) = event
-    else {
-        return false;
-    };
-    asked == piece || parts.is_some_and(|parts| parts.contains(&piece))
+    matches!(event, Some(Event::Ask { piece: asked, parts, .. })
+        if asked == piece || parts.is_some_and(|parts| parts.contains(&piece)))
 }

@@ -1,10 +1,11 @@
 //! Depth over distance: 1/z, with the steps that a format leaves it, forward and reversed.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Rays},
+    algo::surface::{DepthFormat, DepthNumber},
     figure::{Multiples, SmallDrawing, Weight},
-    labs::space::prelude::*,
 };
+
+use super::super::prelude::*;
 
 /// A row of two has far more room to the side than upwards.
 const WIDTH: f64 = 6.0;

@@ -11,13 +11,12 @@ mod views;
 use crate::{
     algo::surface::{
         DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput, DepthSteps,
-        Fragment, Picture,
+        Fragment,
     },
-    labs::space::{
-        prelude::*,
-        soup::{order, surfaces_on_raster},
-    },
+    labs::space::soup::order,
 };
+
+use super::prelude::*;
 
 use variant::{CLEAR, COMPARE, FRAGMENT, TRIANGLE, Variant, WRITE};
 

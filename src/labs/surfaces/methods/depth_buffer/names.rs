@@ -1,13 +1,11 @@
 //! What the names stand for at a step.
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, FragmentTally, Rays},
-    labs::{
-        space::{Tones, prelude::*},
-        surfaces::methods::on_raster::{self, name_of, sign, spaced, triangle},
-        words::pixel_formula,
-    },
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, FragmentTally},
+    labs::space::Tones,
 };
+
+use super::super::prelude::*;
 
 use super::{
     numbers::{t_of, value},
@@ -80,10 +78,10 @@ pub fn current<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<u32> {
 }
 
 pub fn fragment_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<Fragment> {
-    let Event::Fragment { fragment, .. } = at.step.event()? else {
-        return None;
-    };
-    Some(fragment)
+    match at.step.event()? {
+        Event::Fragment { fragment, .. } => Some(fragment),
+        _ => None,
+    }
 }
 
 pub fn pixel_of<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<[u32; 2]> {

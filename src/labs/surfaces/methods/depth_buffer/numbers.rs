@@ -1,11 +1,10 @@
 //! Depths as they are stored, in words and in pixels.
 
-use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Fragment, Rays, Surfaces},
-    labs::space::prelude::*,
-};
+use crate::algo::surface::{DepthFormat, DepthNumber, Fragment};
 
-use super::{super::on_raster::sign, variant::Variant};
+use super::super::prelude::*;
+
+use super::variant::Variant;
 
 const THOUSANDTH: f64 = 0.001;
 

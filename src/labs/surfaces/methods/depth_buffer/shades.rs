@@ -1,10 +1,9 @@
 //! The buffer as a picture: what is near is dark, what is far is pale, by the depth that is stored or by the distance that it
 //! stands for.
 
-use crate::{
-    algo::surface::{DepthFormat, Rays},
-    labs::space::{Tones, prelude::*},
-};
+use crate::{algo::surface::DepthFormat, labs::space::Tones};
+
+use super::super::prelude::*;
 
 use super::{
     numbers::{InPixels, t_of},

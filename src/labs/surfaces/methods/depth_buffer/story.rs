@@ -3,12 +3,9 @@
 use crate::{
     algo::surface::{DepthBuffer, DepthBufferEvent as Event, Fragment, pixel_story},
     figure::{CellStage, Story, StoryCard, StoryFate},
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{name_of, tone},
-        words::pixel_formula,
-    },
 };
+
+use super::super::prelude::*;
 
 use super::{
     names::{current, fragment_of},

@@ -1,14 +1,8 @@
 //! The scene with the ray of the pixel in hand, the picture with its depths, and what has come to that pixel.
 
-use crate::{
-    algo::surface::{DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthNumber, Rays},
-    labs::{
-        space::prelude::*,
-        surfaces::methods::on_raster::{
-            faces, fitting, lettered, name_of, outline, pixels, sight, titled, wrong_pixels,
-        },
-    },
-};
+use crate::algo::surface::{DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthNumber};
+
+use super::super::prelude::*;
 
 use super::{
     curve::curves,
@@ -19,33 +13,30 @@ use super::{
     variant::Variant,
 };
 
-const RASTER_VIEW: &str = "raster";
 const CURVE_VIEW: &str = "curve";
 const STORY_VIEW: &str = "story";
 
 pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
-    let Some(scenery) = at.scenery else {
-        return Vec::new();
-    };
-    let scene = scenery.scene();
-    let look = faces([(current(at), Role::Accent)], scene);
-    let mut views = vec![
-        scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
-        View::new(RASTER_VIEW, Body::Raster(raster(at, scene))),
-    ];
-    let input = at.step.input;
-    let format = &input.format;
-    if format.number != DepthNumber::Double {
-        let depth = fragment_of(at).map(|fragment| fragment.depth);
-        let rays = Rays::of(&input.surfaces);
-        let curves = curves(&rays, format, depth);
-        views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
-    }
-    if let Some(pixel) = pixel_of(at) {
-        let story = story(at, scenery, pixel);
-        views.push(View::new(STORY_VIEW, Body::Story(story)));
-    }
-    fitting(scenery, views)
+    on_raster::views(at, |scenery| {
+        let scene = scenery.scene();
+        let look = faces([(current(at), Role::Accent)], scene);
+        let mut views = vec![
+            scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
+            View::new(RASTER_VIEW, Body::Raster(raster(at, scene))),
+        ];
+        let input = at.step.input;
+        let format = &input.format;
+        if format.number != DepthNumber::Double {
+            let depth = fragment_of(at).map(|fragment| fragment.depth);
+            let curves = curves(&Rays::of(&input.surfaces), format, depth);
+            views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
+        }
+        if let Some(pixel) = pixel_of(at) {
+            let story = story(at, scenery, pixel);
+            views.push(View::new(STORY_VIEW, Body::Story(story)));
+        }
+        views
+    })
 }
 
 fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark3> {

@@ -4,12 +4,11 @@ mod names;
 mod occluders;
 mod views;
 
-use crate::{
-    algo::surface::{
-        Occlusion, OcclusionEvent as Event, OcclusionInput, OcclusionOutput, QueryResult,
-    },
-    labs::space::{prelude::*, soup::surfaces_on_raster},
+use crate::algo::surface::{
+    Occlusion, OcclusionEvent as Event, OcclusionInput, OcclusionOutput, QueryResult,
 };
+
+use super::prelude::*;
 
 pub use occluders::with_occluders;
 

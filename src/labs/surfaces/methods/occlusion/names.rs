@@ -1,9 +1,8 @@
 //! What the names stand for at a step.
 
-use crate::{
-    algo::surface::{Occlusion, OcclusionEvent as Event, QueryResult},
-    labs::{space::prelude::*, surfaces::methods::on_raster},
-};
+use crate::algo::surface::{Occlusion, OcclusionEvent as Event, QueryResult};
+
+use super::super::prelude::*;
 
 /// `A`; without a scene, its number.
 pub fn name_of(scenery: Option<&Scenery>, object_idx: usize) -> Value {
@@ -64,15 +63,14 @@ pub fn answers(past: &[Event]) -> impl Iterator<Item = (usize, QueryResult)> {
 }
 
 const fn query(event: &Event) -> Option<(usize, Option<Corners>, QueryResult)> {
-    let &Event::Query {
-        object_idx,
-        bounds,
-        result,
-    } = event
-    else {
-        return None;
-    };
-    Some((object_idx, bounds, result))
+    match *event {
+        Event::Query {
+            object_idx,
+            bounds,
+            result,
+        } => Some((object_idx, bounds, result)),
+        _ => None,
+    }
 }
 
 fn n_triangles(at: &At<'_, Occlusion>, objects: &[usize]) -> usize {
@@ -88,7 +86,7 @@ fn occluders(at: &At<'_, Occlusion>) -> Value {
     let numbered = at.step.input.objects.iter().enumerate();
     let idxs = numbered.filter(|(_, object)| object.is_occluder);
     let mut names: Vec<String> = idxs
-        .map(|(object_idx, _)| on_raster::text_of(name_of(at.scenery, object_idx), object_idx + 1))
+        .map(|(object_idx, _)| text_of(name_of(at.scenery, object_idx), object_idx + 1))
         .collect();
     if names.is_empty() {
         return Value::Term("occlusion-none");

@@ -3,21 +3,15 @@
 use crate::{
     algo::surface::{Occlusion, OcclusionEvent as Event},
     geom::AlignedBox,
-    labs::{
-        space::prelude::*,
-        surfaces::methods::on_raster::{fitting, lettered, pixels, raster_so_far, segment},
-    },
 };
+
+use super::super::prelude::*;
 
 use super::names::{answer, answers, current, name_of};
 
-const RASTER_VIEW: &str = "raster";
 const LIST_VIEW: &str = "objects";
 
 pub fn views(at: &At<'_, Occlusion>) -> Vec<View> {
-    let Some(scenery) = at.scenery else {
-        return Vec::new();
-    };
     let held = at.step.held;
     let fate = |object_idx: usize| {
         if held.drawn.contains(&object_idx) {
@@ -28,18 +22,19 @@ pub fn views(at: &At<'_, Occlusion>) -> Vec<View> {
             Fate::ToCome
         }
     };
-    let camera = scenery.scene().camera.camera();
-    let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
-    let marks = edges.map(|ends| {
-        let ends = ends.map(|at| camera.world_from_view(at));
-        Mark3::new(Role::Signal, Shape3::Segment(ends))
-    });
-    let views = vec![
-        scenery.observer(fate, marks.collect()),
-        View::new(RASTER_VIEW, Body::Raster(raster(at))),
-        View::new(LIST_VIEW, Body::Lists(lists(at))),
-    ];
-    fitting(scenery, views)
+    on_raster::views(at, |scenery| {
+        let camera = scenery.scene().camera.camera();
+        let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
+        let marks = edges.map(|ends| {
+            let ends = ends.map(|at| camera.world_from_view(at));
+            Mark3::new(Role::Signal, Shape3::Segment(ends))
+        });
+        vec![
+            scenery.observer(fate, marks.collect()),
+            View::new(RASTER_VIEW, Body::Raster(raster(at))),
+            View::new(LIST_VIEW, Body::Lists(lists(at))),
+        ]
+    })
 }
 
 /// The box that is asked, in view space.
@@ -54,10 +49,9 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     // Objects are in the order of their triangles.
     let object_of = |id: u32| input.objects.partition_point(|object| object.first <= id) as u32 - 1;
     let picture = at.step.held.drawing.so_far.picture.renamed(object_of);
-    let drawn = if let Some(Event::Draw { object_idx, .. }) = event {
-        Some(object_idx as u32)
-    } else {
-        None
+    let drawn = match event {
+        Some(Event::Draw { object_idx, .. }) => Some(object_idx as u32),
+        _ => None,
     };
     let edges = asked_box(at).into_iter().flat_map(|it| it.edges());
     let mut over: Vec<RasterMark> = edges

@@ -3,11 +3,9 @@
 use crate::{
     algo::surface::{Painter, PainterEvent as Event, PainterHeld},
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places},
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{middle_of, name_of, text_of, tone},
-    },
 };
+
+use super::super::prelude::*;
 
 use super::{names::test_key, overlap::overlap, variant::Variant};
 

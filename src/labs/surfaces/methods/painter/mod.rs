@@ -6,16 +6,12 @@ mod overlap;
 mod variant;
 mod views;
 
-use crate::{
-    algo::surface::{
-        Painter, PainterEvent as Event, PainterOutput,
-        PairTest::{BeforePlane, BehindPlane, DepthExtents, Overlap, ScreenExtents},
-        Surfaces,
-    },
-    labs::space::{prelude::*, soup::surfaces_on_raster},
+use crate::algo::surface::{
+    Painter, PainterEvent as Event, PainterOutput,
+    PairTest::{BeforePlane, BehindPlane, DepthExtents, Overlap, ScreenExtents},
 };
 
-use super::on_raster;
+use super::prelude::*;
 
 use variant::{ASK, CYCLE, KEY, OBJECT, PAINT, PLACE, SORT, Variant};
 
@@ -104,10 +100,8 @@ impl<L: Variant> Telling for Painter<L> {
             "unsorted" => &held.list[held.n_sorted.saturating_sub(1)..],
             _ => &[],
         };
-        let triangles = unsorted.iter().map(|(it, _)| it.id);
-        triangles
-            .map(|id| on_raster::triangle(at.scenery, id))
-            .collect()
+        let named = unsorted.iter().map(|(it, _)| triangle(at.scenery, it.id));
+        named.collect()
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {

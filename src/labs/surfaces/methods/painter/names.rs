@@ -2,16 +2,12 @@
 
 use glam::DVec3;
 
-use crate::{
-    algo::{
-        surface::{Painter, PainterEvent as Event, PairTest, Surfaces},
-        volume::signed_distance,
-    },
-    labs::{
-        space::prelude::*,
-        surfaces::methods::on_raster::{self, plane_of, sign, spaced, triangle},
-    },
+use crate::algo::{
+    surface::{Painter, PainterEvent as Event, PairTest},
+    volume::signed_distance,
 };
+
+use super::super::prelude::*;
 
 use super::{overlap::overlap, variant::Variant};
 

@@ -1,10 +1,8 @@
 //! Where one triangle hides another, and by how much.
 
-use crate::{
-    algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps, Rays, Surfaces},
-    labs::surfaces::methods::on_raster::middle,
-    trace::silent,
-};
+use crate::algo::surface::{DepthBuffer, DepthBufferInput, DepthSteps};
+
+use super::super::prelude::*;
 
 /// Of more triangles the reasons are not looked for: their names only are seen.
 const MOST_WITH_REASONS: usize = 26;

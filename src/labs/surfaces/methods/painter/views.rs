@@ -1,15 +1,8 @@
 //! The scene, the picture so far, what must come before what, and two lists: the sorted one, the order.
 
-use crate::{
-    algo::surface::{Painter, PainterEvent as Event, Picture},
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{
-            faces, fitting, lettered_or_outlined, name_of, outline, pixels, raster_so_far, titled,
-            wrong_pixels,
-        },
-    },
-};
+use crate::algo::surface::{Painter, PainterEvent as Event};
+
+use super::super::prelude::*;
 
 use super::{
     graph::{graph, overlaps},
@@ -17,28 +10,26 @@ use super::{
     variant::Variant,
 };
 
-const RASTER_VIEW: &str = "raster";
 const GRAPH_VIEW: &str = "graph";
 const LISTS_VIEW: &str = "lists";
 
 pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
-    let Some(scenery) = at.scenery else {
-        return Vec::new();
-    };
-    let scene = scenery.scene();
     let now = about(at.step.event());
     let marked = [(now[0], Role::Accent), (now[1], Role::Signal)];
-    let mut views = vec![
-        scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
-        View::new(RASTER_VIEW, Body::Raster(raster(at))),
-    ];
-    // Where nobody is asked nothing must come before anything.
-    if !L::KEYS_ONLY {
-        let graph = graph(at, scene, now);
-        views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
-    }
-    views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
-    fitting(scenery, views)
+    on_raster::views(at, |scenery| {
+        let scene = scenery.scene();
+        let mut views = vec![
+            scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
+            View::new(RASTER_VIEW, Body::Raster(raster(at))),
+        ];
+        // Where nobody is asked nothing must come before anything.
+        if !L::KEYS_ONLY {
+            let graph = graph(at, scene, now);
+            views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
+        }
+        views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
+        views
+    })
 }
 
 fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {

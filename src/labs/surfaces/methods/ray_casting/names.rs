@@ -1,13 +1,8 @@
 //! What the names stand for at a step.
 
-use crate::{
-    algo::surface::{PlaneHit, Ray, RayCasting, RayCastingEvent as Event, RayHit},
-    labs::{
-        space::prelude::*,
-        surfaces::methods::on_raster::{self, name_of, triangle},
-        words::{self, pixel_formula},
-    },
-};
+use crate::algo::surface::{PlaneHit, Ray, RayCasting, RayCastingEvent as Event, RayHit};
+
+use super::super::prelude::*;
 
 pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
     let (input, held, past) = (at.step.input, at.step.held, at.step.past);
@@ -44,9 +39,8 @@ pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
         }
         ("watch-hits", _) => hits(past).count().into(),
         ("watch-nearest", _) => Named::maybe(held.nearest.map(|hit| name_of(at.scenery, hit.id))),
-        ("nearest t", _) => {
-            Named::maybe(held.nearest.map(|hit| decimals(hit.t))).labelled(words::name("t"))
-        }
+        ("nearest t", _) => Named::maybe(held.nearest.map(|hit| decimals(hit.t)))
+            .labelled(Value::Name("t".to_owned())),
         ("watch-asked", _) => (held.so_far.n_asked as usize).into(),
         _ => return on_raster::named(&input.surfaces, at.scenery, name),
     })
@@ -79,18 +73,16 @@ fn of_turn(past: &[Event]) -> &[Event] {
 }
 
 pub fn turn(past: &[Event]) -> Option<([u32; 2], Ray)> {
-    let Event::Pixel { pixel, ray } = *of_turn(past).first()? else {
-        return None;
-    };
-    Some((pixel, ray))
+    match *of_turn(past).first()? {
+        Event::Pixel { pixel, ray } => Some((pixel, ray)),
+        _ => None,
+    }
 }
 
 pub fn asked(past: &[Event]) -> impl DoubleEndedIterator<Item = (u32, PlaneHit)> {
-    of_turn(past).iter().filter_map(|event| {
-        let Event::Ask { id, found, .. } = *event else {
-            return None;
-        };
-        Some((id, found))
+    of_turn(past).iter().filter_map(|event| match *event {
+        Event::Ask { id, found, .. } => Some((id, found)),
+        _ => None,
     })
 }
 

@@ -1,39 +1,30 @@
 //! The ray with its hits in space and on its own axis, every question, the picture so far.
 
 use crate::{
-    algo::surface::{Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event, Rays},
+    algo::surface::{Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event},
     figure::{LineTick, NumberLine, Side},
-    labs::{
-        space::{prelude::*, soup::surface_link},
-        surfaces::methods::on_raster::{
-            faces, fitting, lettered, name_of, pixels, raster_so_far, sight,
-        },
-        words::pixel_formula,
-    },
 };
+
+use super::super::prelude::*;
 
 use super::names::{asked, hits, turn};
 
-const RASTER_VIEW: &str = "raster";
 const ASKED_VIEW: &str = "asked";
 const AXIS_VIEW: &str = "axis";
 /// Of more triangles the table has only those that were hit.
 const MOST_ROWS: usize = 12;
 
 pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
-    let Some(scenery) = at.scenery else {
-        return Vec::new();
-    };
-    let scene = scenery.scene();
     let own = now(at).or(at.step.held.nearest.map(|hit| hit.id));
-    let look = faces([(own, Role::Accent)], scene);
-    let views = vec![
-        scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
-        View::new(RASTER_VIEW, Body::Raster(raster(at, own))),
-        View::new(ASKED_VIEW, Body::Table(table(at, scenery))),
-        View::new(AXIS_VIEW, Body::NumberLine(axis(at, scenery))),
-    ];
-    fitting(scenery, views)
+    on_raster::views(at, |scenery| {
+        let look = faces([(own, Role::Accent)], scenery.scene());
+        vec![
+            scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
+            View::new(RASTER_VIEW, Body::Raster(raster(at, own))),
+            View::new(ASKED_VIEW, Body::Table(table(at, scenery))),
+            View::new(AXIS_VIEW, Body::NumberLine(axis(at, scenery))),
+        ]
+    })
 }
 
 const fn meeting_key(meeting: Meeting) -> &'static str {
@@ -55,10 +46,10 @@ fn cast(at: &At<'_, RayCasting>) -> Option<([u32; 2], Ray)> {
 }
 
 fn now(at: &At<'_, RayCasting>) -> Option<u32> {
-    let Event::Ask { id, .. } = at.step.event()? else {
-        return None;
-    };
-    Some(id)
+    match at.step.event()? {
+        Event::Ask { id, .. } => Some(id),
+        _ => None,
+    }
 }
 
 /// The ray as far as it has been followed, and where it meets planes: the nearest hit filled, others hollow.

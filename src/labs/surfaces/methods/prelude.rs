@@ -1,0 +1,18 @@
+//! The words of every method of this lab: those of all methods in space, and those of large pixels.
+
+pub(super) use crate::{
+    algo::surface::{Picture, Rays, Surfaces},
+    labs::{
+        space::{
+            prelude::*,
+            soup::{surface_link, surfaces_on_raster},
+        },
+        words::pixel_formula,
+    },
+};
+
+pub(super) use super::on_raster::{
+    self, RASTER_VIEW, faces, lettered, lettered_or_outlined, middle, middle_of, name_of, outline,
+    pixels, plane_of, raster_so_far, segment, sight, sign, spaced, text_of, titled, tone, triangle,
+    wrong_pixels,
+};
