@@ -26,6 +26,24 @@ pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static 
     CodeLine { depth, code, words }
 }
 
+/// A table of mistakes. Of each: its id, its name, what is said at the first step that the right method does not do, and the lines
+/// of pseudocode that are other ones.
+macro_rules! mistakes {
+    ($variant:ident: $($rules:ident {
+        $id:literal, $name_key:literal, $differs_key:literal;
+        $($code:ident = $right:ident but $($line:ident: $as_code:literal $in_words:literal),+;)+
+    })+) => { $(
+        impl $variant for $rules {
+            const ID: &'static str = $id;
+            const NAME_KEY: &'static str = $name_key;
+            const DIFFERS_KEY: Option<&'static str> = Some($differs_key);
+            $(const $code: &'static [CodeLine] = &but_for($right, [$(($line, $as_code, $in_words)),+]);)+
+        }
+    )+ };
+}
+
+pub(super) use mistakes;
+
 /// Pseudocode with other lines in some places, each given by its two keys: as deep as what stood there.
 pub(super) const fn but_for<const M: usize, const N: usize>(
     mut lines: [CodeLine; M],

@@ -2,14 +2,17 @@
 //! line below.
 
 use crate::{
-    algo::polygon,
+    algo::polygon::{
+        EarClipping, Pipeline, SutherlandHodgman, TriangulateAndClip,
+        faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, LeavesOpen, WalksClockwise},
+        weiler_atherton::WeilerAtherton,
+    },
     labs::{Lab, Listed, MethodCard, MethodEntry, window_handles},
 };
 
 use super::{
     Method, MethodInfo, PolygonTelling, Scene,
     change::OUTLINES,
-    methods::faulty,
     verdict::{fate, found},
 };
 
@@ -44,16 +47,16 @@ const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
 
 /// Every method, in the order in which they are taught.
 pub static METHODS: [MethodEntry<MethodInfo>; 10] = [
-    info::<polygon::SutherlandHodgman>(),
-    info::<polygon::Pipeline>(),
-    info::<polygon::weiler_atherton::WeilerAtherton>(),
-    info::<polygon::EarClipping>(),
-    info::<polygon::TriangulateAndClip>(),
-    info::<faulty::OnBorder>(),
-    info::<faulty::Open>(),
-    info::<faulty::Clockwise>(),
-    info::<faulty::Twice>(),
-    info::<faulty::EndBeforeCrossing>(),
+    info::<SutherlandHodgman>(),
+    info::<Pipeline>(),
+    info::<WeilerAtherton>(),
+    info::<EarClipping>(),
+    info::<TriangulateAndClip>(),
+    info::<Faulty<DropsOnBorder>>(),
+    info::<Faulty<LeavesOpen>>(),
+    info::<Faulty<WalksClockwise>>(),
+    info::<Faulty<CutsTwice>>(),
+    info::<Faulty<EndFirst>>(),
 ];
 
 impl Listed for MethodInfo {

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::{
-        polygon::{ClipRegion, Vertex},
+        polygon::{ClipRegion, Right, Rules, Vertex},
         ring::{Happening, RingEvent},
     },
     geom::{Axis, Edge, Segment, Window},
@@ -15,37 +15,31 @@ use crate::{
 
 use super::prelude::*;
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct EdgeLook {
-    /// Takes the wrong side of every edge for its inside.
-    pub is_flipped: bool,
-    /// Takes what lies on an edge for outside.
-    pub is_strict: bool,
-}
-
-impl EdgeLook {
-    pub const RIGHT: Self = Self {
-        is_flipped: false,
-        is_strict: false,
-    };
-}
-
 #[derive(Clone, Copy)]
 pub struct ClipEdge<'a> {
     region: &'a ClipRegion,
     idx: usize,
-    look: EdgeLook,
+    /// Takes the wrong side of every edge for its inside.
+    is_flipped: bool,
+    /// Takes what lies on an edge for outside.
+    is_strict: bool,
 }
 
 pub type NamedPoint = (String, Point);
 
 pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
-    ClipEdge::new(region, edge_idx, EdgeLook::RIGHT).name()
+    ClipEdge::new::<Right>(region, edge_idx).name()
 }
 
 impl<'a> ClipEdge<'a> {
-    pub const fn new(region: &'a ClipRegion, idx: usize, look: EdgeLook) -> Self {
-        Self { region, idx, look }
+    /// As these rules look at it.
+    pub const fn new<L: Rules>(region: &'a ClipRegion, idx: usize) -> Self {
+        Self {
+            region,
+            idx,
+            is_flipped: L::CLOCKWISE,
+            is_strict: !L::BORDER_IS_INSIDE,
+        }
     }
 
     pub const fn idx(&self) -> usize {
@@ -77,7 +71,7 @@ impl<'a> ClipEdge<'a> {
             }
         };
         let ends = [a, b].map(Point::to_array);
-        if self.look.is_flipped {
+        if self.is_flipped {
             [ends[1], ends[0]]
         } else {
             ends
@@ -108,12 +102,12 @@ impl<'a> ClipEdge<'a> {
     }
 
     fn is_upper(&self, edge: Edge) -> bool {
-        edge.is_max() != self.look.is_flipped
+        edge.is_max() != self.is_flipped
     }
 
     /// `≥`, `<` and so on: how a coordinate, or a distance, of the inside or the outside stands to the border.
     const fn relation(&self, is_inside: bool, is_upper: bool) -> &'static str {
-        match (is_inside != is_upper, is_inside != self.look.is_strict) {
+        match (is_inside != is_upper, is_inside != self.is_strict) {
             (true, true) => " ≥ ",
             (true, false) => " > ",
             (false, true) => " ≤ ",
@@ -155,7 +149,7 @@ impl<'a> ClipEdge<'a> {
 
     fn dot_product(&self, formula: Formula, at: Point) -> Formula {
         let plane = self.region.half_planes()[self.idx];
-        let sign = if self.look.is_flipped { -1.0 } else { 1.0 };
+        let sign = if self.is_flipped { -1.0 } else { 1.0 };
         let (normal, at, origin) = (plane.normal(), at.to_array(), plane.origin().to_array());
         let terms = (0..2).filter(|&i| normal[i] != 0.0);
         terms.enumerate().fold(formula, |formula, (nth, i)| {

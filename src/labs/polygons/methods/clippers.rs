@@ -3,7 +3,7 @@
 use crate::{
     algo::{
         polygon::{
-            Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage,
+            Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage, Right,
             SutherlandHodgmanInput as Input,
         },
         ring::RingEvent,
@@ -13,7 +13,7 @@ use crate::{
 };
 
 use super::{
-    clip_edge::{ClipEdge, EdgeLook},
+    clip_edge::ClipEdge,
     lists::{output_symbol, vertex_link},
     prelude::*,
 };
@@ -48,7 +48,7 @@ impl Now {
 }
 
 pub fn edge(input: &Input, stage_idx: usize) -> ClipEdge<'_> {
-    ClipEdge::new(&input.region, stage_idx, EdgeLook::RIGHT)
+    ClipEdge::new::<Right>(&input.region, stage_idx)
 }
 
 pub fn row(step: &Step<'_, Pipeline>) -> ClipperRow {

@@ -58,7 +58,7 @@ pub fn edge<'a, V: LabVertex, L: Variant>(
             }
         }
     };
-    Some(ClipEdge::new(region, idx, L::LOOK))
+    Some(ClipEdge::new::<L>(region, idx))
 }
 
 pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {

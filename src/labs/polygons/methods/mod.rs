@@ -5,7 +5,6 @@ mod clippers;
 mod drawing;
 mod ear_clipping;
 mod fates;
-pub mod faulty;
 mod list_view;
 mod lists;
 mod pipeline;

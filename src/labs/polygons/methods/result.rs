@@ -1,9 +1,9 @@
 //! What the last list of Sutherland–Hodgman amounts to, and the bridges in it.
 
-use crate::algo::polygon::{ClipRegion, ClippedRing, RingOutcome, Vertex};
+use crate::algo::polygon::{ClipRegion, ClippedRing, Right, RingOutcome, Vertex};
 
 use super::{
-    clip_edge::{ClipEdge, EdgeLook},
+    clip_edge::ClipEdge,
     lists::{NAMED, outline},
     prelude::*,
     skin::LabVertex,
@@ -57,7 +57,7 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
         .collect();
     let is_counter_clockwise = edges.iter().map(|&e| cross(e, ring[0].at())).sum::<f64>() > 0.0;
     let borders: Vec<_> = (0..region.n_edges())
-        .map(|idx| ClipEdge::new(region, idx, EdgeLook::RIGHT))
+        .map(|idx| ClipEdge::new::<Right>(region, idx))
         .collect();
     let is_bridge = |&ends: &[Point; 2]| {
         let mut borders = borders.iter().filter(|border| border.carries(ends));

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::{
-    algo::polygon::{Textured, Vertex},
+    algo::polygon::{Textured, Vertex, faulty::KeepsUv},
     figure::Texel,
     labs::crossing_formulas::Weights,
 };
@@ -53,6 +53,22 @@ impl LabVertex for Textured {
 
     fn uv(&self) -> Option<[f64; 2]> {
         Some(self.uv)
+    }
+}
+
+impl LabVertex for KeepsUv {
+    fn with_uv(at: Point, uv: [f64; 2]) -> Self {
+        Self { at, uv }
+    }
+
+    fn uv(&self) -> Option<[f64; 2]> {
+        Some(self.uv)
+    }
+
+    fn uv_formula(&self, ends: [&NamedVertex<Self>; 2], _: &Weights) -> Option<Formula> {
+        let owner = ends.into_iter().find(|end| end.vertex.uv == self.uv)?;
+        let formula = sym(format!("uv(I) = uv({}) = ", owner.symbol));
+        Some(formula.point(self.uv))
     }
 }
 

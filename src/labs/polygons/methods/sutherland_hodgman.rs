@@ -3,8 +3,8 @@
 use crate::{
     algo::{
         polygon::{
-            ClipRegion, Right, RingOutcome, Rule, SutherlandHodgman,
-            SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input, Textured,
+            ClipRegion, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+            SutherlandHodgmanInput as Input, Textured, faulty::KeepsUv,
         },
         ring::{Crossing, EdgeTest, Happening, Known, RingEvent},
     },
@@ -19,7 +19,6 @@ use crate::{
 use super::{
     super::handles::corner_link,
     drawing::{Picture, edge, marks},
-    faulty::Kept,
     list_view::lists,
     lists::{LISTS, output_symbol, rows as list_rows},
     prelude::*,
@@ -28,11 +27,6 @@ use super::{
 };
 
 pub const SOURCE: &str = "Sutherland & Hodgman, 1974";
-
-impl Variant for Right {
-    const ID: &'static str = "sutherland-hodgman";
-    const NAME_KEY: &'static str = "alg-sutherland-hodgman";
-}
 
 impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
     const CARRIES_TEXTURE: bool = L::DIFFERS_KEY.is_none();
@@ -75,7 +69,7 @@ impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
             }
             Texture::Kept => {
                 let input = textured(scene)?;
-                Box::new(Recorded::<SutherlandHodgman<Kept, L>>::new(input, None))
+                Box::new(Recorded::<SutherlandHodgman<KeepsUv, L>>::new(input, None))
             }
         })
     }
@@ -141,7 +135,7 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = SOURCE;
-    const CODE: &'static [CodeLine] = &L::CODE;
+    const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
     const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P", "t"])];
 

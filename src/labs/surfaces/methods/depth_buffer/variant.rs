@@ -45,17 +45,6 @@ const REVERSED: Pseudocode = but_for(
     ],
 );
 
-const ALWAYS: [(usize, &str, &str); 1] = [(
-    COMPARE,
-    "code-faulty-depth-always",
-    "words-faulty-depth-always",
-)];
-const STRAIGHT: [(usize, &str, &str); 1] = [(
-    FRAGMENT,
-    "code-faulty-depth-straight",
-    "words-faulty-depth-straight",
-)];
-
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
     const NAME_KEY: &'static str;
@@ -72,58 +61,28 @@ impl Variant for Right {
     const REVERSED: &'static [CodeLine] = &REVERSED;
 }
 
-impl Variant for ClearsToNear {
-    const ID: &'static str = "faulty-depth-clear";
-    const NAME_KEY: &'static str = "alg-faulty-depth-clear";
-    const CODE: &'static [CodeLine] = &but_for(
-        RIGHT,
-        [(CLEAR, "code-faulty-depth-clear", "words-faulty-depth-clear")],
-    );
-    const REVERSED: &'static [CodeLine] = &but_for(
-        REVERSED,
-        [(
-            CLEAR,
-            "code-faulty-depth-clear-reversed",
-            "words-faulty-depth-clear-reversed",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-clear-differs");
-}
-
-impl Variant for TurnsComparison {
-    const ID: &'static str = "faulty-depth-compare";
-    const NAME_KEY: &'static str = "alg-faulty-depth-compare";
-    const CODE: &'static [CodeLine] = &but_for(
-        RIGHT,
-        [(
-            COMPARE,
-            "code-faulty-depth-compare",
-            "words-faulty-depth-compare",
-        )],
-    );
-    const REVERSED: &'static [CodeLine] = &but_for(
-        REVERSED,
-        [(
-            COMPARE,
-            "code-depth-compare",
-            "words-faulty-depth-compare-reversed",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-compare-differs");
-}
-
-impl Variant for WritesAlways {
-    const ID: &'static str = "faulty-depth-always";
-    const NAME_KEY: &'static str = "alg-faulty-depth-always";
-    const CODE: &'static [CodeLine] = &but_for(RIGHT, ALWAYS);
-    const REVERSED: &'static [CodeLine] = &but_for(REVERSED, ALWAYS);
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-always-differs");
-}
-
-impl Variant for StraightDistance {
-    const ID: &'static str = "faulty-depth-straight";
-    const NAME_KEY: &'static str = "alg-faulty-depth-straight";
-    const CODE: &'static [CodeLine] = &but_for(RIGHT, STRAIGHT);
-    const REVERSED: &'static [CodeLine] = &but_for(REVERSED, STRAIGHT);
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-depth-straight-differs");
+mistakes! { Variant:
+    ClearsToNear {
+        "faulty-depth-clear", "alg-faulty-depth-clear", "faulty-depth-clear-differs";
+        CODE = RIGHT but CLEAR: "code-faulty-depth-clear" "words-faulty-depth-clear";
+        REVERSED = REVERSED but
+            CLEAR: "code-faulty-depth-clear-reversed" "words-faulty-depth-clear-reversed";
+    }
+    TurnsComparison {
+        "faulty-depth-compare", "alg-faulty-depth-compare", "faulty-depth-compare-differs";
+        CODE = RIGHT but COMPARE: "code-faulty-depth-compare" "words-faulty-depth-compare";
+        REVERSED = REVERSED but
+            COMPARE: "code-depth-compare" "words-faulty-depth-compare-reversed";
+    }
+    WritesAlways {
+        "faulty-depth-always", "alg-faulty-depth-always", "faulty-depth-always-differs";
+        CODE = RIGHT but COMPARE: "code-faulty-depth-always" "words-faulty-depth-always";
+        REVERSED = REVERSED but COMPARE: "code-faulty-depth-always" "words-faulty-depth-always";
+    }
+    StraightDistance {
+        "faulty-depth-straight", "alg-faulty-depth-straight", "faulty-depth-straight-differs";
+        CODE = RIGHT but FRAGMENT: "code-faulty-depth-straight" "words-faulty-depth-straight";
+        REVERSED = REVERSED but
+            FRAGMENT: "code-faulty-depth-straight" "words-faulty-depth-straight";
+    }
 }

@@ -44,26 +44,13 @@ impl Variant for Right {
     const CODE: &'static [CodeLine] = &RIGHT;
 }
 
-impl Variant for NearestKeys {
-    const ID: &'static str = "faulty-painter-nearest";
-    const NAME_KEY: &'static str = "alg-faulty-painter-nearest";
-    const CODE: &'static [CodeLine] = &but_for(
-        RIGHT,
-        [(
-            KEY,
-            "code-faulty-painter-nearest",
-            "words-faulty-painter-nearest",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-nearest-differs");
-}
-
-impl Variant for KeysOnly {
-    const ID: &'static str = "faulty-painter-keys";
-    const NAME_KEY: &'static str = "alg-faulty-painter-keys";
-    const CODE: &'static [CodeLine] = &but_for(
-        RIGHT,
-        [(ASK, "code-faulty-painter-keys", "words-faulty-painter-keys")],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-painter-keys-differs");
+mistakes! { Variant:
+    NearestKeys {
+        "faulty-painter-nearest", "alg-faulty-painter-nearest", "faulty-painter-nearest-differs";
+        CODE = RIGHT but KEY: "code-faulty-painter-nearest" "words-faulty-painter-nearest";
+    }
+    KeysOnly {
+        "faulty-painter-keys", "alg-faulty-painter-keys", "faulty-painter-keys-differs";
+        CODE = RIGHT but ASK: "code-faulty-painter-keys" "words-faulty-painter-keys";
+    }
 }
