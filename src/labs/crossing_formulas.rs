@@ -7,7 +7,7 @@ use crate::{
     text::Formula,
 };
 
-use super::words::{along, axis_symbol, sym};
+use super::words::{along, axis_symbol, sum_of, sym};
 
 /// Both ends' distances from a border, positive where it lies between them.
 pub struct Weights {
@@ -118,21 +118,20 @@ pub fn fixed([nx, ny]: [f64; 2], origin: Point) -> Option<(Axis, f64)> {
 /// Where a segment crosses the line on which the `axis` coordinate is `c`: both weights, then the other coordinate.
 /// Where the line passes through an end there is nothing to compute.
 pub fn upright(segment: &Segment, axis: Axis, c: f64, at: Point) -> Vec<Formula> {
-    let [[a1, o1], [a2, o2]] = [segment.p1, segment.p2].map(|p| along(p, axis));
-    if a1 == c || a2 == c {
-        return taken(axis, at);
-    }
-    let free = along(at, axis)[1];
-    let mean = Weights::along([a1, a2], c).mean(other_symbol(axis), [o1, o2], free);
-    let [w1, w2] = Weights::differences([a1, a2], c);
-    vec![w1, w2, mean]
+    let ends = [segment.p1, segment.p2].map(Point::to_array);
+    upright_in_space(&ends, axis as usize, c, at.to_array())
 }
 
-/// The same in space, on the face on which the coordinate of `axis` is `c`: both weights, then the other two coordinates.
-pub fn upright_in_space(ends: &[[f64; 3]; 2], axis: usize, c: f64, at: [f64; 3]) -> Vec<Formula> {
+/// The same on the face on which the coordinate of `axis` is `c`: both weights, then the other coordinates.
+pub fn upright_in_space<const N: usize>(
+    ends: &[[f64; N]; 2],
+    axis: usize,
+    c: f64,
+    at: [f64; N],
+) -> Vec<Formula> {
     const SYMBOLS: [&str; 3] = ["x", "y", "z"];
     let along = ends.map(|end| end[axis]);
-    let others = (0..3).filter(|&other| other != axis);
+    let others = (0..N).filter(|&other| other != axis);
     if along.contains(&c) {
         let taken = |i: usize| sym(SYMBOLS[i]).sym(" = ").num(at[i]);
         return others.map(taken).collect();
@@ -145,18 +144,24 @@ pub fn upright_in_space(ends: &[[f64; 3]; 2], axis: usize, c: f64, at: [f64; 3])
 
 /// `y = 1`: the other coordinate of a point that was there already, an end or a corner.
 pub fn taken(axis: Axis, at: Point) -> Vec<Formula> {
-    let formula = sym(other_symbol(axis));
-    vec![formula.sym(" = ").num(along(at, axis)[1])]
-}
-
-const fn other_symbol(axis: Axis) -> &'static str {
-    match axis {
+    let symbol = match axis {
         Axis::X => axis_symbol(Axis::Y),
         Axis::Y => axis_symbol(Axis::X),
-    }
+    };
+    vec![sym(symbol).sym(" = ").num(along(at, axis)[1])]
 }
 
 pub fn oblique(symbol: &'static str, ends: [Point; 2], distances: [f64; 2], at: Point) -> Formula {
     let ends = ends.map(Point::to_array);
     Weights::across(distances).mean_of_points(symbol, ends, at.to_array())
+}
+
+/// `2 · (−3 − 0) + (−1) · (1 − 2)`: a normal times what lies between a point and the origin of its line.
+pub fn dot_product(formula: Formula, normal: [f64; 2], at: Point, origin: Point) -> Formula {
+    let differences = at.to_array().into_iter().zip(origin.to_array());
+    let terms = normal.into_iter().zip(differences);
+    let terms = terms.filter(|&(n, _)| n != 0.0);
+    sum_of(formula, terms, |formula, (a, o)| {
+        formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")")
+    })
 }

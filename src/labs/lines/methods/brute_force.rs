@@ -3,19 +3,13 @@
 use std::cmp::Ordering;
 
 use crate::{
-    algo::line::{BruteForce, BruteForceEvent as Event, End, WindowInput},
-    geom::{Edge, Point, Segment},
-    labs::{
-        crossing_formulas::upright,
-        lines::{LineTelling, Scene},
-        prelude::*,
-        segments::{ENDS, end_named, left_in},
-        words::{along, axis_symbol, border_equation, edge_link, edge_name},
-    },
+    algo::line::{BruteForce, BruteForceEvent as Event},
+    labs::segments::{ENDS, end_named, left_in},
 };
 
 use super::{
     crossings::{Fate, Shown, crossing_table, crossing_values, current_edge, tests_table},
+    prelude::*,
     shared::{
         border_mark, crossing_mark, end_now, ends, inside_mark, outside_marks, parallel_formula,
         segment_marks, side,
@@ -81,12 +75,12 @@ impl Telling for BruteForce {
     fn named(At { step, .. }: &At<'_, Self>, of: &str) -> Option<Named> {
         let (WindowInput { window, segment }, event) = (step.input, step.event());
         let edge = || current_edge(event);
-        let worked_out = |nth| {
-            let Some(Event::Intersect { edge, at, .. }) = event else {
-                return None;
-            };
-            let formulas = upright(segment, edge.axis(), window.border(edge), at);
-            formulas.into_iter().nth(nth)
+        let worked_out = |nth| match event {
+            Some(Event::Intersect { edge, at, .. }) => {
+                let formulas = upright(segment, edge.axis(), window.border(edge), at);
+                formulas.into_iter().nth(nth)
+            }
+            _ => None,
         };
         Some(match of {
             "P₁" => end_now(End::P1, step.held.ends[0]),

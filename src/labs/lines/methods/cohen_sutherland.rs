@@ -3,22 +3,21 @@
 use crate::{
     algo::line::{
         BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
-        End, Outcode,
+        Outcode,
     },
-    geom::{Axis, Edge, Segment},
     labs::{
-        crossing_formulas::upright,
-        lines::{LineTelling, Scene},
-        prelude::*,
         segments::{
             CodeStep,
             code_step::{CodeKeys, CodeLook},
         },
-        words::{border_equation, edge_link, edge_name, position_formula},
+        words::position_formula,
     },
 };
 
-use super::shared::{crossing_mark, outside_marks, point, region_key, segment_marks, side_key};
+use super::{
+    prelude::*,
+    shared::{self, crossing_mark, outside_marks, point, region_key, segment_marks, side_key},
+};
 
 type Shown<'a> = CodeStep<'a, 2, Input>;
 
@@ -55,7 +54,7 @@ impl CodeLook<2> for Input {
     }
 
     fn side(edge: Edge) -> Named {
-        Named::from(edge_name(edge)).linked(edge_link(edge))
+        shared::side(edge)
     }
 
     fn column(edge: Edge) -> Value {
@@ -155,13 +154,10 @@ fn regions(shown: &Shown<'_>) -> Vec<Mark> {
         (ymin, ymax, None),
         (ymax, f64::INFINITY, Some(Edge::Top)),
     ];
-    let mut marks: Vec<Mark> = Edge::ALL
-        .into_iter()
-        .map(|edge| {
-            let border = Shape::Border(edge.axis(), window.border(edge));
-            Mark::new(Role::Faint, border)
-        })
-        .collect();
+    let border = |edge: Edge| Shape::Border(edge.axis(), window.border(edge));
+    let mut marks = Edge::ALL
+        .map(|edge| Mark::new(Role::Faint, border(edge)))
+        .to_vec();
     let deciding = shown.deciding();
     let column = deciding.and_then(|edge| order.written().iter().position(|&e| e == edge));
     let beyond = |code: Outcode| deciding.is_some_and(|edge| code.has(edge, order));

@@ -6,15 +6,14 @@ use glam::DVec2;
 use crate::{
     algo::line::{CyrusBeckEvent as Event, CyrusBeckRow as Row},
     figure::{Measured, Product, Products, Vector},
-    geom::{ConvexPolygon, Point, Segment, extent},
+    geom::{ConvexPolygon, extent},
     labs::{
         interval::direction,
-        prelude::*,
         segments::{LineStep, row_values},
     },
 };
 
-use super::shared::on_line;
+use super::{prelude::*, shared::on_line};
 
 pub type Shown<'a> = LineStep<'a, 2, ConvexPolygon>;
 

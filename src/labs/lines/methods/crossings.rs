@@ -1,15 +1,11 @@
 //! The crossings that brute force computes, and what they were good for.
 
 use crate::{
-    algo::line::{BruteForce, BruteForceEvent as Event, End, Ratio, WindowInput},
-    geom::{Edge, Point},
-    labs::{
-        prelude::*,
-        words::{along, edge_link, end_symbol},
-    },
+    algo::line::{BruteForce, BruteForceEvent as Event, Ratio},
+    labs::words::end_symbol,
 };
 
-use super::shared::side_key;
+use super::{prelude::*, shared::side_key};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Fate {

@@ -2,20 +2,19 @@
 
 use crate::{
     algo::{
-        line::{CyrusBeck, CyrusBeckInput, CyrusBeckRow, End},
+        line::{CyrusBeck, CyrusBeckInput, CyrusBeckRow},
         ring::Right,
     },
-    geom::{ConvexPolygon, Point, Segment},
+    geom::ConvexPolygon,
     labs::{
-        crossing_formulas::{fixed, oblique, taken, upright},
-        lines::{LineTelling, Scene},
-        prelude::*,
+        crossing_formulas::{dot_product, fixed, oblique, taken},
         segments::{LineKeys, LineLook, LineVariant, SeenRow},
     },
 };
 
 use super::{
     convex_edges::{Shown, edge_in_hand, edge_link, edge_marks, edge_name, edge_table, products},
+    prelude::*,
     shared::{SegmentInterval, point},
 };
 
@@ -91,7 +90,8 @@ impl LineLook<2> for ConvexPolygon {
             .sym(" − ")
             .operand(d1)
             .equals(slope);
-        vec![distance_formula(normal, point(ends[0]), origin, d1), along]
+        let distance = dot_product(sym("n·(P₁ − E) = "), normal, point(ends[0]), origin);
+        vec![distance.equals(d1), along]
     }
 
     /// A touched vertex is taken as it is; along an axis one coordinate is computed, else both.
@@ -140,15 +140,4 @@ impl LineLook<2> for ConvexPolygon {
         marks.extend(interval.marks(&shown.input.segment));
         vec![View::plane(marks)]
     }
-}
-
-/// `n·(P₁ − E) = 2 · (−3 − 0) + (−1) · (1 − 2) = −5`.
-fn distance_formula(normal: [f64; 2], p: Point, origin: Point, d: f64) -> Formula {
-    let differences = p.to_array().into_iter().zip(origin.to_array());
-    let terms = normal.into_iter().zip(differences);
-    let terms = terms.filter(|&(n, _)| n != 0.0);
-    let formula = sum_of(sym("n·(P₁ − E) = "), terms, |formula, (a, o)| {
-        formula.sym(" · (").num(a).sym(" − ").operand(o).sym(")")
-    });
-    formula.equals(d)
 }

@@ -1,20 +1,14 @@
 //! Liang–Barsky, shown.
 
 use crate::{
-    algo::{
-        line::{End, LiangBarsky, WindowInput},
-        ring::Right,
-    },
-    geom::{Edge, Segment, Window},
-    labs::{
-        lines::{LineTelling, Scene},
-        prelude::*,
-        segments::{LineKeys, LineLook, LineStep, LineVariant, SeenRow},
-        words::{along, border_equation},
-    },
+    algo::{line::LiangBarsky, ring::Right},
+    labs::segments::{LineKeys, LineLook, LineStep, LineVariant, SeenRow},
 };
 
-use super::shared::{SegmentInterval, outside_marks, point, put_formulas, side, side_key};
+use super::{
+    prelude::*,
+    shared::{SegmentInterval, ends, outside_marks, point, put_formulas, side, side_key},
+};
 
 impl LineTelling for LiangBarsky {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
@@ -131,8 +125,7 @@ impl LineLook<2> for Window {
 
     fn drawing(shown: &LineStep<'_, 2, Self>, _: Option<&()>) -> Vec<View> {
         let WindowInput { window, segment } = shown.input;
-        let ends = [segment.p1.to_array(), segment.p2.to_array()];
-        let mut marks = vec![Mark::new(Role::Faint, Shape::Line(ends))];
+        let mut marks = vec![Mark::new(Role::Faint, Shape::Line(ends(*segment)))];
         if let Some(edge) = shown.in_hand() {
             marks.extend(outside_marks(window, edge));
         }

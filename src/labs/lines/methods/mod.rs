@@ -7,6 +7,7 @@ mod crossings;
 mod cyrus_beck;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
+mod prelude;
 mod sectors;
 mod shared;
 

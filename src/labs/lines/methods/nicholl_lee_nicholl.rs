@@ -2,19 +2,17 @@
 
 use crate::{
     algo::line::{
-        CornerLine, End, NichollLeeNicholl, NichollLeeNichollEvent as Event, Question, Turn,
-        WindowInput, WindowRegion,
+        CornerLine, NichollLeeNicholl, NichollLeeNichollEvent as Event, Question, Turn,
+        WindowRegion,
     },
-    geom::{Axis, Edge, Point, Segment, Window},
     labs::{
-        lines::{LineTelling, Scene},
-        prelude::*,
         segments::{ENDS, end_named, left_in},
-        words::{border_equation, edge_name, position_formula},
+        words::position_formula,
     },
 };
 
 use super::{
+    prelude::*,
     sectors::{self, turn_key},
     shared::{
         border_mark, crossing_mark, end_now, ends, put_formulas, region_key, segment_marks, side,

@@ -6,13 +6,9 @@
 
 use glam::DVec2;
 
-use crate::{
-    algo::line::{NichollLeeNicholl, NichollLeeNichollEvent as Event, Turn, WindowInput},
-    geom::{Edge, Point, Segment, Window},
-    labs::prelude::*,
-};
+use crate::algo::line::{NichollLeeNicholl, NichollLeeNichollEvent as Event, Turn};
 
-use super::shared::side_key;
+use super::{prelude::*, shared::side_key};
 
 /// Half of the room that a sector's name wants, as a part of the window's smaller side; and the steps in which it may get
 /// less.

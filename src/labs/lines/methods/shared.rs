@@ -2,18 +2,17 @@
 
 use crate::{
     algo::{
-        line::{End, Ratio, corner_between},
+        line::{Ratio, corner_between},
         segment::VisibleLine,
     },
     figure::Side,
-    geom::{Axis, Edge, Point, Segment, Window},
     labs::{
-        crossing_formulas::{taken, upright},
+        crossing_formulas::taken,
         interval::{ShownCrossing, ShownInterval},
-        prelude::*,
-        words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },
 };
+
+use super::prelude::*;
 
 pub fn point([x, y]: [f64; 2]) -> Point {
     Point::new(x, y).unwrap_or_default()
@@ -98,11 +97,11 @@ pub fn put_formulas(
 
 /// `Δx = 0`: why there is no crossing.
 pub fn parallel_formula(segment: &Segment, edge: Edge) -> Formula {
-    let (symbol, axis) = match edge.axis() {
-        Axis::X => ("x₁ = x₂ = ", Axis::X),
-        Axis::Y => ("y₁ = y₂ = ", Axis::Y),
+    let symbol = match edge.axis() {
+        Axis::X => "x₁ = x₂ = ",
+        Axis::Y => "y₁ = y₂ = ",
     };
-    sym(symbol).num(along(segment.p1, axis)[0])
+    sym(symbol).num(along(segment.p1, edge.axis())[0])
 }
 
 pub const fn side_key(edge: Edge) -> &'static str {

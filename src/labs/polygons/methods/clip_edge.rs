@@ -7,7 +7,7 @@ use crate::{
     },
     geom::{Axis, Edge, Segment, Window},
     labs::{
-        crossing_formulas::{Weights, fixed, oblique, upright},
+        crossing_formulas::{Weights, dot_product, fixed, oblique, upright},
         rings::Asked,
         words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },
@@ -147,20 +147,12 @@ impl<'a> ClipEdge<'a> {
         }
     }
 
+    /// `1 · (3 − 1) + 2 · (0 − 2)`: as a flipped variant has it, with the normal turned round.
     fn dot_product(&self, formula: Formula, at: Point) -> Formula {
         let plane = self.region.half_planes()[self.idx];
         let sign = if self.is_flipped { -1.0 } else { 1.0 };
-        let (normal, at, origin) = (plane.normal(), at.to_array(), plane.origin().to_array());
-        let terms = (0..2).filter(|&i| normal[i] != 0.0);
-        terms.enumerate().fold(formula, |formula, (nth, i)| {
-            let formula = if nth == 0 {
-                formula.num(sign * normal[i])
-            } else {
-                formula.sym(" + ").operand(sign * normal[i])
-            };
-            let difference = formula.sym(" · (").num(at[i]).sym(" − ");
-            difference.operand(origin[i]).sym(")")
-        })
+        let normal = plane.normal().map(|n| sign * n);
+        dot_product(formula, normal, at, plane.origin())
     }
 
     fn upright_line(&self) -> Option<(Axis, f64)> {
