@@ -1,16 +1,9 @@
 //! The two lists beside each other, the same intersections linked: of long ones what lies about the step.
 
-use crate::algo::{
-    line::Ratio,
-    polygon::weiler_atherton::{
-        Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
-    },
-};
-
 use super::{
-    super::prelude::*,
     named::label as label_value,
     names,
+    prelude::*,
     standing::{self, BOTH, Standing, vertex_at},
 };
 
@@ -29,7 +22,6 @@ pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
 }
 
 fn legend(step: &Step<'_, WeilerAtherton>) -> Vec<(ItemMarker, Value)> {
-    use IntersectionLabel::{Entering, Leaving, Pinching, Touching};
     let has = |label: IntersectionLabel| step.held.labels.iter().any(|known| known.label == label);
     let rare = [Touching, Pinching].into_iter().filter(|&label| has(label));
     let said = |label| (standing::marker(Some(label)), label_value(label));
@@ -109,11 +101,9 @@ fn column(step: &Step<'_, WeilerAtherton>, list: List) -> Value {
 fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &Entry) -> Option<Value> {
     let node_idx = entry.node()?;
     match standing::label(step.held, node_idx) {
-        Some(label @ (IntersectionLabel::Entering | IntersectionLabel::Leaving)) => {
-            return Some(Value::Term(names::label_key(label)));
-        }
+        Some(label @ (Entering | Leaving)) => return Some(Value::Term(names::label_key(label))),
         // The marker says so, and the name is long: it is also a vertex's.
-        Some(IntersectionLabel::Touching | IntersectionLabel::Pinching) => return None,
+        Some(Touching | Pinching) => return None,
         None => {}
     }
     let is_on_edge = entry.vertex().is_none() && step.held.labels.is_empty();
@@ -154,18 +144,13 @@ fn focus(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {
     let here = |list: List| {
         let mut current = standing::current(step).into_iter();
         let current = current.find(|&(at, _)| at == list).map(|(_, place)| place);
-        let whole = if let Some(Event::Whole {
-            list: whole,
-            places: [start, _],
-            ..
-        }) = step.event()
-        {
-            (whole == list).then_some(start as usize)
-        } else {
-            None
+        let whole = match step.event() {
+            Some(Event::Whole { list, places, .. }) => Some((list, places[0])),
+            _ => None,
         };
-        let walk = step.held.walk.position.filter(|&(at, _)| at == list);
-        current.or(whole).or(walk.map(|(_, place)| place as usize))
+        let here = |it: Option<(List, u32)>| it.filter(|&(at, _)| at == list);
+        let walk = here(whole).or(here(step.held.walk.position));
+        current.or(walk.map(|(_, place)| place as usize))
     };
     here(list).or_else(|| beside(step, list, here(list.other())?))
 }

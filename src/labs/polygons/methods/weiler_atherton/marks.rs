@@ -2,17 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::{
-    algo::polygon::weiler_atherton::{
-        BorderRing, Intersection, List, RingKind, WeilerAtherton, WeilerAthertonEvent as Event,
-        WeilerAthertonHeld as Held,
-    },
-    geom::orientation,
-};
+use crate::{algo::polygon::weiler_atherton::BorderRing, geom::orientation};
 
 use super::{
-    super::prelude::*,
     names,
+    prelude::*,
     standing::{self, BOTH, Standing, Walked},
 };
 

@@ -4,26 +4,18 @@ mod lists;
 mod marks;
 mod named;
 mod names;
+mod prelude;
 mod standing;
 #[cfg(test)]
 mod tests;
 
 use crate::{
-    algo::polygon::weiler_atherton::{
-        Contact,
-        IntersectionLabel::{Entering, Leaving, Pinching, Touching},
-        List::{self, Clip, Subject},
-        Relation,
-        RingKind::{Hole, Outer, Sliver},
-        Side, WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
-        WeilerAthertonOutput,
-    },
+    algo::polygon::weiler_atherton::{Relation, WeilerAthertonOutput},
     geom::{GeomError, Polygon, Region, SimplePolygon},
 };
 
-use super::prelude::*;
-
 use named::{found_named, label, node_named, ring_named};
+use prelude::*;
 use standing::place_of;
 
 const FIND: usize = 0;

@@ -1,21 +1,11 @@
 //! What the names of its table stand for.
 
 use crate::{
-    algo::{
-        line::Ratio,
-        polygon::weiler_atherton::{
-            Contact,
-            IntersectionLabel::{self, Entering, Leaving, Pinching, Touching},
-            List::{self, Clip, Subject},
-            RingKind::Outer,
-            WeilerAtherton, WeilerAthertonEvent as Event, WeilerAthertonInput as Input,
-        },
-    },
     geom::Axis,
     labs::words::{along, axis_symbol},
 };
 
-use super::{super::prelude::*, names};
+use super::{names, prelude::*};
 
 pub fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
     let Event::Found {

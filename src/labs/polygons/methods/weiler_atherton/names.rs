@@ -2,15 +2,9 @@
 //! the clip polygon's; I₁, I₂, … where they meet, in the subject's order. The numbers are those of the outlines as
 //! they were given.
 
-use crate::{
-    algo::polygon::weiler_atherton::{
-        Entry, Intersection, IntersectionLabel, List, Side, WeilerAthertonHeld as Held,
-        WeilerAthertonInput as Input,
-    },
-    geom::{Rings, SimplePolygon},
-};
+use crate::geom::{Rings, SimplePolygon};
 
-use super::super::prelude::*;
+use super::prelude::*;
 
 /// `S₃` or `C₃`.
 pub fn vertex(input: &Input, list: List, vertex_idx: usize) -> String {

@@ -3,12 +3,7 @@
 
 use std::ops::Range;
 
-use crate::algo::polygon::weiler_atherton::{
-    Entry, IntersectionLabel, List, WeilerAtherton, WeilerAthertonEvent as Event,
-    WeilerAthertonHeld as Held,
-};
-
-use super::{super::prelude::*, names};
+use super::{names, prelude::*};
 
 pub const BOTH: [List; 2] = [List::Subject, List::Clip];
 
