@@ -202,30 +202,26 @@ fn links(step: &Step<'_, Pipeline>, [polygon, ring]: &[ListColumn; 2]) -> Vec<Li
 mod tests {
     use super::*;
     use crate::{
-        algo::polygon::SutherlandHodgmanInput,
-        figure::{Body, Frame, Run},
-        geom::{ConvexPolygon, GeomError, Polygon, Window},
-        labs::recorded::Recorded,
+        algo::polygon::ClipRegion,
+        geom::{ConvexPolygon, Polygon, Window},
     };
 
-    fn run(region: impl Into<crate::algo::polygon::ClipRegion>) -> Result<Box<dyn Run>, GeomError> {
-        let polygon = Polygon::new(&[[-2.0, -1.0], [6.0, 1.0], [-2.0, 5.0]])?;
-        let input = SutherlandHodgmanInput::new(region.into(), &polygon);
-        Ok(Box::new(Recorded::<Pipeline>::new(input, None)))
+    fn run(region: impl Into<ClipRegion>) -> Box<dyn Run> {
+        let polygon = Polygon::new(&[[-2.0, -1.0], [6.0, 1.0], [-2.0, 5.0]]).unwrap();
+        let input = Input::new(region.into(), &polygon);
+        Box::new(Recorded::<Pipeline>::new(input, None))
     }
 
-    fn row(frame: Frame) -> ClipperRow {
-        let bodies = frame.views.into_iter().map(|view| view.body);
-        let mut rows = bodies.filter_map(|body| match body {
-            Body::Clippers(row) => Some(row),
-            _ => None,
-        });
-        rows.next_back().expect("a row of clippers")
+    fn row(run: &dyn Run, step: usize) -> ClipperRow {
+        match run.frame(step).views.pop().map(|view| view.body) {
+            Some(Body::Clippers(row)) => row,
+            other => panic!("no row of clippers: {other:?}"),
+        }
     }
 
     #[test]
-    fn a_crossing_takes_the_place_of_a_vertex_outside() -> Result<(), GeomError> {
-        let run = run(Window::new(-4.0, -3.0, 4.0, 3.0)?)?;
+    fn a_crossing_takes_the_place_of_a_vertex_outside() {
+        let run = run(Window::new(-4.0, -3.0, 4.0, 3.0).unwrap());
         let is_cross = |&step: &usize| run.event_json(step)["event"] == "cross";
         let step = (1..=run.n_steps()).find(is_cross).unwrap_or_default();
         let at = |symbol: &str, fate| Traveller {
@@ -233,47 +229,30 @@ mod tests {
             arrow: 2,
             fate,
         };
-        let before = row(run.frame(step - 1));
-        assert_eq!(
-            before.travellers,
-            [at("I", Fate::Due), at("P", Fate::Dropped)]
-        );
-        let row = row(run.frame(step));
-        assert_eq!(
-            row.travellers,
-            [at("I", Fate::GoesOn), at("P", Fate::Dropped)]
-        );
+        let p = at("P", Fate::Dropped);
+        let before = row(&*run, step - 1);
+        assert_eq!(before.travellers, [at("I", Fate::Due), p.clone()]);
+        let row = row(&*run, step);
+        assert_eq!(row.travellers, [at("I", Fate::GoesOn), p]);
         assert_eq!((row.at_work, row.n_out), (Some(1), 1), "right; V₁ is out");
         let right = &row.clippers[1];
         let v1 = Some([-2.0, -1.0]);
         assert_eq!((right.first, right.previous), (v1, v1), "as S → P has it");
         assert_eq!(row.clippers[0].previous, Some([6.0, 1.0]), "V₂ has passed");
-        Ok(())
     }
 
     #[test]
-    fn what_flows_is_on_one_arrow_and_in_the_end_nothing_flows() -> Result<(), GeomError> {
-        let octagon = [
-            [2.0, -5.0],
-            [5.0, -2.0],
-            [5.0, 2.0],
-            [2.0, 5.0],
-            [-2.0, 5.0],
-            [-5.0, 2.0],
-            [-5.0, -2.0],
-            [-2.0, -5.0],
-        ];
-        let run = run(ConvexPolygon::new(&octagon)?)?;
+    fn what_flows_is_on_one_arrow_and_in_the_end_nothing_flows() {
+        let right = [[2.0, -5.0], [5.0, -2.0], [5.0, 2.0], [2.0, 5.0]];
+        let left = right.map(|[x, y]: [f64; 2]| [-x, -y]);
+        let run = run(ConvexPolygon::new(&[right, left].concat()).unwrap());
         for step in 0..=run.n_steps() {
-            let row = row(run.frame(step));
+            let row = row(&*run, step);
             let arrows: Vec<usize> = row.travellers.iter().map(|t| t.arrow).collect();
-            assert!(
-                arrows.iter().all(|&a| a == arrows[0] && a <= 8),
-                "step {step}: {arrows:?}"
-            );
+            let is_one = arrows.iter().all(|&a| a == arrows[0] && a <= 8);
+            assert!(is_one, "step {step}: {arrows:?}");
         }
-        let end = row(run.frame(run.n_steps()));
+        let end = row(&*run, run.n_steps());
         assert!(end.travellers.is_empty() && end.clippers.iter().all(|c| c.is_closed));
-        Ok(())
     }
 }

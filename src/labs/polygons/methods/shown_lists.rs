@@ -36,12 +36,20 @@ pub fn at_step(run: &dyn Run, step: usize) -> Lists {
     }
 }
 
-pub fn names_of(list: &ListColumn, role: Option<Role>) -> String {
+/// The names of a list's entries, of those in this role.
+#[track_caller]
+pub fn assert_names(list: &ListColumn, role: Option<Role>, expected: &str) {
     let catalog = Catalog::of(Lang::En);
     let entries = list.entries.iter();
     let entries = entries.filter(|entry| role.is_none_or(|role| role == entry.role));
     let names: Vec<String> = entries.map(|entry| catalog.value(&entry.name)).collect();
-    names.join(" ")
+    assert_eq!(names.join(" "), expected);
+}
+
+/// The links that are this step's: where from, where to.
+pub fn taken(lists: &Lists) -> Vec<[[usize; 2]; 2]> {
+    let taken = lists.links.iter().filter(|link| link.role == Role::Signal);
+    taken.map(|link| [link.from, link.to]).collect()
 }
 
 pub fn assert_are_short(lists: &Lists) {

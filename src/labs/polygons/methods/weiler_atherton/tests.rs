@@ -1,10 +1,6 @@
 use super::*;
-use crate::{
-    figure::{ListLink, Lists, Role, Run},
-    labs::{
-        polygons::methods::shown_lists::{FORK, assert_are_short, at, at_step, comb, names_of},
-        recorded::Recorded,
-    },
+use crate::labs::polygons::methods::shown_lists::{
+    FORK, assert_are_short, assert_names, at, at_step, comb, taken,
 };
 
 const WINDOW: [[f64; 2]; 4] = [[-4.0, -3.0], [4.0, -3.0], [4.0, 3.0], [-4.0, 3.0]];
@@ -19,71 +15,41 @@ fn run(subject: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Box<dyn Run> {
     Box::new(Recorded::<WeilerAtherton>::new(input, None))
 }
 
-fn taken(lists: &Lists) -> Vec<ListLink> {
-    let links = lists.links.iter();
-    links
-        .filter(|link| link.role == Role::Signal)
-        .copied()
-        .collect()
-}
-
 #[test]
 fn both_lists_grow_where_their_entries_will_be() {
     let run = run(&FORK, &[]);
     let start = at(&*run, "start");
-    assert_eq!(
-        names_of(&start.lists[0], Some(Role::Faint)),
-        "S₁ S₂ S₃ S₄ S₅ S₆"
-    );
+    assert_names(&start.lists[0], Some(Role::Faint), "S₁ S₂ S₃ S₄ S₅ S₆");
     let found = at(&*run, "found");
-    assert_eq!(names_of(&found.lists[0], None), "S₁ S₂ S₃ I₁ S₄ S₅ S₆");
-    assert_eq!(names_of(&found.lists[0], Some(Role::Signal)), "I₁");
-    assert_eq!(names_of(&found.lists[0], Some(Role::Faint)), "S₄ S₅ S₆");
+    assert_names(&found.lists[0], None, "S₁ S₂ S₃ I₁ S₄ S₅ S₆");
+    assert_names(&found.lists[0], Some(Role::Signal), "I₁");
+    assert_names(&found.lists[0], Some(Role::Faint), "S₄ S₅ S₆");
     let inserted = at(&*run, "inserted #2");
-    assert_eq!(names_of(&inserted.lists[1], None), "C₁ C₂ I₄ I₃ C₃ C₄");
-    let [link] = taken(&inserted)[..] else {
-        panic!("one link is new: {inserted:?}");
-    };
-    assert_eq!((link.from, link.to), ([0, 7], [1, 3]));
+    assert_names(&inserted.lists[1], None, "C₁ C₂ I₄ I₃ C₃ C₄");
+    assert_eq!(taken(&inserted), [[[0, 7], [1, 3]]], "one link is new");
 }
 
 #[test]
 fn the_walk_is_in_both_lists() {
     let run = run(&FORK, &[]);
     let switch = at(&*run, "switch clip");
-    assert_eq!(
-        names_of(&switch.lists[0], None),
-        "S₁ S₂ S₃ I₁ S₄ I₂ S₅ I₃ S₆ I₄"
-    );
-    assert_eq!(names_of(&switch.lists[1], None), "C₁ C₂ I₄ I₃ I₂ I₁ C₃ C₄");
-    assert_eq!(names_of(&switch.lists[0], Some(Role::Accent)), "I₁ S₄");
-    assert_eq!(
-        names_of(&switch.lists[1], Some(Role::Accent)),
-        "",
-        "not there yet"
-    );
-    for list in [0, 1] {
-        assert_eq!(names_of(&switch.lists[list], Some(Role::Signal)), "I₂");
-    }
-    let [link] = taken(&switch)[..] else {
-        panic!("one link is taken: {switch:?}");
+    let [subject, clip] = &switch.lists[..] else {
+        panic!("two lists: {switch:?}");
     };
-    assert_eq!((link.from, link.to), ([0, 5], [1, 4]));
+    assert_names(subject, None, "S₁ S₂ S₃ I₁ S₄ I₂ S₅ I₃ S₆ I₄");
+    assert_names(clip, None, "C₁ C₂ I₄ I₃ I₂ I₁ C₃ C₄");
+    assert_names(subject, Some(Role::Accent), "I₁ S₄");
+    // The walk has not been there yet.
+    assert_names(clip, Some(Role::Accent), "");
+    assert_names(subject, Some(Role::Signal), "I₂");
+    assert_names(clip, Some(Role::Signal), "I₂");
+    assert_eq!(taken(&switch), [[[0, 5], [1, 4]]], "one link is taken");
     let closed = at(&*run, "closed");
-    let [link] = taken(&closed)[..] else {
-        panic!("the walk comes back by a link: {closed:?}");
-    };
-    assert_eq!((link.from, link.to), ([1, 5], [0, 3]));
+    assert_eq!(taken(&closed), [[[1, 5], [0, 3]]], "the walk comes back");
     let end = at(&*run, "end");
-    assert_eq!(
-        names_of(&end.lists[0], Some(Role::Accepted)),
-        "I₁ S₄ I₂ I₃ S₆ I₄"
-    );
-    assert_eq!(names_of(&end.lists[1], Some(Role::Accepted)), "I₄ I₃ I₂ I₁");
-    assert_eq!(
-        names_of(&end.lists[0], Some(Role::Discarded)),
-        "S₁ S₂ S₃ S₅"
-    );
+    assert_names(&end.lists[0], Some(Role::Accepted), "I₁ S₄ I₂ I₃ S₆ I₄");
+    assert_names(&end.lists[1], Some(Role::Accepted), "I₄ I₃ I₂ I₁");
+    assert_names(&end.lists[0], Some(Role::Discarded), "S₁ S₂ S₃ S₅");
 }
 
 #[test]
@@ -94,10 +60,7 @@ fn each_hole_is_a_ring_of_its_own() {
     let [subject, clip] = &lists.lists[..] else {
         panic!("two lists: {lists:?}");
     };
-    assert_eq!(
-        names_of(&lists.lists[0], None),
-        "S₁ I₁ S₂ S₃ I₂ S₄ S₅ I₃ S₆ S₇ I₄"
-    );
+    assert_names(subject, None, "S₁ I₁ S₂ S₃ I₂ S₄ S₅ I₃ S₆ S₇ I₄");
     assert_eq!((&subject.breaks[..], &clip.breaks[..]), (&[6][..], &[][..]));
 }
 
