@@ -9,16 +9,15 @@ mod moved;
 mod pickers;
 mod plots;
 mod polygons;
+mod prelude;
 mod space;
 mod spots;
 mod surfaces;
 
 pub use bench::Bench;
-pub use fields::{Seeded, number_field};
 pub use lab_panel::{LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
 pub use pickers::{compare_choices, compare_picker, method_picker};
-pub use plots::{PowerLine, power_plot, still_plot};
 pub use spots::{Reach, spots};
 
 pub fn all() -> Vec<Box<dyn LabPanel>> {

@@ -1,11 +1,11 @@
 //! Plots of costs: bars without axes, and counts or times over a number, both by their logarithms.
 
 use egui::{Align2, Color32, RichText, Stroke, Ui, Vec2b};
-use egui_plot::{Line, LineStyle, Plot, PlotPoint, Text};
+use egui_plot::{BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
 
 use crate::widgets::Look;
 
-pub fn still_plot(key: &str) -> Plot<'static> {
+fn still_plot(key: &str) -> Plot<'static> {
     Plot::new(key)
         .show_axes(false)
         .show_grid(false)
@@ -19,6 +19,29 @@ pub fn still_plot(key: &str) -> Plot<'static> {
         .show_y(false)
         .cursor_color(Color32::TRANSPARENT)
         .auto_bounds(Vec2b::FALSE)
+}
+
+/// Horizontal bars in so many rows, as far as a value, and texts at their heights.
+pub fn row_bars(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (key, height): (&str, f32),
+    (n_rows, right): (usize, f64),
+    charts: Vec<BarChart>,
+    texts: impl Iterator<Item = (f64, String)>,
+) {
+    still_plot(key).height(height).show(ui, |plot| {
+        let top = n_rows as f64 + 0.6;
+        plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.4], [right, top]));
+        for chart in charts {
+            plot.bar_chart(chart);
+        }
+        for (y, text) in texts {
+            let text = RichText::new(text).small().color(look.theme.ink);
+            let text = Text::new("row", PlotPoint::new(0.0, y), text);
+            plot.text(text.anchor(Align2::LEFT_BOTTOM).allow_hover(false));
+        }
+    });
 }
 
 pub struct PowerLine {

@@ -8,8 +8,7 @@ use crate::{
         frustum::{Culling, CullingTask},
         space::{Scene, street},
     },
-    panels::{bench, space::StreetCosts},
-    text::Message,
+    panels::{prelude::*, space::StreetCosts},
 };
 
 /// Streets of so many boxes are measured, to see where the best choice changes.
@@ -114,7 +113,7 @@ impl StreetCosts for CullingCosts {
     }
 }
 
-impl bench::Measuring for CullingCosts {
+impl Measuring for CullingCosts {
     fn is_done(&self) -> bool {
         self.here.is_some() && self.sweep.len() == SWEEP.len()
     }

@@ -3,21 +3,15 @@
 
 mod culling_costs;
 
-use egui::{Align2, Button, Color32, RichText, Slider, Ui};
-use egui_plot::{Bar, BarChart, LineStyle, PlotBounds, PlotPoint, Text};
+use egui::Color32;
+use egui_plot::{Bar, BarChart, LineStyle};
 
-use crate::{
-    labs::{
-        frustum::{self, Culling},
-        space::MAX_OBJECTS,
-    },
-    paint::theme,
-    panels::plots::{PowerLine, power_plot, still_plot},
-    text::{Message, Value},
-    widgets::Look,
+use crate::labs::{
+    frustum::{self, Culling},
+    space::MAX_OBJECTS,
 };
 
-use super::space::SpacePanel;
+use super::{prelude::*, space::SpacePanel};
 
 use culling_costs::{Costs, CullingCost, CullingCosts, SWEEP};
 
@@ -67,24 +61,17 @@ fn bars(ui: &mut Ui, look: Look<'_>, costs: &Costs, height: f32) {
     let culls = BarChart::new("cull", culls).horizontal().allow_hover(false);
     let draws = BarChart::new("draw", draws).horizontal().allow_hover(false);
     let draws = draws.stack_on(&[&culls]);
-    still_plot("culling-bars").height(height).show(ui, |plot| {
-        let top = costs.len() as f64 + 0.6;
-        plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.4], [1.02e3 * most, top]));
-        plot.bar_chart(culls);
-        plot.bar_chart(draws);
-        for (i, cost) in costs.iter().enumerate() {
-            let message = Message::new("culling-row")
-                .with("way", Value::Term(cost.culling.name_key()))
-                .with("cull", millis(look, cost.cull_secs))
-                .with("draw", millis(look, cost.draw_secs))
-                .with("objects", cost.n_kept)
-                .with("triangles", cost.n_triangles);
-            let text = RichText::new(look.catalog.message(&message)).small();
-            let at = PlotPoint::new(0.0, row(i) - 0.02);
-            let text = Text::new("row", at, text.color(look.theme.ink));
-            plot.text(text.anchor(Align2::LEFT_BOTTOM).allow_hover(false));
-        }
+    let texts = costs.iter().enumerate().map(|(i, cost)| {
+        let message = Message::new("culling-row")
+            .with("way", Value::Term(cost.culling.name_key()))
+            .with("cull", millis(look, cost.cull_secs))
+            .with("draw", millis(look, cost.draw_secs))
+            .with("objects", cost.n_kept)
+            .with("triangles", cost.n_triangles);
+        (row(i) - 0.02, look.catalog.message(&message))
     });
+    let (plot, size) = (("culling-bars", height), (costs.len(), 1.02e3 * most));
+    row_bars(ui, look, plot, size, vec![culls, draws], texts);
 }
 
 /// Three decimals, or as many as tell a short time from none.

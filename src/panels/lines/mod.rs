@@ -2,25 +2,14 @@
 
 mod measure;
 
-use egui::{Align2, Button, RichText, Ui};
-use egui_plot::{Bar, BarChart, PlotBounds, PlotPoint, Text};
+use egui_plot::{Bar, BarChart};
 
 use crate::{
     algo::line::BitOrder,
-    labs::{
-        self, Edit, Lab,
-        lines::{self, LinesChange, MAX_SEGMENTS, Scene},
-    },
-    paint::theme,
-    panels::{
-        bench::{self, Bench, Measuring},
-        fields::Seeded,
-        lab_panel::{LabPanel, PanelAsk},
-        plots::still_plot,
-    },
-    text::Message,
-    widgets::{Look, form_button, menu_button},
+    labs::lines::{self, LinesChange, MAX_SEGMENTS, Scene},
 };
+
+use super::prelude::*;
 
 use measure::{Measure, Subject};
 
@@ -151,17 +140,11 @@ fn chart(
     };
     let bars = known.iter().map(bar).collect();
     let chart = BarChart::new(key, bars).horizontal().allow_hover(false);
-    still_plot(key).height(height).show(ui, |plot| {
-        let top = n_rows as f64 + 0.6;
-        plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.4], [most * 1.02, top]));
-        plot.bar_chart(chart);
-        for (row, subject, value) in known {
-            let name = look.say(subject.name_key());
-            let value = look.catalog.number((value * 10.0).round() / 10.0);
-            let text = RichText::new(format!("{name}  {value}")).small();
-            let at = PlotPoint::new(0.0, row + 0.02);
-            let text = Text::new("name", at, text.color(look.theme.ink));
-            plot.text(text.anchor(Align2::LEFT_BOTTOM).allow_hover(false));
-        }
+    let texts = known.into_iter().map(|(row, subject, value)| {
+        let name = look.say(subject.name_key());
+        let value = look.catalog.number((value * 10.0).round() / 10.0);
+        (row + 0.02, format!("{name}  {value}"))
     });
+    let size = (n_rows, most * 1.02);
+    row_bars(ui, look, (key, height), size, vec![chart], texts);
 }

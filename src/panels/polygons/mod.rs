@@ -1,15 +1,8 @@
 //! What the polygons lab adds to the window.
 
-use egui::{Button, RichText, Ui};
+use crate::labs::polygons::{self, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, Texture};
 
-use crate::{
-    labs::{
-        self, Edit, Lab,
-        polygons::{self, OUTLINES, PRESETS, PolygonsChange, REGIONS, Scene, Texture},
-    },
-    panels::{LabPanel, PanelAsk, Seeded},
-    widgets::{Look, form_button, menu_button},
-};
+use super::prelude::*;
 
 #[derive(Default)]
 pub struct PolygonsPanel {

@@ -1,11 +1,8 @@
 //! The camera's numbers in a form.
 
-use egui::Ui;
-
 use crate::{
     labs::space::{CameraNumber, Opening, Scene, SpaceChange},
-    panels::{PanelAsk, number_field},
-    widgets::{Look, form_button},
+    panels::prelude::*,
 };
 
 use super::{own, tuned};

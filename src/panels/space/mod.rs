@@ -6,22 +6,12 @@ mod objects;
 
 use std::sync::Arc;
 
-use egui::Ui;
-
 use crate::{
     geom::Mesh,
-    labs::{
-        self, Edit, Lab,
-        space::{Model, NamedMesh, Picture, Scene, SpaceChange},
-    },
-    panels::{
-        bench::{self, Bench, Measuring},
-        fields::Seeded,
-        lab_panel::{LabPanel, PanelAsk},
-    },
-    text::Message,
-    widgets::Look,
+    labs::space::{Model, NamedMesh, Picture, Scene, SpaceChange},
 };
+
+use super::prelude::*;
 
 /// Costs that are found on one street after the other.
 pub trait StreetCosts: Measuring {

@@ -1,16 +1,10 @@
 //! The objects of a scene: one more of each kind, the one in focus, and a street of many.
 
-use egui::{Button, DragValue, Slider, Ui};
-
 use crate::{
     geom::Solid,
-    labs::{
-        Edit,
-        space::{MAX_OBJECTS, Model, Object, Scene, SpaceChange},
-    },
+    labs::space::{MAX_OBJECTS, Model, Object, Scene, SpaceChange},
     lesson::spot,
-    panels::{PanelAsk, Seeded, number_field},
-    widgets::{Look, form_button, menu_button},
+    panels::prelude::*,
 };
 
 use super::{own, tuned};

@@ -4,21 +4,11 @@
 mod raster;
 mod surface_costs;
 
-use egui::{RichText, Ui};
 use egui_plot::LineStyle;
 
-use crate::{
-    labs::surfaces::{self, SurfaceCounts, fitted_slope},
-    paint::theme,
-    panels::{
-        bench::Measuring,
-        plots::{PowerLine, power_plot},
-    },
-    text::{Message, Value},
-    widgets::Look,
-};
+use crate::labs::surfaces::{self, SurfaceCounts, fitted_slope};
 
-use super::space::SpacePanel;
+use super::{prelude::*, space::SpacePanel};
 
 use surface_costs::SurfaceCosts;
 

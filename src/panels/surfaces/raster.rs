@@ -1,15 +1,11 @@
 //! The raster's form: pixels, steps, order, how depths are stored.
 
-use egui::{ComboBox, Ui};
+use egui::ComboBox;
 
 use crate::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
-    labs::{
-        Edit,
-        space::{RasterPlan, Scene, SpaceChange, Tones},
-    },
-    panels::{PanelAsk, number_field},
-    widgets::{Look, form_button},
+    labs::space::{RasterPlan, Scene, SpaceChange, Tones},
+    panels::prelude::*,
 };
 
 /// Numbers of this form come after those of camera and objects.

@@ -5,8 +5,7 @@ use crate::{
         space::Scene,
         surfaces::{SurfaceCounting, SurfaceCounts},
     },
-    panels::{bench::Measuring, space::StreetCosts},
-    text::Message,
+    panels::{prelude::*, space::StreetCosts},
 };
 
 /// Streets of so many boxes are counted: of 12 triangles each, from about 10 to about 10,000.
