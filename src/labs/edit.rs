@@ -37,9 +37,7 @@ impl Edit {
     }
 
     /// Makes the change; the handle to select next, if there is a new one. One for another lab changes nothing.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where the scene would not be valid: it is left as it was.
+    /// Where the scene would not be valid it is left as it was.
     pub fn apply(self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
         let document = scene.document_mut();
         match self {

@@ -170,16 +170,11 @@ pub fn quotient_formula(
 
 /// A symbol, or one minus another: as part of a quotient.
 pub fn difference(symbols: &[&'static str]) -> Formula {
-    let mut formula = Formula::default();
-    for (nth, &symbol) in symbols.iter().enumerate() {
-        formula = if nth == 0 {
-            formula
-        } else {
-            formula.sym(" − ")
-        };
-        formula = formula.sym(symbol);
-    }
-    formula
+    let numbered = symbols.iter().enumerate();
+    numbered.fold(Formula::default(), |formula, (nth, &symbol)| match nth {
+        0 => formula.sym(symbol),
+        _ => formula.sym(" − ").sym(symbol),
+    })
 }
 
 /// Are these small numbers that the quotient is written with in any case?

@@ -63,15 +63,10 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
     fn takes(&self, _id: &str) -> bool {
         true
     }
-    /// One more of what the lab has many of, after this handle's; the handle of the new one, if it has one.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where there is no room for more: the scene is left as it was.
+    /// One more of what the lab has many of, after this handle's; the handle of the new one, if it has one. Where there is no room
+    /// for more the scene is left as it was.
     fn add(&mut self, after: Option<Handle>) -> Result<Option<Handle>, Diagnostic>;
-    /// One less: without this handle's.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where none can be spared: the scene is left as it was.
+    /// One less: without this handle's. Where none can be spared the scene is left as it was.
     fn remove(&mut self, handle: Option<Handle>) -> Result<(), Diagnostic>;
     /// What a click beside all handles changes, if anything.
     fn click(&self, click: &Click<'_>) -> Option<Own>;
@@ -95,10 +90,7 @@ pub trait Draggable {
     fn handles(&self) -> Vec<Handle>;
     /// Where a handle lies; `None` where the scene has no such handle.
     fn position(&self, handle: Handle) -> Option<[f64; 3]>;
-    /// Moves a handle, as far as the scene stays valid.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where it would not: the scene is left as it was.
+    /// Moves a handle. Where the scene would not be valid it is left as it was.
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
 }
 
@@ -223,10 +215,8 @@ pub type Own = Arc<dyn Change>;
 
 /// A change to a scene; [`ChangeOf`] is what a lab implements.
 pub trait Change: fmt::Debug + Send + Sync {
-    /// Makes it; the handle to select next, if any. On another lab's scene it changes nothing.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where the scene would not be valid: it is left as it was.
+    /// Makes it; the handle to select next, if any. On another lab's scene it changes nothing. Where the scene would not be
+    /// valid it is left as it was.
     fn apply(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic>;
     /// Does it bring a scene that should be seen whole?
     fn brings_another(&self) -> bool;
@@ -235,10 +225,7 @@ pub trait Change: fmt::Debug + Send + Sync {
 pub trait ChangeOf: fmt::Debug + Send + Sync + 'static {
     type Of: Document;
 
-    /// Makes it; the handle to select next, if any.
-    ///
-    /// # Errors
-    /// [`Diagnostic`] where the document would not be valid: it is left as it was.
+    /// Makes it; the handle to select next, if any. Where the document would not be valid it is left as it was.
     fn make(&self, document: &mut Self::Of) -> Result<Option<Handle>, Diagnostic>;
 
     fn is_another(&self) -> bool {

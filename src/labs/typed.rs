@@ -13,10 +13,8 @@ pub fn written(handle: Handle, at: [f64; 3], is_flat: bool) -> String {
     numbers.join(", ")
 }
 
-/// The place that was typed for a handle at `from`: of what may not move there is nothing to type.
-///
-/// # Errors
-/// [`Diagnostic`] where it is not as many numbers as the handle has coordinates.
+/// The place that was typed for a handle at `from`: of what may not move there is nothing to type. It is
+/// refused where it is not as many numbers as the handle has coordinates.
 pub fn place_of(
     handle: Handle,
     from: [f64; 3],

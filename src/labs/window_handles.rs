@@ -31,6 +31,14 @@ static WINDOW: HandleKind = HandleKind {
     ..HandleKind::new("window", GROUP, |_| Message::new("handle-window"))
 };
 
+/// A vertex of the polygon that clips in the window's place.
+pub static CLIP_VERTEX: HandleKind = HandleKind {
+    is_vertex: true,
+    ..HandleKind::new("clip-vertex", "clip", |[i, _]| {
+        Message::new("handle-clip-vertex").with("number", i + 1)
+    })
+};
+
 const CORNER_KEYS: [&str; 4] = [
     "handle-corner-bottom-left",
     "handle-corner-bottom-right",
@@ -84,9 +92,6 @@ pub fn position(handle: Handle, window: &Window) -> Option<[f64; 3]> {
 }
 
 /// The window after a handle has gone to `to`; as it is where the handle is not the window's.
-///
-/// # Errors
-/// [`GeomError`] where the window would not be valid.
 pub fn dragged(handle: Handle, window: &Window, to: Point) -> Result<Window, GeomError> {
     let (Some([x, y, _]), Some([left, right, bottom, top])) =
         (position(handle, window), moves(handle))

@@ -3,7 +3,10 @@
 use crate::{
     algo::line::End,
     geom::{ConvexPolygon, Point, Segment},
-    labs::{Draggable, Handle, HandleKind, window_handles},
+    labs::{
+        Draggable, Handle, HandleKind,
+        window_handles::{self, CLIP_VERTEX},
+    },
     text::{Diagnostic, Message},
 };
 
@@ -22,12 +25,6 @@ static END: [HandleKind; 2] = [
 static SEGMENT: HandleKind = HandleKind {
     is_whole: true,
     ..HandleKind::new("segment", "segment", |_| Message::new("handle-segment"))
-};
-static CLIP_VERTEX: HandleKind = HandleKind {
-    is_vertex: true,
-    ..HandleKind::new("clip-vertex", "clip", |[i, _]| {
-        Message::new("handle-clip-vertex").with("number", i + 1)
-    })
 };
 
 fn end_name(symbol: &str) -> Message {

@@ -1,7 +1,6 @@
 //! The lines lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
 use serde_json::{Value as Json, json};
-use std::fmt;
 
 use crate::{
     algo::line::{BitOrder, Visible, WindowInput},
@@ -73,15 +72,7 @@ impl From<SceneError> for Diagnostic {
     }
 }
 
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Diagnostic::from(*self).fmt(f)
-    }
-}
-
 impl Scene {
-    /// # Errors
-    /// [`SceneError`] where there is no segment, or too many.
     pub fn new(method: Method, window: Window, segments: Vec<Segment>) -> Result<Self, SceneError> {
         check(&segments)?;
         Ok(Self {
@@ -135,8 +126,6 @@ impl Scene {
         }
     }
 
-    /// # Errors
-    /// [`SceneError::TooManySegments`]
     pub fn add_segment(&mut self, segment: Segment) -> Result<(), SceneError> {
         if self.segments.len() >= MAX_SEGMENTS {
             return Err(SceneError::TooManySegments(self.segments.len() + 1));
@@ -154,8 +143,6 @@ impl Scene {
         }
     }
 
-    /// # Errors
-    /// [`SceneError`] where there is none, or too many.
     pub fn set_segments(&mut self, segments: Vec<Segment>) -> Result<(), SceneError> {
         check(&segments)?;
         (self.segments, self.focus) = (segments, 0);

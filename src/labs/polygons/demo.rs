@@ -17,10 +17,7 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
     /// What its drawing calls the subject's vertices.
     const SUBJECT: char = 'V';
 
-    /// Its input.
-    ///
-    /// # Errors
-    /// What in the scene it cannot take.
+    /// Its input, or what in the scene it cannot take.
     fn input(scene: &Scene) -> Result<Self::Input, UnfitScene>;
 
     /// The vertex that an event asks whether it stays: where a row keeps or drops what it is about, that is this vertex.
@@ -47,10 +44,6 @@ pub trait PolygonTelling: Telling<Scenery = ()> {
         None
     }
 
-    /// Runs it on the scene.
-    ///
-    /// # Errors
-    /// What in the scene it cannot take.
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         let input = Self::input(scene)?;
         Ok(Box::new(Recorded::<Self>::new(input, None)))

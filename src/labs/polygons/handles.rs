@@ -3,7 +3,10 @@
 use crate::{
     figure::Link,
     geom::{Point, Polygon, extent},
-    labs::{Draggable, Handle, HandleKind, window_handles},
+    labs::{
+        Draggable, Handle, HandleKind,
+        window_handles::{self, CLIP_VERTEX},
+    },
     text::{Diagnostic, Message},
 };
 
@@ -22,12 +25,6 @@ static HOLE_VERTEX: HandleKind = HandleKind {
         Message::new("handle-hole-vertex")
             .with("hole", hole + 1)
             .with("number", i + 1)
-    })
-};
-static CLIP_VERTEX: HandleKind = HandleKind {
-    is_vertex: true,
-    ..HandleKind::new("clip-vertex", "clip", |[i, _]| {
-        Message::new("handle-clip-vertex").with("number", i + 1)
     })
 };
 static SUBJECT: HandleKind = HandleKind {

@@ -25,10 +25,8 @@ impl Preset {
         }
     }
 
-    /// Its outline and its holes about a box: −1 becomes the box's least coordinate and 1 its greatest, exactly.
-    ///
-    /// # Errors
-    /// [`GeomError::NotFinite`] where the box is so large that they leave the numbers.
+    /// Its outline and its holes about a box: −1 becomes the box's least coordinate and 1 its greatest, exactly. Where the box is
+    /// very large they may leave the numbers.
     pub fn about(&self, [min, max]: Box2) -> Result<(Polygon, Vec<Polygon>), GeomError> {
         let at = |i: usize, c: f64| min[i] * (0.5 - 0.5 * c) + max[i] * (0.5 + 0.5 * c);
         let placed = |numbers: &[f64]| {

@@ -9,11 +9,8 @@ use crate::{
 /// would be a blot.
 const COARSE: usize = 24;
 
-/// A star-shaped polygon of `count` vertices around the window's middle, some near it and some beyond the
+/// A star-shaped polygon of `count` vertices, three or more, around the window's middle, some near it and some beyond the
 /// window. The directions go round a square, so that no sine is needed.
-///
-/// # Errors
-/// [`GeomError::TooFewVertices`] where `count` is less than 3.
 pub fn random_polygon(window: &Window, count: usize, seed: u64) -> Result<Polygon, GeomError> {
     let mut bits = SplitMix64(seed);
     let [xmin, ymin, xmax, ymax] = window.to_array();

@@ -1,7 +1,5 @@
 //! The polygons lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
-use std::fmt;
-
 use crate::{
     figure::Run,
     geom::{Point, Polygon, Window},
@@ -99,12 +97,6 @@ impl From<SceneError> for Diagnostic {
     }
 }
 
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Diagnostic::from(*self).fmt(f)
-    }
-}
-
 impl Scene {
     pub const fn new(method: Method, window: Window, subject: Polygon) -> Self {
         Self {
@@ -167,8 +159,6 @@ impl Scene {
             .sum()
     }
 
-    /// # Errors
-    /// [`SceneError::TooManyVertices`]
     pub fn check(self) -> Result<Self, SceneError> {
         match self.n_vertices() {
             0..=MAX_VERTICES => Ok(self),

@@ -107,9 +107,6 @@ impl UnfitScene {
 
 impl Scene {
     /// The clip region for methods that need it convex.
-    ///
-    /// # Errors
-    /// [`UnfitScene`] where it is not.
     pub fn convex_clip(&self) -> Result<ConvexPolygon, UnfitScene> {
         match &self.clip {
             None => Ok(ConvexPolygon::from(self.window)),

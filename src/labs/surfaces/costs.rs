@@ -43,10 +43,7 @@ enum Stage {
 }
 
 impl SurfaceCounting {
-    /// A street of so many boxes on a scene's raster, before a camera that sees along it.
-    ///
-    /// # Errors
-    /// [`SpaceError`]: of a valid scene never.
+    /// A street of so many boxes on a scene's raster, before a camera that sees along it: of a valid scene there is always one.
     pub fn new(scene: &Scene, n_boxes: usize) -> Result<Self, SpaceError> {
         let mut scene = scene.clone();
         scene.camera = TaughtCamera::new(
