@@ -16,5 +16,7 @@ pub(in crate::labs) use super::{
     card::{MethodCard, but_for, code_line, mistakes},
     recorded::Recorded,
     telling::{AnswerAsItIs, At, Named, Row, Telling, Watched, table},
-    words::{end_link, end_name, end_name_now, equal_to, name, subscript, sum_of, sym, times},
+    words::{
+        end_link, end_name, end_name_now, equal_to, name, numbered, subscript, sum_of, sym, times,
+    },
 };

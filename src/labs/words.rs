@@ -150,14 +150,27 @@ pub fn subscript(n: usize) -> String {
         .collect()
 }
 
-/// `V₁`, `V₂`, …: vertices are numbered from 1 on screen.
+/// `I₁`, `I₂`, …: whatever there are many of is numbered from 1 on screen.
+pub fn numbered(letter: char, idx: usize) -> String {
+    format!("{letter}{}", subscript(idx + 1))
+}
+
 pub fn vertex_symbol(vertex_idx: usize) -> String {
-    format!("V{}", subscript(vertex_idx + 1))
+    numbered('V', vertex_idx)
+}
+
+/// The edge of a polygon that clips.
+pub fn polygon_edge_name(edge_idx: usize) -> Value {
+    name(numbered('e', edge_idx))
+}
+
+pub const fn polygon_edge_link(edge_idx: usize) -> Link {
+    Link::nth("edge", edge_idx)
 }
 
 /// `H₁`, `H₂`, …: planes that have no name are called by their half-spaces.
 pub fn plane_symbol(plane_idx: usize) -> String {
-    format!("H{}", subscript(plane_idx + 1))
+    numbered('H', plane_idx)
 }
 
 pub fn vertex_name(vertex_idx: usize) -> Value {

@@ -9,15 +9,11 @@ use crate::{
     labs::{
         Answers, Click,
         prelude::*,
-        words::{edge_link, edge_name},
+        words::{edge_link, edge_name, polygon_edge_link, polygon_edge_name},
     },
 };
 
-use super::{
-    LineTelling, Scene,
-    methods::{polygon_edge_link, polygon_edge_name},
-    scene::Decided,
-};
+use super::{LineTelling, Scene, scene::Decided};
 
 pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
     let recording = Recording::<M>::new(M::input(scene, segment));

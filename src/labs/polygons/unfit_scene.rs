@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use crate::{
     figure::{Caption, Mark, Role, Run, Shape, Shown, Tick, View, Watch, Words},
     geom::{ConvexPolygon, GeomError, Polygon},
-    labs::words::{name, subscript},
+    labs::words::{name, numbered},
     text::{Message, Value},
     trace::Counts,
 };
@@ -101,7 +101,7 @@ impl UnfitScene {
         };
         let before = scene.rings().take(n_rings);
         let before: usize = before.map(|ring| ring.vertices().len()).sum();
-        format!("{letter}{}", subscript(before + idx + 1))
+        numbered(letter, before + idx)
     }
 }
 

@@ -11,8 +11,8 @@ use super::{
     crossings::{Fate, Shown, crossing_table, crossing_values, current_edge, tests_table},
     prelude::*,
     shared::{
-        border_mark, crossing_mark, end_now, ends, inside_mark, outside_marks, parallel_formula,
-        segment_marks, side,
+        border, border_mark, crossing_mark, end_now, ends, inside_mark, outside_marks,
+        parallel_formula, segment_marks, side,
     },
 };
 
@@ -146,15 +146,14 @@ fn marks(step: &Step<'_, BruteForce>) -> Vec<Mark> {
     let (shown, event) = (Shown::of(step), step.event());
     let current = current_edge(event);
     let others = Edge::ALL.into_iter().filter(|&edge| Some(edge) != current);
-    let border = |edge: Edge| {
+    let border_of = |edge: Edge| {
         // Before the first crossing, the four tests that make a window.
         if event.is_none() {
             return inside_mark(window, edge);
         }
-        let border = Shape::Border(edge.axis(), window.border(edge));
-        Mark::new(Role::Faint, border).linked(edge_link(edge))
+        Mark::new(Role::Faint, border(window, edge)).linked(edge_link(edge))
     };
-    let mut marks: Vec<Mark> = others.map(border).collect();
+    let mut marks: Vec<Mark> = others.map(border_of).collect();
     marks.push(Mark::new(Role::Faint, Shape::Line(ends(*segment))));
     match event {
         Some(Event::Intersect { edge, .. } | Event::Parallel { edge }) => {

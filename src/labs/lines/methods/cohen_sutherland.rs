@@ -16,7 +16,9 @@ use crate::{
 
 use super::{
     prelude::*,
-    shared::{self, crossing_mark, outside_marks, point, region_key, segment_marks, side_key},
+    shared::{
+        self, border, crossing_mark, outside_marks, point, region_key, segment_marks, side_key,
+    },
 };
 
 type Shown<'a> = CodeStep<'a, 2, Input>;
@@ -116,7 +118,9 @@ impl CodeLook<2> for Input {
         let verdict = shown.verdict.map(|visible| visible.is_some());
         marks.extend(segment_marks(segment, shown.ends.map(point), verdict));
         match shown.event {
-            Some(Event::Code { end, at, .. }) => marks.push(signal_ring(end, at)),
+            Some(Event::Code { end, at, .. }) => {
+                marks.push(Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end)));
+            }
             Some(Event::Cut { end, u, to, .. }) => {
                 marks.push(crossing_mark(point(to), "t", u).linked(end_link(end)));
             }
@@ -154,9 +158,8 @@ fn regions(shown: &Shown<'_>) -> Vec<Mark> {
         (ymin, ymax, None),
         (ymax, f64::INFINITY, Some(Edge::Top)),
     ];
-    let border = |edge: Edge| Shape::Border(edge.axis(), window.border(edge));
     let mut marks = Edge::ALL
-        .map(|edge| Mark::new(Role::Faint, border(edge)))
+        .map(|edge| Mark::new(Role::Faint, border(&window, edge)))
         .to_vec();
     let deciding = shown.deciding();
     let column = deciding.and_then(|edge| order.written().iter().position(|&e| e == edge));
@@ -188,12 +191,8 @@ fn numbered_cuts(shown: &Shown<'_>) -> Vec<Mark> {
         let is_end = shown.ends.contains(&at);
         let shape = if is_end { Shape::Vertex } else { Shape::Cross };
         let role = if is_end { Role::Soft } else { Role::Discarded };
-        let label = name(format!("I{}", subscript(nth + 1)));
+        let label = name(numbered('I', nth));
         Mark::new(role, shape(at)).labelled(label)
     };
     cuts.iter().enumerate().map(mark).collect()
-}
-
-fn signal_ring(end: End, at: [f64; 2]) -> Mark {
-    Mark::new(Role::Signal, Shape::Ring(at)).linked(end_link(end))
 }

@@ -10,21 +10,13 @@ use crate::{
     labs::{
         interval::direction,
         segments::{LineStep, row_values},
+        words::{polygon_edge_link, polygon_edge_name},
     },
 };
 
 use super::{prelude::*, shared::on_line};
 
 pub type Shown<'a> = LineStep<'a, 2, ConvexPolygon>;
-
-/// `e₁`, `e₂`, …: edges are numbered from 1 on screen.
-pub fn edge_name(edge_idx: usize) -> Value {
-    name(format!("e{}", subscript(edge_idx + 1)))
-}
-
-pub const fn edge_link(edge_idx: usize) -> Link {
-    Link::nth("edge", edge_idx)
-}
 
 /// The edge whose products are shown: the one in hand, as long as it is not rejected by.
 pub fn edge_in_hand(shown: &Shown<'_>) -> Option<usize> {
@@ -56,10 +48,10 @@ pub fn edge_table(shown: &Shown<'_>) -> Table {
         let word = row.map(|row| Value::Term(direction(row.p())));
         cells.push(Cell::new(role, word));
         TableRow {
-            name: edge_name(i),
+            name: polygon_edge_name(i),
             cells,
             is_current: current == Some(i),
-            link: Some(edge_link(i)),
+            link: Some(polygon_edge_link(i)),
         }
     });
     Table {
@@ -131,7 +123,7 @@ fn measured(edge_idx: usize, row: &Row) -> Measured {
     spans.retain(|([from, to], ..)| from != to);
     Measured {
         title: Message::new("cb-measured").with("normal", name("n")),
-        zero: edge_name(edge_idx),
+        zero: polygon_edge_name(edge_idx),
         ends: [(name("P₁"), row.d1), (name("P₂"), row.d2)],
         spans,
     }
@@ -188,8 +180,8 @@ pub fn edge_marks(shown: &Shown<'_>) -> Vec<Mark> {
                 Role::Soft,
                 Shape::Arrow([middle.to_array(), tip.to_array()]),
             )
-            .labelled(edge_name(i))
-            .linked(edge_link(i)),
+            .labelled(polygon_edge_name(i))
+            .linked(polygon_edge_link(i)),
         );
     }
     let row = in_hand.and_then(|i| Some((i, &shown.rows.get(i)?.numbers)));
@@ -206,9 +198,9 @@ fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 3] {
         Mark::new(Role::Signal, Shape::Wash([b, a])),
         Mark::new(Role::Signal, Shape::Line([a, b])).dashed(),
         Mark::new(Role::Signal, Shape::Segment([a, b]))
-            .labelled(edge_name(edge_idx))
+            .labelled(polygon_edge_name(edge_idx))
             .strong()
-            .linked(edge_link(edge_idx)),
+            .linked(polygon_edge_link(edge_idx)),
     ]
 }
 

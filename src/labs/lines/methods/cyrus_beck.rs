@@ -9,11 +9,12 @@ use crate::{
     labs::{
         crossing_formulas::{dot_product, fixed, oblique, taken},
         segments::{LineKeys, LineLook, LineVariant, SeenRow},
+        words::{polygon_edge_link, polygon_edge_name},
     },
 };
 
 use super::{
-    convex_edges::{Shown, edge_in_hand, edge_link, edge_marks, edge_name, edge_table, products},
+    convex_edges::{Shown, edge_in_hand, edge_marks, edge_table, products},
     prelude::*,
     shared::{SegmentInterval, point},
 };
@@ -70,7 +71,7 @@ impl LineLook<2> for ConvexPolygon {
     const WATCHES: [bool; 2] = [true, false];
 
     fn plane(edge_idx: usize, _: Option<&()>) -> Named {
-        Named::from(edge_name(edge_idx)).linked(edge_link(edge_idx))
+        Named::from(polygon_edge_name(edge_idx)).linked(polygon_edge_link(edge_idx))
     }
 
     fn numbers(&self, _: &[[f64; 2]; 2], row: &SeenRow<2, Self>) -> [f64; 2] {
@@ -118,7 +119,7 @@ impl LineLook<2> for ConvexPolygon {
     }
 
     fn border(&self, edge_idx: usize, _: Option<&()>) -> Value {
-        edge_name(edge_idx)
+        polygon_edge_name(edge_idx)
     }
 
     fn rows(shown: &Shown<'_>) -> Option<Body> {

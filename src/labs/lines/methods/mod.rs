@@ -10,5 +10,3 @@ mod nicholl_lee_nicholl;
 mod prelude;
 mod sectors;
 mod shared;
-
-pub use convex_edges::{edge_link as polygon_edge_link, edge_name as polygon_edge_name};

@@ -316,7 +316,7 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
 /// `C₁`, `C₂`, …: the window's corners are numbered counter-clockwise from the lower left.
 fn corner_symbol(window: &Window, corner: Point) -> String {
     let found = window.corners().iter().position(|&c| c == corner);
-    found.map_or_else(|| "C".to_owned(), |i| format!("C{}", subscript(i + 1)))
+    found.map_or_else(|| "C".to_owned(), |i| numbered('C', i))
 }
 
 fn corner_name(window: &Window, corner: Point) -> Value {

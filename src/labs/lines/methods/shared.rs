@@ -113,20 +113,20 @@ pub const fn side_key(edge: Edge) -> &'static str {
     }
 }
 
+pub fn border(window: &Window, edge: Edge) -> Shape {
+    Shape::Border(edge.axis(), window.border(edge))
+}
+
 pub fn border_mark(window: &Window, edge: Edge) -> Mark {
-    Mark::new(
-        Role::Signal,
-        Shape::Border(edge.axis(), window.border(edge)),
-    )
-    .labelled(border_equation(window, edge))
-    .linked(edge_link(edge))
+    Mark::new(Role::Signal, border(window, edge))
+        .labelled(border_equation(window, edge))
+        .linked(edge_link(edge))
 }
 
 pub fn inside_mark(window: &Window, edge: Edge) -> Mark {
     let relation = if edge.is_max() { " ≤ " } else { " ≥ " };
     let [x, y] = outwards(edge);
-    let border = Shape::Border(edge.axis(), window.border(edge));
-    Mark::new(Role::Soft, border)
+    Mark::new(Role::Soft, border(window, edge))
         .labelled(side_formula(window, edge, relation))
         .toward([-x, -y])
         .linked(edge_link(edge))
@@ -143,12 +143,11 @@ pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
         Edge::Top => [[0.0, c], [1.0, c]],
     };
     let relation = if edge.is_max() { " > " } else { " < " };
-    let border = Mark::new(Role::Signal, Shape::Border(edge.axis(), c));
     [
         Mark::new(Role::Signal, Shape::HalfPlane(line))
             .labelled(border_equation(window, edge))
             .linked(edge_link(edge)),
-        border
+        Mark::new(Role::Signal, border(window, edge))
             .labelled(side_formula(window, edge, relation))
             .toward(outwards(edge)),
     ]

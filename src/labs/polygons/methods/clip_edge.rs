@@ -9,7 +9,10 @@ use crate::{
     labs::{
         crossing_formulas::{Weights, dot_product, fixed, oblique, upright},
         rings::Asked,
-        words::{along, axis_symbol, border_equation, edge_link, edge_name},
+        words::{
+            along, axis_symbol, border_equation, edge_link, edge_name, polygon_edge_link,
+            polygon_edge_name,
+        },
     },
 };
 
@@ -24,8 +27,6 @@ pub struct ClipEdge<'a> {
     /// Takes what lies on an edge for outside.
     is_strict: bool,
 }
-
-pub type NamedPoint = (String, Point);
 
 pub fn clip_edge_name(region: &ClipRegion, edge_idx: usize) -> Value {
     ClipEdge::new::<Right>(region, edge_idx).name()
@@ -82,14 +83,14 @@ impl<'a> ClipEdge<'a> {
     pub fn name(&self) -> Value {
         match self.side() {
             Some((_, edge)) => edge_name(edge),
-            None => name(format!("e{}", subscript(self.idx + 1))),
+            None => polygon_edge_name(self.idx),
         }
     }
 
     pub fn link(&self) -> Link {
         match self.side() {
             Some((_, edge)) => edge_link(edge),
-            None => Link::nth("edge", self.idx),
+            None => polygon_edge_link(self.idx),
         }
     }
 
@@ -130,17 +131,17 @@ impl<'a> ClipEdge<'a> {
     }
 
     /// `V₄: x = −2 < −1`, or `V₄: n·(V₄ − E) = 1 · (3 − 1) + 2 · (0 − 2) = −2 < 0`.
-    pub fn position(&self, (symbol, at): &NamedPoint, distance: f64, is_inside: bool) -> Formula {
+    pub fn position(&self, (symbol, at): (&str, Point), distance: f64, is_inside: bool) -> Formula {
         let formula = Formula::default().sym(format!("{symbol}: "));
         match self.side() {
             Some((window, edge)) => formula
                 .sym(axis_symbol(edge.axis()))
                 .sym(" = ")
-                .num(along(*at, edge.axis())[0])
+                .num(along(at, edge.axis())[0])
                 .sym(self.relation(is_inside, self.is_upper(edge)))
                 .num(window.border(edge)),
             None => self
-                .dot_product(formula.sym(format!("n·({symbol} − E) = ")), *at)
+                .dot_product(formula.sym(format!("n·({symbol} − E) = ")), at)
                 .equals(distance)
                 .sym(self.relation(is_inside, false))
                 .sym("0"),
@@ -175,10 +176,10 @@ impl<'a> ClipEdge<'a> {
         (asked, symbols): (&Asked<V>, [String; 2]),
     ) -> Option<Formula> {
         let happening = event.happening()?;
-        let lies = |i: usize, symbol: String| {
+        let lies = |i: usize| {
             let test = asked.test?;
-            let vertex = (symbol, test.ends[i].at());
-            Some(self.position(&vertex, test.distances[i], test.inside()[i]))
+            let vertex = (&*symbols[i], test.ends[i].at());
+            Some(self.position(vertex, test.distances[i], test.inside()[i]))
         };
         let nth = |i: usize| {
             let (Happening::Cross(crossing), Some(test)) = (happening, asked.test) else {
@@ -188,13 +189,13 @@ impl<'a> ClipEdge<'a> {
             let formulas = self.crossing(ends, test.distances, crossing.at.at());
             formulas.into_iter().nth(i)
         };
-        let [s, p] = symbols;
         match (name_of, happening) {
             ("P lies", Happening::First(first)) => {
-                Some(self.position(&(p, first.at.at()), first.distance, first.inside))
+                let vertex = (&*symbols[1], first.at.at());
+                Some(self.position(vertex, first.distance, first.inside))
             }
-            ("S lies", _) => lies(0, s),
-            ("P lies", _) => lies(1, p),
+            ("S lies", _) => lies(0),
+            ("P lies", _) => lies(1),
             ("I 1", _) => nth(0),
             ("I 2", _) => nth(1),
             ("I 3", _) => nth(2),

@@ -137,12 +137,9 @@ pub fn in_and_out(step: &Step<'_, Pipeline>) -> Lists {
 
 fn list_in(step: &Step<'_, Pipeline>) -> ListColumn {
     let given = &step.input.vertices;
-    let entered = |event: &Event<Point>| {
-        if let Event::Enter { vertex_idx, .. } = *event {
-            vertex_idx
-        } else {
-            None
-        }
+    let entered = |event: &Event<Point>| match *event {
+        Event::Enter { vertex_idx, .. } => vertex_idx,
+        _ => None,
     };
     let read = step.past.iter().rev().find_map(entered);
     let entering = step.event().and_then(|event| entered(&event));

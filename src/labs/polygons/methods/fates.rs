@@ -84,7 +84,7 @@ fn pieces(step: &Step<'_, TriangulateAndClip>) -> ListColumn {
         role: Role::Accepted,
         details: vec![Some(Value::Count(pieces.ring(i).len()))],
         link: Some(triangle_link(pieces.triangles()[i])),
-        ..ListRow::new(name(format!("Q{}", subscript(i + 1))))
+        ..ListRow::new(name(numbered('Q', i)))
     };
     ListColumn {
         columns: vec![Value::Term("tac-vertices")],

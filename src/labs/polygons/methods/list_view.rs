@@ -105,10 +105,9 @@ impl<V: LabVertex> Pair<'_, V> {
     }
 
     fn found(&self) -> Option<&V> {
-        if let Now::Finds(at) = &self.now {
-            Some(at)
-        } else {
-            None
+        match &self.now {
+            Now::Finds(at) => Some(at),
+            _ => None,
         }
     }
 

@@ -76,10 +76,9 @@ impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
 }
 
 pub fn crossing_of(event: &impl RingEvent<Point>) -> Option<Point> {
-    if let Some(Happening::Cross(Crossing { at, .. })) = event.happening() {
-        Some(at)
-    } else {
-        None
+    match event.happening()? {
+        Happening::Cross(crossing) => Some(crossing.at),
+        _ => None,
     }
 }
 

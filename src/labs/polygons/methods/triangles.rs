@@ -40,7 +40,7 @@ pub fn cut_off_marks(whole: &Triangulation) -> Vec<Mark> {
 pub fn named_triangles(whole: &Triangulation) -> Vec<Named> {
     let triangles = whole.triangles();
     let named = |(triangle_idx, &triangle)| {
-        let label = name(format!("T{}", subscript(triangle_idx + 1)));
+        let label = name(numbered('T', triangle_idx));
         let triangle = Named::from(triangle_name(triangle)).labelled(label);
         triangle.linked(triangle_link(triangle_idx))
     };

@@ -13,6 +13,7 @@ use super::{
     drawing::{self, Picture},
     ear_clipping,
     fates::{FATES, fates, is_done, is_triangulating, triangle_now},
+    lists::outline,
     prelude::*,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
@@ -211,10 +212,9 @@ fn ears_at<T>(
     step: &Step<'_, TriangulateAndClip>,
     look: impl FnOnce(&At<'_, EarClipping>) -> T,
 ) -> T {
-    let past = if let Some(Event::Triangulate(event)) = step.event() {
-        Some(event)
-    } else {
-        None
+    let past = match step.event() {
+        Some(Event::Triangulate(event)) => Some(event),
+        _ => None,
     };
     look(&At {
         step: Step {
@@ -300,8 +300,8 @@ fn triangle_marks(held: &Held) -> Vec<Mark> {
         return Vec::new();
     }
     let mark = |(triangle_idx, &triangle): (usize, &Triangle)| {
-        let outline = Shape::Outline(points_of(whole, triangle));
-        Mark::new(Role::Faint, outline).linked(triangle_link(triangle_idx))
+        let shape = Shape::Outline(points_of(whole, triangle));
+        Mark::new(Role::Faint, shape).linked(triangle_link(triangle_idx))
     };
     triangles.iter().enumerate().map(mark).collect()
 }
@@ -315,7 +315,7 @@ fn piece_marks(pieces: &Pieces) -> Vec<Mark> {
     }
     let rings = pieces.rings().zip(pieces.triangles());
     let mark = |(ring, &triangle_idx): (&[Point], &usize)| {
-        let area = Shape::Area(vec![points(ring)]);
+        let area = Shape::Area(vec![outline(ring)]);
         Mark::new(Role::Accepted, area).linked(triangle_link(triangle_idx))
     };
     rings.map(mark).collect()
@@ -323,16 +323,12 @@ fn piece_marks(pieces: &Pieces) -> Vec<Mark> {
 
 /// The answer: the pieces merged, and the seams between them.
 fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
-    let rings: Vec<Vec<[f64; 2]>> = pieces.merged().iter().map(|ring| points(ring)).collect();
+    let rings: Vec<Vec<[f64; 2]>> = pieces.merged().iter().map(|ring| outline(ring)).collect();
     if rings.is_empty() {
         return Vec::new();
     }
     let seams = pieces.rings().take(FEW_ENOUGH);
-    let seams = seams.map(|ring| Mark::new(Role::Faint, Shape::Outline(points(ring))));
+    let seams = seams.map(|ring| Mark::new(Role::Faint, Shape::Outline(outline(ring))));
     let merged = Mark::new(Role::Accepted, Shape::Area(rings));
     std::iter::once(merged).chain(seams).collect()
-}
-
-fn points(ring: &[Point]) -> Vec<[f64; 2]> {
-    ring.iter().map(|p| p.to_array()).collect()
 }

@@ -2,7 +2,9 @@
 
 use std::cmp::Ordering;
 
-use crate::{algo::polygon::weiler_atherton::BorderRing, geom::orientation};
+use crate::geom::orientation;
+
+use super::super::lists::outline;
 
 use super::{
     names,
@@ -38,12 +40,8 @@ fn pieces(held: &Held) -> Option<Mark> {
         .rings
         .iter()
         .filter(|ring| ring.kind != RingKind::Sliver);
-    let outlines: Vec<Vec<[f64; 2]>> = rings.map(outline).collect();
+    let outlines: Vec<Vec<[f64; 2]>> = rings.map(|ring| outline(&ring.points)).collect();
     (!outlines.is_empty()).then(|| Mark::new(Role::Accepted, Shape::Area(outlines)))
-}
-
-fn outline(ring: &BorderRing) -> Vec<[f64; 2]> {
-    ring.points.iter().map(|p| p.to_array()).collect()
 }
 
 /// Which way the edges run, but for those that a walk is on: it has heads of its own. Where the subject runs along an
@@ -232,7 +230,7 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         let border = names::border(input, list);
         directed(border.edge(edge_idx as usize))
     };
-    let ring = |ring_idx: usize| held.rings.get(ring_idx).map(outline);
+    let ring = |ring_idx: usize| held.rings.get(ring_idx).map(|ring| outline(&ring.points));
     match step.event() {
         Some(Event::Vertex {
             list, vertex_idx, ..
@@ -256,7 +254,7 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
         Some(Event::Switch { to, place, .. }) => onwards(step, to, place as usize),
         Some(Event::Closed { .. } | Event::Whole { kind: Some(_), .. }) => {
             let last = held.rings.last();
-            let last = last.map(|ring| signal(Shape::Outline(outline(ring))));
+            let last = last.map(|ring| signal(Shape::Outline(outline(&ring.points))));
             last.into_iter().collect()
         }
         Some(Event::Whole {
@@ -266,8 +264,7 @@ fn event_marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
             ..
         }) => {
             let ring = names::border(input, list).ring(ring_idx as usize);
-            let outline = ring.iter().map(|p| p.to_array()).collect();
-            vec![Mark::new(Role::Discarded, Shape::Outline(outline))]
+            vec![Mark::new(Role::Discarded, Shape::Outline(outline(ring)))]
         }
         Some(Event::Hole {
             hole_idx,

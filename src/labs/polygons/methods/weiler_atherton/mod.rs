@@ -104,10 +104,9 @@ impl PolygonTelling for WeilerAtherton {
     }
 
     fn crossing(event: &Event) -> Option<Point> {
-        if let Event::Found { at, .. } = *event {
-            Some(at)
-        } else {
-            None
+        match *event {
+            Event::Found { at, .. } => Some(at),
+            _ => None,
         }
     }
 

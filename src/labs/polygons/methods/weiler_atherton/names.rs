@@ -9,17 +9,14 @@ use super::prelude::*;
 /// `S₃` or `C₃`.
 pub fn vertex(input: &Input, list: List, vertex_idx: usize) -> String {
     match list {
-        List::Clip => format!("C{}", subscript(input.clip.given_vertex(vertex_idx) + 1)),
+        List::Clip => numbered('C', input.clip.given_vertex(vertex_idx)),
         List::Subject => {
             let subject = &input.subject;
             let ring_idx = subject.rings().ring_of(vertex_idx);
             // Holes are numbered on from the outer ring.
             let rings = std::iter::once(subject.outer()).chain(subject.holes());
             let before: usize = rings.take(ring_idx).map(SimplePolygon::n_given).sum();
-            format!(
-                "S{}",
-                subscript(before + subject.given_vertex(vertex_idx) + 1)
-            )
+            numbered('S', before + subject.given_vertex(vertex_idx))
         }
     }
 }
@@ -32,12 +29,12 @@ pub fn edge(input: &Input, list: List, edge_idx: usize) -> String {
 
 /// `I₂`.
 pub fn node(node_idx: u32) -> String {
-    format!("I{}", subscript(node_idx as usize + 1))
+    numbered('I', node_idx as usize)
 }
 
 /// `R₁`.
 pub fn ring(ring_idx: usize) -> Value {
-    name(format!("R{}", subscript(ring_idx + 1)))
+    name(numbered('R', ring_idx))
 }
 
 /// `S₃`, `I₂` or `S₃ = I₂`.
