@@ -3,8 +3,6 @@
 mod curve;
 mod names;
 mod numbers;
-mod shades;
-mod story;
 mod variant;
 mod views;
 

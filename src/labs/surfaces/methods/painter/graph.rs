@@ -7,7 +7,10 @@ use crate::{
 
 use super::super::prelude::*;
 
-use super::{names::test_key, overlap::overlap, variant::Variant};
+use super::{
+    names::{overlap, test_key},
+    variant::Variant,
+};
 
 /// The graph; `now` are the triangle that the step is about, and the one that is asked beside it.
 pub fn graph<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {

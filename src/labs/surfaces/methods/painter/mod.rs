@@ -2,7 +2,6 @@
 
 mod graph;
 mod names;
-mod overlap;
 mod variant;
 mod views;
 
