@@ -71,34 +71,40 @@ pub fn edge_table(shown: &Shown<'_>) -> Table {
 pub fn products(shown: &Shown<'_>) -> Option<Products> {
     let edge_idx = edge_in_hand(shown)?;
     let row = &shown.rows.get(edge_idx)?.numbers;
-    let vectors = Vectors::new(row, &shown.input.segment);
+    let Segment { p1, p2 } = shown.input.segment;
     let is_current = matches!(shown.event, Some(Event::Row { .. }));
-    let product = |of: Vector, decision: Message, value: f64| Product {
-        arithmetic: product_formula(row.normal, of.to, value),
-        onto: vectors.normal.clone(),
-        of,
-        decision,
-        is_current,
+    let vector = |symbol: &str, to: [f64; 2], role| Vector {
+        name: name(symbol),
+        to,
+        role,
+    };
+    let difference = |a: Point, b: Point| [a.x() - b.x(), a.y() - b.y()];
+    let product = |of: Vector, decision: Message, value: f64| {
+        let terms = row.normal.into_iter().zip(of.to);
+        let terms = terms.filter(|&(n, _)| n != 0.0);
+        Product {
+            arithmetic: sum_of(Formula::default(), terms, times).equals(value),
+            onto: vector("n", row.normal, Role::Signal),
+            of,
+            decision,
+            is_current,
+        }
     };
     let along = sign_of(
         row.slope,
         ["cb-sign-enters", "cb-sign-parallel", "cb-sign-leaves"],
     );
+    let along = Message::new(along).with("product", name("n·D"));
     let inside = sign_of(row.d1, ["cb-sign-inside", "cb-sign-on", "cb-sign-outside"]);
+    let inside = Message::new(inside)
+        .with("product", name("n·(P₁ − E)"))
+        .with("end", name("P₁"));
+    let d = vector("D", difference(p2, p1), Role::Accent);
+    let from_edge = vector("P₁ − E", difference(p1, row.origin), Role::Ink);
     Some(Products {
         products: vec![
-            product(
-                vectors.along,
-                Message::new(along).with("product", name("n·D")),
-                row.slope,
-            ),
-            product(
-                vectors.from_edge,
-                Message::new(inside)
-                    .with("product", name("n·(P₁ − E)"))
-                    .with("end", name("P₁")),
-                row.d1,
-            ),
+            product(d, along, row.slope),
+            product(from_edge, inside, row.d1),
         ],
         measured: Some(measured(edge_idx, row)),
     })
@@ -127,36 +133,6 @@ fn measured(edge_idx: usize, row: &Row) -> Measured {
         ends: [(name("P₁"), row.d1), (name("P₂"), row.d2)],
         spans,
     }
-}
-
-/// n, D and P₁ − E of one edge.
-struct Vectors {
-    normal: Vector,
-    along: Vector,
-    from_edge: Vector,
-}
-
-impl Vectors {
-    fn new(row: &Row, segment: &Segment) -> Self {
-        let [p1, p2, origin] = [segment.p1, segment.p2, row.origin].map(Point::to_array);
-        let vector = |symbol: &str, to: [f64; 2], role| Vector {
-            name: name(symbol),
-            to,
-            role,
-        };
-        let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
-        Self {
-            normal: vector("n", row.normal, Role::Signal),
-            along: vector("D", difference(p2, p1), Role::Accent),
-            from_edge: vector("P₁ − E", difference(p1, origin), Role::Ink),
-        }
-    }
-}
-
-fn product_formula(normal: [f64; 2], of: [f64; 2], value: f64) -> Formula {
-    let terms = normal.into_iter().zip(of);
-    let terms = terms.filter(|&(n, _)| n != 0.0);
-    sum_of(Formula::default(), terms, times).equals(value)
 }
 
 /// Every edge with its name and the side that its normal points to; of the edge in hand everything that is multiplied.

@@ -203,9 +203,10 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
     }
 
     fn watch(at: &At<'_, Self>) -> Watch {
+        let mut watch = at.filled(Self::WATCH);
         let lists = lists_watched(at).into_iter();
-        let lists = lists.map(|section| section.seen_in(LISTS));
-        scalars(at).into_iter().chain(lists).collect()
+        watch.extend(lists.map(|section| section.seen_in(LISTS)));
+        watch
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
@@ -268,13 +269,6 @@ fn of_edge<V: LabVertex, L: Variant>(
             edge.asked(name_of, &event, (&asked, symbols))?.into()
         }
     })
-}
-
-pub fn scalars<V: LabVertex, L: Variant>(
-    at: &At<'_, SutherlandHodgman<V, L>>,
-) -> Option<WatchSection> {
-    let section = at.section(&SutherlandHodgman::<V, L>::WATCH[0]);
-    (!section.rows.is_empty()).then_some(section)
 }
 
 pub fn lists_watched<V: LabVertex, L: Variant>(

@@ -180,7 +180,7 @@ impl Telling for TriangulateAndClip {
         let mut watch = at.filled(Self::WATCH);
         if triangle_now(&at.step).is_some() {
             clip_at(&at.step, |at| {
-                watch.extend(sutherland_hodgman::scalars(at));
+                watch.extend(at.filled(<SutherlandHodgman>::WATCH));
                 watch.extend(sutherland_hodgman::lists_watched(at));
             });
         }

@@ -21,25 +21,21 @@ const PAINT: usize = 4;
 
 impl AnswerAsItIs for BspOutput {}
 
-/// The tree of a scene's faces; of the first of them, where that of all would be too large.
-fn input_of(surfaces: Surfaces) -> BspInput {
-    let mut surfaces = surfaces;
-    loop {
-        match BspInput::new(surfaces.clone(), BspChoice::First) {
-            Ok(input) => return input,
-            // Half as many each time: one triangle is never too large.
-            Err(_) => surfaces = surfaces.first(surfaces.triangles().len() / 2),
-        }
-    }
-}
-
 impl SpaceTelling for Bsp {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    /// The tree of a scene's faces; of the first of them, where that of all would be too large.
     fn input(scene: &Scene) -> BspInput {
         /// A longer run cannot be followed.
         const MOST_FACES: usize = 300;
-        input_of(surfaces_on_raster(scene).first(MOST_FACES))
+        let mut surfaces = surfaces_on_raster(scene).first(MOST_FACES);
+        loop {
+            match BspInput::new(surfaces.clone(), BspChoice::First) {
+                Ok(input) => return input,
+                // Half as many each time: one triangle is never too large.
+                Err(_) => surfaces = surfaces.first(surfaces.triangles().len() / 2),
+            }
+        }
     }
 }
 

@@ -245,16 +245,21 @@ pub fn plane_of(surfaces: &Surfaces, id: u32) -> Option<Plane> {
     Plane::new([x, y, z, -normal.dot(a)]).ok()
 }
 
+pub const fn mark(role: Role, shape: RasterShape) -> RasterMark {
+    RasterMark { role, shape }
+}
+
+/// The middle of a pixel.
+pub fn middle_at(place: usize, width: usize) -> [f64; 2] {
+    [place % width, place / width].map(|x| x as f64 + 0.5)
+}
+
 pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
     let places = seen_corners(surfaces, id);
     let next = places.iter().cycle().skip(1);
     let edges = places.iter().zip(next);
-    edges
-        .map(|(&a, &b)| RasterMark {
-            role,
-            shape: RasterShape::Line([a, b]),
-        })
-        .collect()
+    let lines = edges.map(|(&a, &b)| mark(role, RasterShape::Line([a, b])));
+    lines.collect()
 }
 
 /// Of a segment in view space what is seen of it, over the pixels.
@@ -265,10 +270,7 @@ pub fn segment(surfaces: &Surfaces, ends: [[f64; 3]; 2], role: Role) -> Option<R
         ends: ends.map(|[x, y, z]| clip_from_view.times([x, y, z, 1.0])),
     })?;
     let places = visible.map(|[x, y, _, w]| surfaces.viewport().screen_from_ndc([x / w, y / w]));
-    Some(RasterMark {
-        role,
-        shape: RasterShape::Line(places),
-    })
+    Some(mark(role, RasterShape::Line(places)))
 }
 
 pub fn spaced(sign: &str) -> Named {
@@ -296,17 +298,11 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
     let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
-    let [width, _] = surfaces.size().map(|side| side as usize);
+    let width = surfaces.size()[0] as usize;
     let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
     let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);
     wrong
-        .map(|(place, _)| {
-            let at = [place % width, place / width].map(|x| x as f64 + 0.5);
-            RasterMark {
-                role: Role::Signal,
-                shape: RasterShape::Cross(at),
-            }
-        })
+        .map(|(place, _)| mark(Role::Signal, RasterShape::Cross(middle_at(place, width))))
         .collect()
 }
 

@@ -42,12 +42,12 @@ pub fn tree(at: &At<'_, Bsp>, scene: &Scene) -> Graph {
     });
     let mut nodes: Vec<GraphNode> = nodes.collect();
     let mut arrows = tree.branches();
-    for waiting in tree.waiting() {
-        let node = &mut nodes[waiting.arrow.to];
+    for (name, arrow) in tree.waiting() {
+        let node = &mut nodes[arrow.to];
         node.stage = NodeStage::Asked;
-        node.name = waiting.name;
-        node.role = waiting.arrow.role;
-        arrows.push(waiting.arrow);
+        node.name = name;
+        node.role = arrow.role;
+        arrows.push(arrow);
     }
     let below = |node: &BspNode| [node.front, node.back].map(|child| Some(child? as usize));
     Graph {
@@ -154,8 +154,9 @@ impl Tree<'_> {
             .collect()
     }
 
-    /// What has been sorted, and is not built yet; this step's stands out.
-    fn waiting(&self) -> Vec<Waiting> {
+    /// The pieces that wait for a node of their own, each with the arrow from the node that has sorted them to where theirs will
+    /// be; this step's stands out.
+    fn waiting(&self) -> Vec<(Value, GraphArrow)> {
         let (nodes, event) = (&self.at.step.held.nodes, self.at.step.event());
         let is_to_come = |to: &u32| *to as usize >= nodes.len();
         let mut all = Vec::new();
@@ -179,18 +180,11 @@ impl Tree<'_> {
                     role,
                     reason: None,
                 };
-                all.push(Waiting { name, arrow });
+                all.push((name, arrow));
             }
         }
         all
     }
-}
-
-/// Pieces that wait for a node of their own.
-struct Waiting {
-    name: Value,
-    /// From the node that has sorted them to where theirs will be.
-    arrow: GraphArrow,
 }
 
 /// Is this step about that piece, or one that it is a part of?

@@ -112,7 +112,6 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
     };
     let shaded = so_far.depth.iter();
     let shaded: Option<Vec<Pixel>> = shaded.map(|&depth| shades.pixel::<L>(depth)).collect();
-    let [columns, rows] = own.surfaces.size().map(|side| side as usize);
     let mut title = if is_narrow {
         Value::Term("raster-so-far")
     } else {
@@ -124,13 +123,12 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         title = titled(title, wrong.len());
         over.extend(wrong);
     }
+    let pixels = shaded.unwrap_or_else(|| pixels(&so_far.picture, current, said));
     Raster {
         title,
-        size: [columns, rows],
-        pixels: shaded.unwrap_or_else(|| pixels(&so_far.picture, current, said)),
         scale: shades.scale(),
         current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
-        over,
+        ..raster_so_far(&own.surfaces, pixels, over)
     }
 }
 

@@ -62,7 +62,7 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     } else {
         &at.step.held.asked
     };
-    over.extend(asked.iter().filter(|_| drawn.is_none()).map(mark));
+    over.extend(asked.iter().filter(|_| drawn.is_none()).map(answer_mark));
     let names = lettered(&picture, |object| name_of(at.scenery, object as usize));
     let columns = input.surfaces.size()[0] as usize;
     // Where pixels are asked, their marks stand in place of letters.
@@ -74,14 +74,13 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     raster_so_far(&input.surfaces, pixels, over)
 }
 
-fn mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
+fn answer_mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
     let at = pixel.map(|x| f64::from(x) + 0.5);
-    let (role, shape) = if passes {
-        (Role::Signal, RasterShape::Cross(at))
+    if passes {
+        mark(Role::Signal, RasterShape::Cross(at))
     } else {
-        (Role::Ink, RasterShape::Dot(at))
-    };
-    RasterMark { role, shape }
+        mark(Role::Ink, RasterShape::Dot(at))
+    }
 }
 
 fn lists(at: &At<'_, Occlusion>) -> Lists {

@@ -33,20 +33,10 @@ pub fn graph<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene, now: [Option<u3
     });
     let nowhere = surfaces.size().map(|side| 0.5 * f64::from(side));
     let place_of = |&id: &u32| middle_of(surfaces, id).unwrap_or(nowhere);
-    let arrows = arrows(at, now).into_iter().filter_map(|arrow| {
-        let [from, to] = [place(arrow.ends[0])?, place(arrow.ends[1])?];
-        Some(GraphArrow {
-            from,
-            to,
-            kind: arrow.kind,
-            role: arrow.role,
-            reason: arrow.reason,
-        })
-    });
     Graph {
         title: Value::Term("painter-must"),
         nodes: nodes.collect(),
-        arrows: arrows.collect(),
+        arrows: arrows(at, now, place),
         places: Places::Free(ids.iter().map(place_of).collect()),
         ring: (!held.cycle.is_empty()).then_some(Value::Term("painter-cycle")),
         focus: now[0].and_then(place),
@@ -68,34 +58,33 @@ fn number_of(held: &PainterHeld, id: u32) -> Option<Value> {
     Some(Value::Count(place + 1))
 }
 
-struct Arrow {
-    ends: [u32; 2],
-    kind: ArrowKind,
-    role: Role,
-    reason: Option<Value>,
-}
-
-fn arrows<L: Variant>(at: &At<'_, Painter<L>>, now: [Option<u32>; 2]) -> Vec<Arrow> {
+/// From node to node, each at the `place` of its triangle.
+fn arrows<L: Variant>(
+    at: &At<'_, Painter<L>>,
+    now: [Option<u32>; 2],
+    place: impl Fn(u32) -> Option<usize>,
+) -> Vec<GraphArrow> {
     let held = at.step.held;
-    let found = held.constraints.iter().map(|&ends| {
-        let is_in_ring = is_in_ring(&held.cycle, ends);
-        let is_now = ends.map(Some) == now;
-        Arrow {
-            ends,
-            kind: if is_in_ring {
-                ArrowKind::Ring
-            } else {
-                ArrowKind::Holds
-            },
-            role: if is_in_ring || is_now {
-                Role::Signal
-            } else {
-                Role::Soft
-            },
-            reason: hides(at, ends),
-        }
+    let arrow = |[from, to]: [u32; 2], kind, role, reason| {
+        Some(GraphArrow {
+            from: place(from)?,
+            to: place(to)?,
+            kind,
+            role,
+            reason,
+        })
+    };
+    let found = held.constraints.iter().filter_map(|&ends| {
+        let (kind, role) = if is_in_ring(&held.cycle, ends) {
+            (ArrowKind::Ring, Role::Signal)
+        } else if ends.map(Some) == now {
+            (ArrowKind::Holds, Role::Signal)
+        } else {
+            (ArrowKind::Holds, Role::Soft)
+        };
+        arrow(ends, kind, role, hides(at, ends))
     });
-    let mut arrows: Vec<Arrow> = found.collect();
+    let mut arrows: Vec<GraphArrow> = found.collect();
     if let Some(Event::Pair {
         id,
         other,
@@ -104,17 +93,14 @@ fn arrows<L: Variant>(at: &At<'_, Painter<L>>, now: [Option<u32>; 2]) -> Vec<Arr
         ..
     }) = at.step.event()
     {
-        let refused = hides(at, [other, id]).filter(|_| !may);
-        arrows.push(Arrow {
-            ends: [id, other],
-            kind: if may {
-                ArrowKind::Allowed
-            } else {
-                ArrowKind::Refused
-            },
-            role: Role::Signal,
-            reason: Some(refused.unwrap_or(Value::Term(test_key(test)))),
-        });
+        let asked = Value::Term(test_key(test));
+        let (kind, reason) = if may {
+            (ArrowKind::Allowed, asked)
+        } else {
+            let refused = hides(at, [other, id]);
+            (ArrowKind::Refused, refused.unwrap_or(asked))
+        };
+        arrows.extend(arrow([id, other], kind, Role::Signal, Some(reason)));
     }
     arrows
 }

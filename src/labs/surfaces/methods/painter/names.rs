@@ -119,7 +119,7 @@ pub fn overlap(surfaces: &Surfaces, ends: [u32; 2]) -> Option<Overlap> {
     let place = middle(&hidden, width)?;
     let rays = Rays::of(surfaces);
     Some(Overlap {
-        at: [place % width, place / width].map(|x| x as f64 + 0.5),
+        at: middle_at(place, width),
         depths: depths.map(|depths| rays.distance(rays.t_at(depths[place]))),
     })
 }

@@ -52,18 +52,13 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
     });
     let waiting = waiting.filter(|(id, _)| ![own, other].contains(&Some(*id)));
     let marked = [(other, Role::Signal), (own, Role::Accent)];
-    let marked = marked
-        .into_iter()
-        .filter_map(|(id, role)| Some((id?, role)));
-    let mut over: Vec<_> = waiting
-        .chain(marked)
-        .flat_map(|(id, role)| outline(surfaces, id, role))
-        .collect();
+    let marked = marked.into_iter();
+    let outlined = waiting.chain(marked.filter_map(|(id, role)| Some((id?, role))));
+    let over = outlined.flat_map(|(id, role)| outline(surfaces, id, role));
+    let mut over: Vec<RasterMark> = over.collect();
     // Where the depths are that give the arrows.
-    over.extend(overlaps(at).into_iter().map(|at| RasterMark {
-        role: Role::Signal,
-        shape: RasterShape::Dot(at),
-    }));
+    let dot = |at| mark(Role::Signal, RasterShape::Dot(at));
+    over.extend(overlaps(at).into_iter().map(dot));
     let mut raster = raster_so_far(surfaces, pixels(picture, own, letters), over);
     if is_done && cycle.is_empty() {
         let wrong = wrong_pixels(surfaces, picture);
