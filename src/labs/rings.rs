@@ -6,7 +6,7 @@ use crate::{
     text::Value,
 };
 
-use super::{telling::Named, words::name};
+use super::{interval::value_of, telling::Named, words::name};
 
 /// The edge that was looked at last.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -54,11 +54,7 @@ impl<V: Copy + PartialEq> Asked<V> {
             "rule" => Value::Term(rule_term(self.test?.rule)).into(),
             "d_S" => distance(self.test?, 0),
             "d_P" => distance(self.test?, 1),
-            "t" => {
-                let Crossing { t, .. } = self.crossing?;
-                let (num, den) = (t.num, t.den);
-                Value::Ratio { num, den }.into()
-            }
+            "t" => value_of(self.crossing?.t).into(),
             _ => return None,
         })
     }

@@ -49,19 +49,20 @@ impl Document for Scene {
         }
         let segments = self.segments().iter();
         let cost: Counts = segments.map(|&s| (method.info().cost)(self, s)).sum();
-        let message = Message::new("cost-of-all-segments").with("count", n);
-        let kinds = [
-            ("divisions", cost.div),
-            ("multiplications", cost.mul),
-            ("additions", cost.add),
-            ("comparisons", cost.cmp),
-        ];
-        let with = |message: Message, (kind, n)| message.with(kind, n as usize);
-        Some(kinds.into_iter().fold(message, with))
+        let message = Message::new("cost-of-all-segments")
+            .with("count", n)
+            .with("divisions", cost.div as usize)
+            .with("multiplications", cost.mul as usize)
+            .with("additions", cost.add as usize)
+            .with("comparisons", cost.cmp as usize);
+        Some(message)
     }
 
     fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
-        self.add_segment(beside(self)?)?;
+        let [_, ymin, _, ymax] = self.window.to_array();
+        let by = 0.25 * (ymax - ymin);
+        let [x1, y1, x2, y2] = self.focused().to_array();
+        self.add_segment(Segment::new(x1, y1 + by, x2, y2 + by)?)?;
         Ok(None)
     }
 
@@ -71,7 +72,8 @@ impl Document for Scene {
     }
 
     fn click(&self, click: &Click<'_>) -> Option<Own> {
-        Some(Arc::new(clicked(self, click)?))
+        let other = other_under(self, click)?;
+        Some(Arc::new(LinesChange::Focus(other)))
     }
 
     fn pointed(&self, click: &Click<'_>) -> Option<Shape> {
@@ -110,17 +112,6 @@ impl ChangeOf for LinesChange {
     }
 }
 
-pub fn beside(scene: &Scene) -> Result<Segment, Diagnostic> {
-    let [_, ymin, _, ymax] = scene.window.to_array();
-    let by = 0.25 * (ymax - ymin);
-    let [x1, y1, x2, y2] = scene.focused().to_array();
-    Ok(Segment::new(x1, y1 + by, x2, y2 + by)?)
-}
-
-pub fn clicked(scene: &Scene, click: &Click<'_>) -> Option<LinesChange> {
-    other_under(scene, click).map(LinesChange::Focus)
-}
-
-pub fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
+fn other_under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     under(scene, click).filter(|&segment_idx| segment_idx != scene.focus())
 }

@@ -79,22 +79,15 @@ impl Draggable for Scene {
             let moved = Segment::new(p1.x() + dx, p1.y() + dy, p2.x() + dx, p2.y() + dy)?;
             self.set_segment(self.focus(), moved);
         } else if handle.is(&CLIP_VERTEX) {
-            self.drag_vertex(i, to)?;
+            if let Some(clip) = self.polygon_in_use() {
+                let mut outline: Vec<[f64; 2]> = clip.clone().into();
+                if let Some(vertex) = outline.get_mut(i) {
+                    *vertex = to.to_array();
+                }
+                self.clip = Some(ConvexPolygon::new(&outline)?);
+            }
         } else {
             self.window = window_handles::dragged(handle, &self.window, to)?;
-        }
-        Ok(())
-    }
-}
-
-impl Scene {
-    fn drag_vertex(&mut self, vertex_idx: usize, to: Point) -> Result<(), Diagnostic> {
-        if let Some(clip) = self.polygon_in_use() {
-            let mut outline: Vec<[f64; 2]> = clip.clone().into();
-            if let Some(vertex) = outline.get_mut(vertex_idx) {
-                *vertex = to.to_array();
-            }
-            self.clip = Some(ConvexPolygon::new(&outline)?);
         }
         Ok(())
     }

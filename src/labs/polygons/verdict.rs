@@ -173,7 +173,7 @@ const fn found_link(idx: usize) -> Link {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{LAB, Method, random_polygon},
+        super::{Method, random_polygon},
         *,
     };
     use crate::labs::Document;
@@ -196,8 +196,7 @@ mod tests {
 
     #[test]
     fn a_vertex_turns_where_it_is_said() {
-        let mut scene = (LAB.first_scene)();
-        let scene = scene.get_mut::<Scene>().expect("of this lab");
+        let mut scene = Scene::first();
         let mut n_turned = [0; 2];
         for (id, seed) in [
             ("sutherland-hodgman", 1),
@@ -205,18 +204,18 @@ mod tests {
         ] {
             scene.method = Method::by_id(id).expect("in the registry");
             scene.subject = random_polygon(&scene.clip_window(), 40, seed).expect("a polygon");
-            let region = region(scene).expect("convex");
+            let region = region(&scene).expect("convex");
             let planes = region.half_planes();
             for vertex_idx in 0..40 {
                 let at = scene.subject.vertices()[vertex_idx];
-                let fate = (scene.method.info().fate)(scene, at).expect("each is asked");
-                let Some((border_idx, by)) = turn(scene, &region, at, fate) else {
+                let fate = (scene.method.info().fate)(&scene, at).expect("each is asked");
+                let Some((border_idx, by)) = turn(&scene, &region, at, fate) else {
                     continue;
                 };
                 let Some(by) = by else { continue };
                 let normal = planes[border_idx].normal();
-                let beyond = moved(scene, vertex_idx, normal, by + by.signum() * 1e-9);
-                let before = moved(scene, vertex_idx, normal, 0.99 * by);
+                let beyond = moved(&scene, vertex_idx, normal, by + by.signum() * 1e-9);
+                let before = moved(&scene, vertex_idx, normal, 0.99 * by);
                 let kept = [&beyond, &before].map(|scene| is_kept(scene, vertex_idx));
                 let expected = [Some(!fate.is_kept), Some(fate.is_kept)];
                 assert_eq!(kept, expected, "{at:?} {by}");
@@ -228,12 +227,11 @@ mod tests {
 
     #[test]
     fn every_vertex_intersection_and_piece_of_every_method_is_told() {
-        let mut scene = (LAB.first_scene)();
-        let scene = scene.get_mut::<Scene>().expect("of this lab");
+        let mut scene = Scene::first();
         for card in (scene.lab().methods)() {
             scene.set_method(card.id);
             let runs = scene.record();
-            let found = (scene.method.info().found)(scene);
+            let found = (scene.method.info().found)(&scene);
             assert!(!found.is_empty(), "{}", card.id);
             for idx in 0..found.len() {
                 let told = scene

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::line::{BruteForce, BruteForceEvent as Event, Ratio},
-    labs::words::end_symbol,
+    labs::{interval::value_of, words::end_symbol},
 };
 
 use super::{prelude::*, shared::side_key};
@@ -57,7 +57,7 @@ impl Shown {
 pub fn crossing_values(shown: &Shown, edge: Edge) -> [Option<Value>; 2] {
     let crossing = shown.crossings[edge as usize];
     [
-        crossing.map(|(_, Ratio { num, den })| Value::Ratio { num, den }),
+        crossing.map(|(_, u)| value_of(u)),
         crossing.map(|(at, _)| Value::Point(at.to_array())),
     ]
 }

@@ -1,5 +1,7 @@
 //! The two lists beside each other, the same intersections linked: of long ones what lies about the step.
 
+use crate::labs::interval::value_of;
+
 use super::{
     named::label as label_value,
     names,
@@ -108,11 +110,8 @@ fn detail(step: &Step<'_, WeilerAtherton>, list: List, entry: &Entry) -> Option<
     }
     let is_on_edge = entry.vertex().is_none() && step.held.labels.is_empty();
     let node = step.held.lists.nodes.get(node_idx as usize);
-    let Ratio { num, den } = node.filter(|_| is_on_edge).map(|node| match list {
-        List::Subject => node.meeting.t,
-        List::Clip => node.meeting.u,
-    })?;
-    Some(Value::Ratio { num, den })
+    let meeting = node.filter(|_| is_on_edge)?.meeting;
+    Some(value_of([meeting.t, meeting.u][list.idx()]))
 }
 
 /// Between the same intersections, in the direction in which the lists are changed.

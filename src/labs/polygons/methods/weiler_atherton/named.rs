@@ -2,7 +2,10 @@
 
 use crate::{
     geom::Axis,
-    labs::words::{along, axis_symbol},
+    labs::{
+        interval::value_of,
+        words::{along, axis_symbol},
+    },
 };
 
 use super::{names, prelude::*};
@@ -36,8 +39,8 @@ pub fn found_named(input: &Input, event: &Event, name: &str) -> Option<Named> {
         ("edge", Contact::SubjectVertex) | ("clip" | "clip-edge", _) => edge(Clip),
         ("edge" | "subject" | "subject-edge", _) => edge(Subject),
         ("at", _) => at.to_array().into(),
-        ("t", _) => quotient(t),
-        ("u", _) => quotient(u),
+        ("t", _) => value_of(t).into(),
+        ("u", _) => value_of(u).into(),
         ("x", _) => mean(Axis::X),
         ("y", _) => mean(Axis::Y),
         _ => return None,
@@ -57,7 +60,7 @@ pub fn node_named(
         ("node", _) => Named::from(names::node(node_idx)).linked(names::node_link(node_idx)),
         ("vertex", _) => names::vertex(step.input, Clip, clip_edge).into(),
         ("edge", _) => names::edge(step.input, Clip, clip_edge).into(),
-        ("u", _) => quotient(node.meeting.u),
+        ("u", _) => value_of(node.meeting.u).into(),
         ("at", Event::Labelled { .. }) if is_crossing => return None,
         ("at", _) => node.meeting.at.to_array().into(),
         ("label", Event::Labelled { label: it, .. }) => label(it).into(),
@@ -125,10 +128,6 @@ pub const fn label(label: IntersectionLabel) -> Value {
         Leaving => "wa-mark-leaving",
         Touching | Pinching => names::label_key(label),
     })
-}
-
-fn quotient(Ratio { num, den }: Ratio) -> Named {
-    Value::Ratio { num, den }.into()
 }
 
 /// Of the edge's other end.

@@ -25,7 +25,15 @@ pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
             Named::from(pixel_formula(pixel)).linked(link)
         }
         ("hits", _) => hits(past).count().into(),
-        ("quotient", Some(Event::Ask { found, .. })) => quotient(&found).into(),
+        // `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
+        ("quotient", Some(Event::Ask { found, .. })) => {
+            let symbols = Formula::decimals().sym("t = −(n·o + d) / (n·r) = ");
+            let formula = quotient(symbols, &found);
+            match found.t {
+                Some(t) => formula.equals(t).into(),
+                None => formula.into(),
+            }
+        }
         ("rays", _) => n_rays.into(),
         ("questions", _) => {
             let n_triangles = input.surfaces.triangles().len();
@@ -54,17 +62,10 @@ pub fn listed(at: &At<'_, RayCasting>, list: &str) -> Vec<Named> {
     hits.chain([Value::Term("depth-nothing").into()]).collect()
 }
 
-/// `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
-fn quotient(found: &PlaneHit) -> Formula {
-    let formula = Formula::decimals().sym("t = −(n·o + d) / (n·r) = ");
-    let formula = formula
-        .num(-found.numerator)
-        .sym(" / ")
-        .divisor(found.denominator);
-    match found.t {
-        Some(t) => formula.equals(t),
-        None => formula,
-    }
+/// `3.012 / 1.025`
+pub fn quotient(formula: Formula, found: &PlaneHit) -> Formula {
+    let formula = formula.num(-found.numerator).sym(" / ");
+    formula.divisor(found.denominator)
 }
 
 fn of_turn(past: &[Event]) -> &[Event] {

@@ -1,13 +1,13 @@
 //! The ray with its hits in space and on its own axis, every question, the picture so far.
 
 use crate::{
-    algo::surface::{Meeting, PlaneHit, Ray, RayCasting, RayCastingEvent as Event},
+    algo::surface::{Meeting, Ray, RayCasting, RayCastingEvent as Event},
     figure::{LineTick, NumberLine, Side},
 };
 
 use super::super::prelude::*;
 
-use super::names::{asked, hits, turn};
+use super::names::{asked, hits, quotient, turn};
 
 const ASKED_VIEW: &str = "asked";
 const AXIS_VIEW: &str = "axis";
@@ -119,10 +119,7 @@ fn table(at: &At<'_, RayCasting>, scenery: &Scenery) -> Table {
             Role::Soft
         };
         let number = |x: f64| Value::Formula(Formula::decimals().num(x));
-        let quotient = |found: PlaneHit| {
-            let quotient = Formula::decimals().num(-found.numerator).sym(" / ");
-            Value::Formula(quotient.divisor(found.denominator))
-        };
+        let quotient = |found| Value::Formula(quotient(Formula::decimals(), &found));
         let met = found.filter(|found| found.meeting != Meeting::Culled);
         let word = found.map(|found| match found.meeting {
             Meeting::Hit if nearest == Some(id) => Value::Term("ray-nearest"),
