@@ -26,6 +26,23 @@ pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static 
     CodeLine { depth, code, words }
 }
 
+/// Pseudocode, line after line: what a line is called in its file, how deep it is, and its two keys.
+macro_rules! pseudocode {
+    ($($line:ident: $depth:literal, $code:literal, $words:literal;)+) => {
+        #[allow(non_camel_case_types, clippy::upper_case_acronyms, reason = "the names of lines")]
+        enum Place { $($line),+ }
+
+        $(
+            #[allow(dead_code, reason = "on some lines no step stands")]
+            pub const $line: usize = Place::$line as usize;
+        )+
+
+        pub const LINES: [CodeLine; [$($depth),+].len()] = [$(code_line($depth, $code, $words)),+];
+    };
+}
+
+pub(super) use pseudocode;
+
 /// A table of mistakes. Of each: its id, its name, what is said at the first step that the right method does not do, and the lines
 /// of pseudocode that are other ones.
 macro_rules! mistakes {

@@ -13,7 +13,7 @@ pub(in crate::labs) use crate::{
 
 pub(in crate::labs) use super::{
     Answer, CodeLine, Verdict,
-    card::{MethodCard, but_for, code_line, mistakes},
+    card::{MethodCard, but_for, code_line, mistakes, pseudocode},
     recorded::Recorded,
     telling::{AnswerAsItIs, At, Named, Row, Telling, Watched, table},
     words::{

@@ -24,11 +24,13 @@ impl LineTelling for BruteForce {
     }
 }
 
-const EACH: usize = 0;
-const INTERSECT: usize = 1;
-const REJECT: usize = 2;
-const CUT: usize = 3;
-const ACCEPT: usize = 4;
+pseudocode! {
+    EACH: 0, "code-bf-each", "words-bf-each";
+    INTERSECT: 1, "code-bf-intersect", "words-bf-intersect";
+    REJECT: 1, "code-bf-reject", "words-bf-reject";
+    CUT: 1, "code-bf-cut", "words-bf-cut";
+    ACCEPT: 0, "code-bf-accept", "words-bf-accept";
+}
 
 const BOTH: &[&str] = &["{x₁, x₂}"];
 
@@ -38,13 +40,7 @@ impl Telling for BruteForce {
     const ID: &'static str = "brute-force";
     const NAME_KEY: &'static str = "alg-brute-force";
     const SOURCE: &'static str = "Rogers, 1998, §3-1";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-bf-each", "words-bf-each"),
-        code_line(1, "code-bf-intersect", "words-bf-intersect"),
-        code_line(1, "code-bf-reject", "words-bf-reject"),
-        code_line(1, "code-bf-cut", "words-bf-cut"),
-        code_line(0, "code-bf-accept", "words-bf-accept"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&["P₁", "P₂", "crossings", "used"])];
     const OPENING: Row = Row::new(Phase, EACH, "line-opening").so(ENDS);
 

@@ -21,12 +21,14 @@ use super::{
 
 const CORNERS_VIEW: &str = "corners";
 
-const REGIONS: usize = 0;
-const SHARED: usize = 1;
-const ENTERS: usize = 2;
-const MEETS: usize = 3;
-const LEAVES: usize = 4;
-const CUT: usize = 5;
+pseudocode! {
+    REGIONS: 0, "code-nln-regions", "words-nln-regions";
+    SHARED: 0, "code-nln-shared", "words-nln-shared";
+    ENTERS: 0, "code-nln-enters", "words-nln-enters";
+    MEETS: 0, "code-nln-meets", "words-nln-meets";
+    LEAVES: 0, "code-nln-leaves", "words-nln-leaves";
+    CUT: 0, "code-nln-cut", "words-nln-cut";
+}
 
 impl LineTelling for NichollLeeNicholl {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
@@ -56,14 +58,7 @@ impl Telling for NichollLeeNicholl {
     const ID: &'static str = "nicholl-lee-nicholl";
     const NAME_KEY: &'static str = "alg-nicholl-lee-nicholl";
     const SOURCE: &'static str = "Nicholl, Lee & Nicholl, 1987";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-nln-regions", "words-nln-regions"),
-        code_line(0, "code-nln-shared", "words-nln-shared"),
-        code_line(0, "code-nln-enters", "words-nln-enters"),
-        code_line(0, "code-nln-meets", "words-nln-meets"),
-        code_line(0, "code-nln-leaves", "words-nln-leaves"),
-        code_line(0, "code-nln-cut", "words-nln-cut"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "P₁",
         "P₂",

@@ -20,13 +20,15 @@ use super::{
     sutherland_hodgman::{SOURCE, crossing_of, input},
 };
 
-const SEND: usize = 0;
-const ENTER: usize = 1;
-const FIRST: usize = 2;
-const CROSS: usize = 3;
-const PASS_ON: usize = 4;
-const OUTPUT: usize = 5;
-const CLOSE: usize = 6;
+pseudocode! {
+    SEND: 0, "code-pipe-send", "words-pipe-send";
+    ENTER: 0, "code-pipe-enter", "words-pipe-enter";
+    FIRST: 1, "code-pipe-first", "words-pipe-first";
+    CROSS: 1, "code-pipe-cross", "words-pipe-cross";
+    PASS_ON: 1, "code-pipe-pass-on", "words-pipe-pass-on";
+    OUTPUT: 0, "code-pipe-output", "words-pipe-output";
+    CLOSE: 0, "code-pipe-close", "words-pipe-close";
+}
 
 const N_ROWS: usize = 8;
 
@@ -79,15 +81,7 @@ impl Telling for Pipeline {
     const ID: &'static str = "sutherland-hodgman-pipeline";
     const NAME_KEY: &'static str = "alg-sutherland-hodgman-pipeline";
     const SOURCE: &'static str = SOURCE;
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-pipe-send", "words-pipe-send"),
-        code_line(0, "code-pipe-enter", "words-pipe-enter"),
-        code_line(1, "code-pipe-first", "words-pipe-first"),
-        code_line(1, "code-pipe-cross", "words-pipe-cross"),
-        code_line(1, "code-pipe-pass-on", "words-pipe-pass-on"),
-        code_line(0, "code-pipe-output", "words-pipe-output"),
-        code_line(0, "code-pipe-close", "words-pipe-close"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&["d_S", "d_P"])];
 
     table! { |event, step|

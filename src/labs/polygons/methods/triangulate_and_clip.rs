@@ -19,10 +19,12 @@ use super::{
     triangles::{points_of, triangle_link, triangle_name},
 };
 
-const TRIANGULATE: usize = 0;
-const EACH: usize = 1;
-const CLIP: usize = 2;
-const PIECE: usize = 3;
+pseudocode! {
+    TRIANGULATE: 0, "code-tac-triangulate", "words-tac-triangulate";
+    EACH: 0, "code-tac-each", "words-tac-each";
+    CLIP: 1, "code-tac-clip", "words-tac-clip";
+    PIECE: 1, "code-tac-piece", "words-tac-piece";
+}
 
 const FEW_ENOUGH: usize = 200;
 /// The row of a vertex that is put out hangs on the edge asked before it, and on where that edge crosses.
@@ -123,12 +125,7 @@ impl Telling for TriangulateAndClip {
     const ID: &'static str = "triangulate-and-clip";
     const NAME_KEY: &'static str = "alg-triangulate-and-clip";
     const SOURCE: &'static str = "Hearn & Baker, 1997, §6-8";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-tac-triangulate", "words-tac-triangulate"),
-        code_line(0, "code-tac-each", "words-tac-each"),
-        code_line(1, "code-tac-clip", "words-tac-clip"),
-        code_line(1, "code-tac-piece", "words-tac-piece"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const ROWS: &'static [Row] = &ALL;
     const WATCH: &'static [Watched] = &[Watched::Names(&["now", "pieces"])];
 

@@ -13,11 +13,13 @@ use super::prelude::*;
 
 const TREE_VIEW: &str = "tree";
 
-const NODE: usize = 0;
-const ASK: usize = 1;
-const CUT: usize = 2;
-const VISIT: usize = 3;
-const PAINT: usize = 4;
+pseudocode! {
+    NODE: 0, "code-bsp-node", "words-bsp-node";
+    ASK: 1, "code-bsp-ask", "words-bsp-ask";
+    CUT: 1, "code-bsp-cut", "words-bsp-cut";
+    VISIT: 0, "code-bsp-visit", "words-bsp-visit";
+    PAINT: 1, "code-bsp-paint", "words-bsp-paint";
+}
 
 impl AnswerAsItIs for BspOutput {}
 
@@ -59,13 +61,7 @@ impl Telling for Bsp {
     const ID: &'static str = "bsp";
     const NAME_KEY: &'static str = "alg-bsp";
     const SOURCE: &'static str = "Fuchs, Kedem & Naylor, 1980";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-bsp-node", "words-bsp-node"),
-        code_line(1, "code-bsp-ask", "words-bsp-ask"),
-        code_line(1, "code-bsp-cut", "words-bsp-cut"),
-        code_line(0, "code-bsp-visit", "words-bsp-visit"),
-        code_line(1, "code-bsp-paint", "words-bsp-paint"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-nodes",
         "watch-pieces",

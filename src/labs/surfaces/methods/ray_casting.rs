@@ -10,11 +10,13 @@ use crate::algo::surface::{
 
 use super::prelude::*;
 
-const PIXEL: usize = 0;
-const TRIANGLE: usize = 1;
-const PLANE: usize = 2;
-const INSIDE: usize = 3;
-const NEAREST: usize = 4;
+pseudocode! {
+    PIXEL: 0, "code-ray-pixel", "words-ray-pixel";
+    TRIANGLE: 1, "code-ray-triangle", "words-ray-triangle";
+    PLANE: 2, "code-ray-plane", "words-ray-plane";
+    INSIDE: 2, "code-ray-inside", "words-ray-inside";
+    NEAREST: 1, "code-ray-nearest", "words-ray-nearest";
+}
 
 /// More questions than these are not recorded: one ray is, through the pixel that is looked at.
 const MOST_QUESTIONS: usize = 100_000;
@@ -54,13 +56,7 @@ impl Telling for RayCasting {
     const ID: &'static str = "ray-casting";
     const NAME_KEY: &'static str = "alg-ray-casting";
     const SOURCE: &'static str = "Appel, 1968";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-ray-pixel", "words-ray-pixel"),
-        code_line(1, "code-ray-triangle", "words-ray-triangle"),
-        code_line(2, "code-ray-plane", "words-ray-plane"),
-        code_line(2, "code-ray-inside", "words-ray-inside"),
-        code_line(1, "code-ray-nearest", "words-ray-nearest"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-pixel",
         "r",

@@ -20,13 +20,16 @@ use super::{
 
 pub use self::marks::marks;
 
-const CLASSIFY: usize = 0;
-const ROUND: usize = 1;
-const CONVEX: usize = 3;
-const EMPTY: usize = 4;
-const CUT: usize = 5;
-const RECLASSIFY: usize = 6;
-const LAST: usize = 7;
+pseudocode! {
+    CLASSIFY: 0, "code-ear-classify", "words-ear-classify";
+    ROUND: 0, "code-ear-round", "words-ear-round";
+    EACH: 1, "code-ear-each", "words-ear-each";
+    CONVEX: 2, "code-ear-convex", "words-ear-convex";
+    EMPTY: 3, "code-ear-empty", "words-ear-empty";
+    CUT: 4, "code-ear-cut", "words-ear-cut";
+    RECLASSIFY: 4, "code-ear-again", "words-ear-again";
+    LAST: 0, "code-ear-last", "words-ear-last";
+}
 
 const MAX_ROWS: usize = 12;
 
@@ -67,16 +70,7 @@ impl Telling for EarClipping {
     const ID: &'static str = "ear-clipping";
     const NAME_KEY: &'static str = "alg-ear-clipping";
     const SOURCE: &'static str = "G. H. Meisters, 1975; ElGindy, Everett & Toussaint, 1993";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-ear-classify", "words-ear-classify"),
-        code_line(0, "code-ear-round", "words-ear-round"),
-        code_line(1, "code-ear-each", "words-ear-each"),
-        code_line(2, "code-ear-convex", "words-ear-convex"),
-        code_line(3, "code-ear-empty", "words-ear-empty"),
-        code_line(4, "code-ear-cut", "words-ear-cut"),
-        code_line(4, "code-ear-again", "words-ear-again"),
-        code_line(0, "code-ear-last", "words-ear-last"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[
         Watched::Seen(&["left"], ring::VIEW),
         Watched::Names(&["n left", "n triangles"]),

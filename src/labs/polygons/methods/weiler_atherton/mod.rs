@@ -18,16 +18,18 @@ use named::{found_named, label, node_named, ring_named};
 use prelude::*;
 use standing::place_of;
 
-const FIND: usize = 0;
-const INSERT: usize = 1;
-const LABEL: usize = 2;
-const START: usize = 3;
-const FOLLOW: usize = 4;
-const ENTER: usize = 5;
-const LEAVE: usize = 6;
-const CLOSE: usize = 7;
-const WHOLE: usize = 8;
-const HOLES: usize = 9;
+pseudocode! {
+    FIND: 0, "code-wa-find", "words-wa-find";
+    INSERT: 0, "code-wa-insert", "words-wa-insert";
+    LABEL: 0, "code-wa-label", "words-wa-label";
+    START: 0, "code-wa-start", "words-wa-start";
+    FOLLOW: 1, "code-wa-follow", "words-wa-follow";
+    ENTER: 1, "code-wa-enter", "words-wa-enter";
+    LEAVE: 1, "code-wa-leave", "words-wa-leave";
+    CLOSE: 1, "code-wa-close", "words-wa-close";
+    WHOLE: 0, "code-wa-whole", "words-wa-whole";
+    HOLES: 0, "code-wa-holes", "words-wa-holes";
+}
 
 const MAX_ROWS: usize = 12;
 
@@ -141,18 +143,7 @@ impl Telling for WeilerAtherton {
     const NAME_KEY: &'static str = "alg-weiler-atherton";
     const SOURCE: &'static str =
         "K. Weiler, P. Atherton, 1977; G. Greiner, K. Hormann, 1998; E. L. Foster et al., 2019";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-wa-find", "words-wa-find"),
-        code_line(0, "code-wa-insert", "words-wa-insert"),
-        code_line(0, "code-wa-label", "words-wa-label"),
-        code_line(0, "code-wa-start", "words-wa-start"),
-        code_line(1, "code-wa-follow", "words-wa-follow"),
-        code_line(1, "code-wa-enter", "words-wa-enter"),
-        code_line(1, "code-wa-leave", "words-wa-leave"),
-        code_line(1, "code-wa-close", "words-wa-close"),
-        code_line(0, "code-wa-whole", "words-wa-whole"),
-        code_line(0, "code-wa-holes", "words-wa-holes"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
 
     const WATCH: &'static [Watched] = &[Watched::Names(&["start", "path", "rings"])];
 

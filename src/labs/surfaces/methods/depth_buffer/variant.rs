@@ -11,25 +11,17 @@ use crate::{
     labs::space::prelude::*,
 };
 
-pub const CLEAR: usize = 0;
-pub const TRIANGLE: usize = 1;
-pub const FRAGMENT: usize = 2;
-pub const COMPARE: usize = 3;
-pub const WRITE: usize = 4;
-
-type Pseudocode = [CodeLine; WRITE + 1];
-
-const RIGHT: Pseudocode = [
-    code_line(0, "code-depth-clear", "words-depth-clear"),
-    code_line(0, "code-depth-triangle", "words-depth-triangle"),
-    code_line(1, "code-depth-fragment", "words-depth-fragment"),
-    code_line(2, "code-depth-compare", "words-depth-compare"),
-    code_line(3, "code-depth-write", "words-depth-write"),
-];
+pseudocode! {
+    CLEAR: 0, "code-depth-clear", "words-depth-clear";
+    TRIANGLE: 0, "code-depth-triangle", "words-depth-triangle";
+    FRAGMENT: 1, "code-depth-fragment", "words-depth-fragment";
+    COMPARE: 2, "code-depth-compare", "words-depth-compare";
+    WRITE: 3, "code-depth-write", "words-depth-write";
+}
 
 /// Where 1 is near, what is nearer has the greater depth.
-const REVERSED: Pseudocode = but_for(
-    RIGHT,
+const REVERSED: [CodeLine; LINES.len()] = but_for(
+    LINES,
     [
         (
             CLEAR,
@@ -57,31 +49,31 @@ pub trait Variant: SurfaceRules {
 impl Variant for Right {
     const ID: &'static str = "depth-buffer";
     const NAME_KEY: &'static str = "alg-depth-buffer";
-    const CODE: &'static [CodeLine] = &RIGHT;
+    const CODE: &'static [CodeLine] = &LINES;
     const REVERSED: &'static [CodeLine] = &REVERSED;
 }
 
 mistakes! { Variant:
     ClearsToNear {
         "faulty-depth-clear", "alg-faulty-depth-clear", "faulty-depth-clear-differs";
-        CODE = RIGHT but CLEAR: "code-faulty-depth-clear" "words-faulty-depth-clear";
+        CODE = LINES but CLEAR: "code-faulty-depth-clear" "words-faulty-depth-clear";
         REVERSED = REVERSED but
             CLEAR: "code-faulty-depth-clear-reversed" "words-faulty-depth-clear-reversed";
     }
     TurnsComparison {
         "faulty-depth-compare", "alg-faulty-depth-compare", "faulty-depth-compare-differs";
-        CODE = RIGHT but COMPARE: "code-faulty-depth-compare" "words-faulty-depth-compare";
+        CODE = LINES but COMPARE: "code-faulty-depth-compare" "words-faulty-depth-compare";
         REVERSED = REVERSED but
             COMPARE: "code-depth-compare" "words-faulty-depth-compare-reversed";
     }
     WritesAlways {
         "faulty-depth-always", "alg-faulty-depth-always", "faulty-depth-always-differs";
-        CODE = RIGHT but COMPARE: "code-faulty-depth-always" "words-faulty-depth-always";
+        CODE = LINES but COMPARE: "code-faulty-depth-always" "words-faulty-depth-always";
         REVERSED = REVERSED but COMPARE: "code-faulty-depth-always" "words-faulty-depth-always";
     }
     StraightDistance {
         "faulty-depth-straight", "alg-faulty-depth-straight", "faulty-depth-straight-differs";
-        CODE = RIGHT but FRAGMENT: "code-faulty-depth-straight" "words-faulty-depth-straight";
+        CODE = LINES but FRAGMENT: "code-faulty-depth-straight" "words-faulty-depth-straight";
         REVERSED = REVERSED but
             FRAGMENT: "code-faulty-depth-straight" "words-faulty-depth-straight";
     }

@@ -12,11 +12,13 @@ use super::prelude::*;
 
 pub use occluders::with_occluders;
 
-const OCCLUDERS: usize = 0;
-const OTHERS: usize = 1;
-const ASK: usize = 2;
-const SKIP: usize = 3;
-const DRAW: usize = 4;
+pseudocode! {
+    OCCLUDERS: 0, "code-occlusion-occluders", "words-occlusion-occluders";
+    OTHERS: 0, "code-occlusion-others", "words-occlusion-others";
+    ASK: 1, "code-occlusion-ask", "words-occlusion-ask";
+    SKIP: 1, "code-occlusion-skip", "words-occlusion-skip";
+    DRAW: 1, "code-occlusion-draw", "words-occlusion-draw";
+}
 
 impl AnswerAsItIs for OcclusionOutput {}
 
@@ -36,13 +38,7 @@ impl Telling for Occlusion {
     const ID: &'static str = "occlusion";
     const NAME_KEY: &'static str = "alg-occlusion";
     const SOURCE: &'static str = "Bartz, Meißner & Hüttner, 1999";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-occlusion-occluders", "words-occlusion-occluders"),
-        code_line(0, "code-occlusion-others", "words-occlusion-others"),
-        code_line(1, "code-occlusion-ask", "words-occlusion-ask"),
-        code_line(1, "code-occlusion-skip", "words-occlusion-skip"),
-        code_line(1, "code-occlusion-draw", "words-occlusion-draw"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
     const WATCH: &'static [Watched] = &[Watched::Names(&[
         "watch-objects-drawn",
         "watch-objects-skipped",

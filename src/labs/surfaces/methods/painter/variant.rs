@@ -11,25 +11,15 @@ use crate::{
     labs::space::prelude::*,
 };
 
-pub const KEY: usize = 0;
-pub const SORT: usize = 1;
-pub const ASK: usize = 2;
-pub const OBJECT: usize = 3;
-pub const CYCLE: usize = 4;
-pub const PLACE: usize = 5;
-pub const PAINT: usize = 6;
-
-type Pseudocode = [CodeLine; PAINT + 1];
-
-const RIGHT: Pseudocode = [
-    code_line(0, "code-paint-key", "words-paint-key"),
-    code_line(0, "code-paint-sort", "words-paint-sort"),
-    code_line(0, "code-paint-ask", "words-paint-ask"),
-    code_line(1, "code-paint-object", "words-paint-object"),
-    code_line(1, "code-paint-cycle", "words-paint-cycle"),
-    code_line(1, "code-paint-place", "words-paint-place"),
-    code_line(0, "code-paint-paint", "words-paint-paint"),
-];
+pseudocode! {
+    KEY: 0, "code-paint-key", "words-paint-key";
+    SORT: 0, "code-paint-sort", "words-paint-sort";
+    ASK: 0, "code-paint-ask", "words-paint-ask";
+    OBJECT: 1, "code-paint-object", "words-paint-object";
+    CYCLE: 1, "code-paint-cycle", "words-paint-cycle";
+    PLACE: 1, "code-paint-place", "words-paint-place";
+    PAINT: 0, "code-paint-paint", "words-paint-paint";
+}
 
 pub trait Variant: SurfaceRules {
     const ID: &'static str;
@@ -41,16 +31,16 @@ pub trait Variant: SurfaceRules {
 impl Variant for Right {
     const ID: &'static str = "painter";
     const NAME_KEY: &'static str = "alg-painter";
-    const CODE: &'static [CodeLine] = &RIGHT;
+    const CODE: &'static [CodeLine] = &LINES;
 }
 
 mistakes! { Variant:
     NearestKeys {
         "faulty-painter-nearest", "alg-faulty-painter-nearest", "faulty-painter-nearest-differs";
-        CODE = RIGHT but KEY: "code-faulty-painter-nearest" "words-faulty-painter-nearest";
+        CODE = LINES but KEY: "code-faulty-painter-nearest" "words-faulty-painter-nearest";
     }
     KeysOnly {
         "faulty-painter-keys", "alg-faulty-painter-keys", "faulty-painter-keys-differs";
-        CODE = RIGHT but ASK: "code-faulty-painter-keys" "words-faulty-painter-keys";
+        CODE = LINES but ASK: "code-faulty-painter-keys" "words-faulty-painter-keys";
     }
 }
