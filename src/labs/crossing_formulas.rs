@@ -54,35 +54,35 @@ impl Weights {
     pub fn mean_of_points(
         &self,
         symbol: &'static str,
-        [p1, p2]: [[f64; 2]; 2],
+        ends: [[f64; 2]; 2],
         at: [f64; 2],
     ) -> Formula {
-        let [w1, w2] = self.ends;
-        let sum = Formula::default()
-            .num(w2)
-            .sym(" · ")
-            .point(p1)
-            .sym(" + ")
-            .operand(w1)
-            .sym(" · ")
-            .point(p2);
-        let formula = sym(symbol).sym(" = ");
-        formula.over(sum, self.whole()).sym(" = ").point(at)
+        self.mean_of_all(symbol, ends, at, Formula::point)
     }
 
     /// `C = (2 · (0, 0, 1, 2) + 6 · (1, 0, 3, 4)) / (6 − (−2)) = (…)`: of all coordinates at once.
     pub fn mean_of_places<const N: usize>(
         &self,
         symbol: &'static str,
-        [p1, p2]: &[[f64; N]; 2],
+        ends: &[[f64; N]; 2],
         at: [f64; N],
     ) -> Formula {
+        let written = |formula: Formula, at: [f64; N]| formula.sym("(").list(&at).sym(")");
+        self.mean_of_all(symbol, *ends, at, written)
+    }
+
+    fn mean_of_all<P>(
+        &self,
+        symbol: &'static str,
+        [p1, p2]: [P; 2],
+        at: P,
+        written: impl Fn(Formula, P) -> Formula,
+    ) -> Formula {
         let [w1, w2] = self.ends;
-        let place = |formula: Formula, at: &[f64; N]| formula.sym("(").list(at).sym(")");
-        let sum = place(Formula::default().num(w2).sym(" · "), p1);
-        let sum = place(sum.sym(" + ").operand(w1).sym(" · "), p2);
-        let formula = sym(symbol).sym(" = ");
-        place(formula.over(sum, self.whole()).sym(" = "), &at)
+        let sum = written(Formula::default().num(w2).sym(" · "), p1);
+        let sum = written(sum.sym(" + ").operand(w1).sym(" · "), p2);
+        let mean = sym(symbol).sym(" = ").over(sum, self.whole());
+        written(mean.sym(" = "), at)
     }
 
     /// `y = (−1 · 3 + 3/2 · 1) / (2 − (−2)) = −3/8`

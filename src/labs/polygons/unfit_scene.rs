@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{Caption, Mark, Role, Run, Shape, Shown, Tick, View, Watch, Words},
-    geom::{ConvexPolygon, GeomError, Polygon},
+    geom::{ConvexPolygon, GeomError, Polygon, SimplePolygon},
     labs::words::{name, numbered},
     text::{Message, Value},
     trace::Counts,
@@ -22,6 +22,13 @@ pub enum ScenePart {
     Subject,
     Hole(usize),
     Clip,
+}
+
+impl ScenePart {
+    /// This part's outline for methods that need it simple.
+    pub fn simple(self, outline: &Polygon) -> Result<SimplePolygon, UnfitScene> {
+        SimplePolygon::try_from(outline).map_err(|error| UnfitScene::new(self, error))
+    }
 }
 
 /// Why a method cannot take a scene.

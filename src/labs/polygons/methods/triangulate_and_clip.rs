@@ -1,12 +1,9 @@
 //! Ear clipping first, then each triangle clipped on its own, shown.
 
-use crate::{
-    algo::polygon::{
-        EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman, Triangle,
-        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
-        TriangulateAndClipInput as Input,
-    },
-    geom::SimplePolygon,
+use crate::algo::polygon::{
+    EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman, Triangle,
+    TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
+    TriangulateAndClipInput as Input,
 };
 
 use super::{
@@ -90,8 +87,7 @@ const ALL: [Row; N] = {
 impl PolygonTelling for TriangulateAndClip {
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
         let region = sutherland_hodgman::region(scene)?;
-        let polygon = SimplePolygon::try_from(&scene.subject)
-            .map_err(|error| UnfitScene::new(ScenePart::Subject, error))?;
+        let polygon = ScenePart::Subject.simple(&scene.subject)?;
         Ok(Input { region, polygon })
     }
 

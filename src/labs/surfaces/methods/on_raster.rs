@@ -215,25 +215,15 @@ pub fn lettered_or_outlined(
     is_waiting: bool,
     name: impl Fn(u32) -> Value,
 ) -> impl Fn(usize) -> Option<Value> {
-    let outlined = if is_waiting {
-        names_in_outlines(surfaces, &name)
-    } else {
-        BTreeMap::new()
-    };
-    let painted = lettered(picture, name);
-    move |place| painted(place).or_else(|| outlined.get(&place).cloned())
-}
-
-fn names_in_outlines(surfaces: &Surfaces, name: impl Fn(u32) -> Value) -> BTreeMap<usize, Value> {
-    if surfaces.triangles().len() > MOST_LETTERS {
-        return BTreeMap::new();
-    }
+    let is_shown = is_waiting && surfaces.triangles().len() <= MOST_LETTERS;
     let width = surfaces.size()[0] as usize;
-    let named = surfaces.ids().filter_map(|id| {
+    let outlined = surfaces.ids().filter(|_| is_shown).filter_map(|id| {
         let [column, row] = middle_of(surfaces, id)?.map(|x| x.max(0.0) as usize);
         Some((row * width + column.min(width - 1), name(id)))
     });
-    named.collect()
+    let outlined: BTreeMap<usize, Value> = outlined.collect();
+    let painted = lettered(picture, name);
+    move |place| painted(place).or_else(|| outlined.get(&place).cloned())
 }
 
 /// The plane of a triangle, inside where it shows its front.

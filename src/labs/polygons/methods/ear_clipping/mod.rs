@@ -43,8 +43,7 @@ impl PolygonTelling for EarClipping {
     const CLIPS: bool = false;
 
     fn input(scene: &Scene) -> Result<SimplePolygon, UnfitScene> {
-        SimplePolygon::try_from(&scene.subject)
-            .map_err(|error| UnfitScene::new(ScenePart::Subject, error))
+        ScenePart::Subject.simple(&scene.subject)
     }
 
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {

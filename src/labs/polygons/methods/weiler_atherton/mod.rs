@@ -11,7 +11,7 @@ mod tests;
 
 use crate::{
     algo::polygon::weiler_atherton::{Relation, WeilerAthertonOutput},
-    geom::{GeomError, Polygon, Region, SimplePolygon},
+    geom::{GeomError, Region},
 };
 
 use named::{found_named, label, node_named, ring_named};
@@ -70,14 +70,11 @@ impl PolygonTelling for WeilerAtherton {
     const SUBJECT: char = 'S';
 
     fn input(scene: &Scene) -> Result<Input, UnfitScene> {
-        let simple = |polygon: &Polygon, part| {
-            SimplePolygon::try_from(polygon).map_err(|error| UnfitScene::new(part, error))
-        };
-        let subject = simple(&scene.subject, ScenePart::Subject)?;
-        let clip = simple(&scene.clip_outline(), ScenePart::Clip)?;
+        let subject = ScenePart::Subject.simple(&scene.subject)?;
+        let clip = ScenePart::Clip.simple(&scene.clip_outline())?;
         let holes = scene.holes.iter().enumerate();
         let holes: Vec<_> = holes
-            .map(|(i, hole)| simple(hole, ScenePart::Hole(i)))
+            .map(|(i, hole)| ScenePart::Hole(i).simple(hole))
             .collect::<Result<_, _>>()?;
         let subject = Region::new(subject, holes).map_err(|error| match error {
             GeomError::MisplacedHole { hole_idx } => {

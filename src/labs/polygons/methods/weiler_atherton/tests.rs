@@ -1,4 +1,5 @@
 use super::*;
+use crate::geom::SimplePolygon;
 use crate::labs::polygons::methods::shown_lists::{
     FORK, assert_are_short, assert_names, at, at_step, comb, taken,
 };
