@@ -1,9 +1,8 @@
 //! What is on stage whatever the step: the clip region, and the subject polygon as given.
 
 use crate::{
-    figure::{Mark, Role, Shape},
     geom::{Polygon, extent},
-    labs::Backdrop,
+    labs::{Backdrop, prelude::*},
 };
 
 use super::{GivenSubject, Method, Scene};

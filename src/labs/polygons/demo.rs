@@ -1,11 +1,6 @@
 //! What a polygon clipper that can be shown has beyond any other algorithm.
 
-use crate::{
-    figure::Run,
-    geom::Point,
-    labs::{recorded::Recorded, telling::Telling},
-    trace::Step,
-};
+use crate::{geom::Point, labs::prelude::*};
 
 use super::{GivenSubject, Scene, UnfitScene};
 

@@ -5,10 +5,9 @@ use std::ops::ControlFlow;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Mark, Role, Run, Shape, Shown, Tick, View, Watch, Words},
+    figure::{Caption, Shown, Tick, Words},
     geom::{ConvexPolygon, GeomError, Polygon, SimplePolygon},
-    labs::words::{name, numbered},
-    text::{Message, Value},
+    labs::prelude::*,
     trace::Counts,
 };
 

@@ -6,11 +6,9 @@ use crate::{
         line::{least_move_in, least_move_out},
         polygon::ClipRegion,
     },
-    figure::{Caption, Decides, Link, Run},
+    figure::{Caption, Decides},
     geom::{Location, Point, Segment, locate},
-    labs::{Answers, Click, Verdict, words::vertex_name},
-    text::Message,
-    trace::Recording,
+    labs::{Answers, Click, prelude::*, words::vertex_name},
 };
 
 use super::{

@@ -1,14 +1,10 @@
 //! A clip edge in words, formulas and marks: half of every sentence about Sutherland–Hodgman.
 
 use crate::{
-    algo::{
-        polygon::{ClipRegion, Right, Rules, Vertex},
-        ring::{Happening, RingEvent},
-    },
+    algo::polygon::Rules,
     geom::{Axis, Edge, Segment, Window},
     labs::{
         crossing_formulas::{Weights, dot_product, fixed, oblique, upright},
-        rings::Asked,
         words::{
             along, axis_symbol, border_equation, edge_link, edge_name, polygon_edge_link,
             polygon_edge_name,

@@ -1,15 +1,11 @@
 //! What a pipeline holds: its clippers in a row with what flows between them, and what goes in beside what has come out.
 
 use crate::{
-    algo::{
-        polygon::{
-            Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage, Right,
-            SutherlandHodgmanInput as Input,
-        },
-        ring::RingEvent,
+    algo::polygon::{
+        Pipeline, PipelineEvent as Event, PipelineHeld as Held, PipelineStage,
+        SutherlandHodgmanInput as Input,
     },
     figure::{ClipperBox, ClipperRow, Fate, Traveller},
-    labs::rings::{Asked, is_crossed},
 };
 
 use super::{
@@ -198,10 +194,7 @@ fn links(step: &Step<'_, Pipeline>, [polygon, ring]: &[ListColumn; 2]) -> Vec<Li
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        algo::polygon::ClipRegion,
-        geom::{ConvexPolygon, Polygon, Window},
-    };
+    use crate::geom::{ConvexPolygon, Polygon, Window};
 
     fn run(region: impl Into<ClipRegion>) -> Box<dyn Run> {
         let polygon = Polygon::new(&[[-2.0, -1.0], [6.0, 1.0], [-2.0, 5.0]]).unwrap();

@@ -1,15 +1,7 @@
 //! The drawing of a step of Sutherland–Hodgman: the clip edge, both lists as outlines, and what happens now.
 
-use crate::{
-    algo::{
-        polygon::{
-            RingOutcome, SutherlandHodgman, SutherlandHodgmanEvent as Event,
-            SutherlandHodgmanInput as Input,
-        },
-        ring::Crossing,
-    },
-    labs::rings::RingStep,
-    trace::silent,
+use crate::algo::polygon::{
+    SutherlandHodgman, SutherlandHodgmanEvent as Event, SutherlandHodgmanInput as Input,
 };
 
 use super::{

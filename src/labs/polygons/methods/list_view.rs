@@ -1,9 +1,6 @@
 //! Input list and output list side by side, and which vertex of the one became which of the other.
 
-use crate::{
-    algo::{polygon::SutherlandHodgmanEvent as Event, ring::Crossing},
-    labs::rings::side_term,
-};
+use crate::{algo::polygon::SutherlandHodgmanEvent as Event, labs::rings::side_term};
 
 use super::{
     drawing::{Picture, result_role, right_result},

@@ -1,7 +1,5 @@
 //! The vertices of the two lists of Sutherland–Hodgman: their names, on stage and as rows of the watch table.
 
-use crate::algo::polygon::Vertex;
-
 use super::{prelude::*, skin::LabVertex};
 
 pub const LISTS: &str = "lists";

@@ -1,14 +1,7 @@
 //! Sutherland–Hodgman as a pipeline, shown.
 
-use crate::{
-    algo::{
-        polygon::{
-            Pipeline, PipelineEvent as Event, PipelineHeld as Held, RingOutcome, Rule,
-            SutherlandHodgmanInput as Input,
-        },
-        ring::{Crossing, RingEvent},
-    },
-    labs::rings::{asked_vertex, is_crossed, rules},
+use crate::algo::polygon::{
+    Pipeline, PipelineEvent as Event, PipelineHeld as Held, Rule, SutherlandHodgmanInput as Input,
 };
 
 use super::{

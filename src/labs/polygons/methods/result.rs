@@ -1,6 +1,6 @@
 //! What the last list of Sutherland–Hodgman amounts to, and the bridges in it.
 
-use crate::algo::polygon::{ClipRegion, ClippedRing, Right, RingOutcome, Vertex};
+use crate::algo::polygon::ClippedRing;
 
 use super::{
     clip_edge::ClipEdge,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::{
-    algo::polygon::{Textured, Vertex, faulty::KeepsUv},
+    algo::polygon::{Textured, faulty::KeepsUv},
     figure::Texel,
     labs::crossing_formulas::Weights,
 };

@@ -3,17 +3,12 @@
 use crate::{
     algo::{
         polygon::{
-            ClipRegion, RingOutcome, Rule, SutherlandHodgman, SutherlandHodgmanEvent as Event,
+            Rule, SutherlandHodgman, SutherlandHodgmanEvent as Event,
             SutherlandHodgmanInput as Input, Textured, faulty::KeepsUv,
         },
-        ring::{Crossing, EdgeTest, Happening, Known, RingEvent},
+        ring::{EdgeTest, Known},
     },
-    figure::Run,
-    labs::{
-        polygons::{GivenSubject, Texture},
-        recorded::Recorded,
-        rings::{Asked, asked_vertex, is_crossed, rules},
-    },
+    labs::polygons::{GivenSubject, Texture},
 };
 
 use super::{

@@ -1,7 +1,7 @@
 //! Ear clipping first, then each triangle clipped on its own, shown.
 
 use crate::algo::polygon::{
-    EachTriangleEvent as Each, EarClipping, Pieces, RingOutcome, SutherlandHodgman, Triangle,
+    EachTriangleEvent as Each, EarClipping, Pieces, SutherlandHodgman, Triangle,
     TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
     TriangulateAndClipInput as Input,
 };

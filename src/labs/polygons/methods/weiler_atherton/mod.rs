@@ -304,7 +304,11 @@ fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)
         let text = Formula::default()
             .sym(arrow)
             .sym(names::entry(input, list, entry));
-        let text = names::with_label(text, held, entry.node());
+        let label = entry.node().and_then(|node| standing::label(held, node));
+        let text = match label {
+            Some(label) => text.sym(" ").term(names::label_key(label)),
+            None => text,
+        };
         Some((Value::Formula(text), entry.node()))
     };
     places.filter_map(cell).collect()

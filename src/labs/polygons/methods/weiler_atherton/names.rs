@@ -57,15 +57,6 @@ pub fn meeting(input: &Input, node_idx: u32, node: &Intersection) -> String {
         .join(" = ")
 }
 
-/// `… in`, where there is a labelled intersection.
-pub fn with_label(formula: Formula, held: &Held, node_idx: Option<u32>) -> Formula {
-    let label = node_idx.and_then(|idx| held.labels.get(idx as usize));
-    match label {
-        Some(label) => formula.sym(" ").term(label_key(label.label)),
-        None => formula,
-    }
-}
-
 pub const fn label_key(label: IntersectionLabel) -> &'static str {
     match label {
         IntersectionLabel::Entering => "wa-in",
