@@ -3,7 +3,7 @@
 use crate::labs::OutlineKind;
 
 use super::{
-    App, Command, Dialog, PathOf,
+    App, Command, Dialog,
     history::{History, UndoGroup},
     prelude::*,
     room::Room,
@@ -84,8 +84,6 @@ impl App {
             Command::Help => shown.dialog = Some(Dialog::Help),
             Command::OpenFile => self.ask(ctx, self.opened()),
             Command::Save => self.ask(ctx, self.saved()),
-            Command::TypePath(PathOf::Opened) => self.shown.dialog = Some(self.opened()),
-            Command::TypePath(PathOf::Saved) => self.shown.dialog = Some(self.saved()),
             // How figures look is asked first, and in the window.
             Command::Export => self.shown.dialog = Some(self.exported_to()),
             Command::Browse => {

@@ -27,7 +27,7 @@ impl Bookmark {
     }
 
     pub fn step_of(&self, lesson: &str, step: &str) -> Option<&LessonStep> {
-        let lesson = self.course.lessons.iter().find(|l| l.id == lesson)?;
+        let lesson = self.course.lesson(lesson)?;
         lesson.steps.get(lesson.step_index(step)?)
     }
 

@@ -49,8 +49,6 @@ pub enum Command {
     /// Asks which file to open, in the system's dialog where there is one.
     OpenFile,
     Save,
-    /// The same in the window, where the path is typed.
-    TypePath(PathOf),
     /// In place of the open dialog, the system's.
     Browse,
     Export,
@@ -73,12 +71,6 @@ pub enum Command {
     Zoom(f64),
     Measure(bool),
     Dismiss,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PathOf {
-    Opened,
-    Saved,
 }
 
 impl Command {

@@ -5,7 +5,7 @@ use egui::{CentralPanel, Frame, Panel};
 use super::{
     App, bars, course_panel, free_panel, inspector, overlays,
     prelude::*,
-    room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room, panel_scale},
+    room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
     stage,
     stage_state::StageState,
     typing,
@@ -97,7 +97,7 @@ fn left(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
 fn sides(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
     let width = ui.ctx().content_rect().width();
     let widest = 0.28 * width;
-    let scale = panel_scale(app.look().theme);
+    let scale = app.look().theme.text_scale.sqrt();
     let frame = Frame::new().fill(app.look().theme.panel);
     let margin = |side: i8| Margin {
         left: side,

@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    App, Command, PathOf,
+    App, Command,
     history::UndoGroup,
     prelude::*,
     room::{BESIDE_TRANSPORT, transport_has_room},
@@ -136,19 +136,21 @@ fn changes(app: &App, ui: &mut Ui) {
 
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
-    let path = |of| app.platform.has_dialogs().then_some(Command::TypePath(of));
-    let rows = [
-        ("action-open", "Ctrl+O", Some(Command::OpenFile)),
-        ("action-open-path", "", path(PathOf::Opened)),
-        ("action-save", "Ctrl+S", Some(Command::Save)),
-        ("action-save-path", "", path(PathOf::Saved)),
-        ("action-export", "Ctrl+E", Some(Command::Export)),
+    let rows: [(_, _, fn(&App) -> Command); 5] = [
+        ("action-open", "Ctrl+O", |_| Command::OpenFile),
+        ("action-open-path", "", |app| {
+            Command::Show(Some(app.opened()))
+        }),
+        ("action-save", "Ctrl+S", |_| Command::Save),
+        ("action-save-path", "", |app| {
+            Command::Show(Some(app.saved()))
+        }),
+        ("action-export", "Ctrl+E", |_| Command::Export),
     ];
     for (key, keys, command) in rows {
-        if let Some(command) = command
-            && action(ui, app.look(), (key, keys), true)
-        {
-            app.push(command);
+        let is_there = !keys.is_empty() || app.platform.has_dialogs();
+        if is_there && action(ui, app.look(), (key, keys), true) {
+            app.push(command(app));
         }
     }
 }

@@ -51,7 +51,7 @@ mod typing;
 mod web;
 mod window;
 
-pub use command::{BINDINGS, Binding, Command, PathOf};
+pub use command::{BINDINGS, Binding, Command};
 pub use desk::{Page, StoredWork};
 pub use dialog::{Answer, Dialog, Figures, Question, Target};
 #[cfg(not(target_arch = "wasm32"))]

@@ -38,10 +38,6 @@ pub enum CoursePart {
     Whole,
 }
 
-pub fn panel_scale(theme: &Theme) -> f32 {
-    theme.text_scale.sqrt()
-}
-
 pub fn transport_has_room(width: f32) -> bool {
     width > transport_width() + 260.0
 }
@@ -84,7 +80,7 @@ impl App {
 
     /// Do the panels, as wide as this theme's text wants them, leave the stage too little?
     pub(super) fn has_strip(&self) -> bool {
-        let width = (COURSE + INSPECTOR) * panel_scale(self.look().theme);
+        let width = (COURSE + INSPECTOR) * self.look().theme.text_scale.sqrt();
         width > BESIDE * self.shown.size.x
     }
 

@@ -289,7 +289,7 @@ impl Column<'_> {
         state.handle_ids.extend(ids);
         self.over_the_drawing(app, ui, state, (drawing.0, &viewport), rect);
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
-        state.saw(drawing.0, shown.viewport);
+        state.seen.insert(drawing.0, shown.viewport);
         shown
     }
 

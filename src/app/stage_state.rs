@@ -47,7 +47,7 @@ pub struct StageState {
     pub verdicts: Verdicts,
     pub inspected: usize,
     drawn: Option<(ViewId, Lens)>,
-    seen: BTreeMap<ViewId, Viewport>,
+    pub seen: BTreeMap<ViewId, Viewport>,
     /// Where the views of the stage stood last, column by column.
     pub places: Vec<(ViewId, Slot)>,
     layers: Vec<Layers>,
@@ -181,10 +181,6 @@ impl StageState {
         };
         self.drawn = Some(drawing);
         drawing
-    }
-
-    pub fn saw(&mut self, id: ViewId, viewport: Viewport) {
-        self.seen.insert(id, viewport);
     }
 
     pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {

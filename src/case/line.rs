@@ -8,6 +8,8 @@ pub const MAX_LINE_BYTES: usize = 64 << 20;
 /// Read in pieces of this size: large enough that calls into the system cost nothing.
 const CHUNK_BYTES: usize = 1 << 16;
 
+const MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// One line, without its line break.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CaseLine<'a> {
@@ -55,15 +57,12 @@ impl<R: Read> CaseLines<R> {
                 }
                 return Ok(Some((self.number, CaseLine::TooLong)));
             }
-            let from = match self.number {
-                1 => byte_order_mark(&self.buffer),
-                _ => 0,
-            };
+            // Some systems put a mark at the start of a text.
+            let has_mark = self.number == 1 && self.buffer.starts_with(MARK);
+            let from = if has_mark { MARK.len() } else { 0 };
             if !self.buffer[from..].iter().all(u8::is_ascii_whitespace) {
-                return Ok(Some((
-                    self.number,
-                    CaseLine::Bytes(&self.buffer[from..content]),
-                )));
+                let bytes = &self.buffer[from..content];
+                return Ok(Some((self.number, CaseLine::Bytes(bytes))));
             }
         }
     }
@@ -71,15 +70,5 @@ impl<R: Read> CaseLines<R> {
     /// Is a whole line there already, so that reading on waits for nobody?
     pub(super) fn is_ready(&self) -> bool {
         self.reader.buffer().contains(&b'\n')
-    }
-}
-
-/// Some systems put a mark at the start of a text: its length.
-fn byte_order_mark(line: &[u8]) -> usize {
-    const MARK: &[u8] = "\u{feff}".as_bytes();
-    if line.starts_with(MARK) {
-        MARK.len()
-    } else {
-        0
     }
 }

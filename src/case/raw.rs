@@ -201,14 +201,10 @@ impl Default for Id {
 impl Id {
     pub(super) fn read(raw: &RawValue) -> Result<Self, Refusal> {
         let mut text = String::new();
-        match compact(raw.get(), 0, &mut text) {
-            Some(()) => Ok(Self(text)),
-            None => Err(Refusal::at(
-                Code::BadJson,
-                &Path::Field("id"),
-                Message::new("case-bad-id"),
-            )),
-        }
+        let problem = Message::new("case-bad-id");
+        compact(raw.get(), 0, &mut text)
+            .map(|()| Self(text))
+            .ok_or_else(|| Refusal::at(Code::BadJson, &Path::Field("id"), problem))
     }
 
     /// As JSON.

@@ -1,7 +1,7 @@
 //! Walking through the course.
 
 use super::*;
-use crate::{lesson::Loaded, trace::Transport};
+use crate::lesson::Loaded;
 
 fn n_course_steps(bench: &Bench) -> usize {
     let lessons = &bench.app.bookmark.course.lessons;
@@ -46,22 +46,6 @@ fn a_course_that_breaks_or_vanishes_leaves_the_last_good_one() {
     assert_eq!(bench.app.bookmark.course.lessons.len(), n_lessons);
     assert!(!bench.app.notices.is_empty());
     bench.frame(0.1, Vec::new());
-}
-
-#[test]
-fn settings_come_back() {
-    let mut bench = Bench::course(SIZE);
-    for command in [
-        Command::Lesson { forward: true },
-        Command::Speed(Transport::SPEEDS[4]),
-        Command::Theme(ThemeKind::Dark),
-        Command::Language(Lang::Es),
-    ] {
-        bench.apply(command);
-    }
-    let again = restarted(&bench.app);
-    assert_eq!(again.bookmark.at, bench.app.bookmark.at);
-    assert_eq!(again.settings(), bench.app.settings());
 }
 
 #[test]

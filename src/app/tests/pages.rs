@@ -1,6 +1,7 @@
 //! Nothing is lost: what was done on a page is there again when it is opened.
 
 use super::*;
+use crate::trace::Transport;
 
 /// One more segment; the scene before and after.
 fn change(bench: &mut Bench) -> [Scene; 2] {
@@ -49,12 +50,16 @@ fn a_tab_comes_back_to_where_it_was_left() {
 fn everything_is_there_again_after_a_restart() {
     let mut bench = Bench::course(SIZE);
     let [own, changed] = change(&mut bench);
+    bench.apply(Command::Speed(Transport::SPEEDS[4]));
+    bench.apply(Command::Theme(ThemeKind::Dark));
+    bench.apply(Command::Language(Lang::Es));
     bench.apply(Command::Lab("polygons"));
     bench.key(Key::F8);
     let outline = bench.app.scene().clone();
     bench.apply(Command::Seek(5));
 
     let mut again = Bench::with(restarted(&bench.app), SIZE);
+    assert_eq!(again.app.bookmark.at, bench.app.bookmark.at);
     assert_eq!(again.app.bookmark.page(), bench.app.bookmark.page());
     assert_eq!((again.app.scene(), again.app.position()), (&outline, 5));
     assert_eq!(again.app.settings(), bench.app.settings());

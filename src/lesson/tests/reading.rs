@@ -139,10 +139,6 @@ segments = [[-0.0, 0.1, 5e-324, 0.30000000000000004], [1e15, 9007199254740993, 0
 #[test]
 fn the_embedded_course_is_in_order_and_complete() {
     let loaded = Course::check(&Embedded);
-    let paths = Embedded.list().expect("what is compiled in is there");
-    if !paths.iter().any(|path| path.contains('/')) {
-        return; // The course has not been written yet.
-    }
     let render = |problem: &Problem| problem.render(Catalog::of(Lang::En));
     let problems: Vec<String> = loaded.problems.iter().map(render).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));

@@ -11,7 +11,7 @@ use crate::{
     case::{Detail, Format, Solver, Solvers, Style, trace},
     export,
     figure::{Body, Run, project},
-    lesson::{FileError, Files, SceneFormat, SceneFormats, Severity},
+    lesson::{SceneFormat, SceneFormats, Severity},
 };
 
 use corners::corner;
@@ -24,8 +24,6 @@ fn kit() -> Kit {
         formats: SceneFormats(&FORMATS),
     }
 }
-
-struct Lesson;
 
 const TOML: &str = r#"
 lab = "boxes"
@@ -45,23 +43,6 @@ lock = ["box"]
 
 const TEXT: &str = "# A box\n\n## second: The second corner\n\nIt is inside.\n";
 
-impl Files for Lesson {
-    fn list(&self) -> Result<Vec<String>, FileError> {
-        Ok(["01-box/lesson.toml", "01-box/en.md"]
-            .map(str::to_owned)
-            .into())
-    }
-
-    fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        let text = if path.contains("lesson") { TOML } else { TEXT };
-        Ok(text.as_bytes().to_vec())
-    }
-
-    fn shown(&self, path: &str) -> String {
-        path.to_owned()
-    }
-}
-
 fn bench() -> Bench {
     let app = App::with_kit(Course::default(), Settings::default(), kit());
     Bench::with(app, SIZE)
@@ -73,7 +54,9 @@ fn half(bench: &Bench) -> f64 {
 
 #[test]
 fn its_lessons_are_read_and_its_scenes_written() {
-    let loaded = Course::check_with(&Lesson, kit().formats);
+    let lesson = [("01-box/lesson.toml", TOML), ("01-box/en.md", TEXT)];
+    let files = lesson.map(|(path, text)| (path.to_owned(), text.into()));
+    let loaded = Course::check_with(&BTreeMap::from(files), kit().formats);
     let problems = loaded.problems.iter();
     let mut errors = problems.filter(|problem| problem.severity == Severity::Error);
     assert_eq!(errors.next(), None);
