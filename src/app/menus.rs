@@ -136,7 +136,8 @@ fn changes(app: &App, ui: &mut Ui) {
 
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
-    let rows: [(_, _, fn(&App) -> Command); 5] = [
+    type Ask = fn(&App) -> Command;
+    let rows: [(&str, &str, Ask); 5] = [
         ("action-open", "Ctrl+O", |_| Command::OpenFile),
         ("action-open-path", "", |app| {
             Command::Show(Some(app.opened()))

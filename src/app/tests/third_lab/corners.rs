@@ -5,8 +5,8 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{
-        Body, Cell, Edge3, Facet, Link, Mark3, Pixel, Raster, Role, Seer, Shape3, Space, Table,
-        TableRow, Tick, View,
+        Body, Cell, Edge3, Facet, Link, Mark3, Role, Seer, Shape3, Space, Table, TableRow, Tick,
+        View,
     },
     geom::Orbit,
     labs::{
@@ -139,7 +139,6 @@ impl Telling for Corners {
         vec![
             View::new("space", Body::Space(space)),
             View::new("distances", Body::Table(table(&distances, current))),
-            View::new("raster", Body::Raster(raster(&distances, current))),
         ]
     }
 }
@@ -163,25 +162,6 @@ fn table(distances: &[f64], current: Option<usize>) -> Table {
         header: vec![Formula::default().sym("V"), Formula::default().sym("d")],
         rows: (0..8).map(row).collect(),
         notes: Vec::new(),
-    }
-}
-
-fn raster(distances: &[f64], current: Option<usize>) -> Raster {
-    let pixel = |idx: usize| match distances.get(idx) {
-        Some(&distance) => Pixel {
-            role: Some(Role::Accent),
-            shade: distance.abs(),
-            value: Some(Value::Number(distance)),
-        },
-        None => Pixel::EMPTY,
-    };
-    Raster {
-        title: Value::Name("d".to_owned()),
-        size: [4, 2],
-        pixels: (0..8).map(pixel).collect(),
-        scale: None,
-        current: current.map(|idx| [idx % 4, idx / 4]),
-        over: Vec::new(),
     }
 }
 
