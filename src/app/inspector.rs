@@ -219,11 +219,9 @@ fn lines(app: &App, column: usize) -> Vec<CodeText> {
     let methods = app.scene().document().methods();
     let code = methods.get(column).map_or(&[][..], |card| card.code);
     let has_words = app.shown.code == CodeView::Words;
-    let line = |line: &CodeLine| CodeText {
-        depth: line.depth,
-        text: app
-            .look()
-            .say(if has_words { line.words } else { line.code }),
+    let line = |&CodeLine { depth, code, words }: &CodeLine| CodeText {
+        depth,
+        text: app.look().say(if has_words { words } else { code }),
     };
     code.iter().map(line).collect()
 }

@@ -76,11 +76,8 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
     app.push_all(asked.map(asked_of));
     let here = app.scene().document().lab();
-    for lab in panels
-        .iter()
-        .map(|panel| panel.lab())
-        .filter(|&lab| lab != here)
-    {
+    let labs = panels.iter().map(|panel| panel.lab());
+    for lab in labs.filter(|&lab| lab != here) {
         let says = Message::new("scene-adopt").with("lab", Value::Term(lab.name_key));
         if (lab.adopt)(app.scene()).is_some() && ui.button(look.catalog.message(&says)).clicked() {
             app.push(Command::Adopt(lab.id));

@@ -261,37 +261,36 @@ fn select_name(ctx: &Context, field: Id, path: &str) {
 }
 
 fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
-    let named = |ui: &mut Ui, key: &str, row: &mut dyn FnMut(&mut Ui)| {
-        ui.label(soft(look, key));
-        ui.horizontal_wrapped(row);
-        ui.end_row();
-    };
+    let sizes = Figures::SIZES.map(|size| (size, format!("{} × {}", size[0], size[1])));
+    let themes = ThemeKind::ALL.map(|kind| (kind, look.say(theme_key(kind))));
+    let langs = Lang::ALL.map(|lang| (lang, lang.native_name().to_owned()));
+    let steps = [(false, "export-this-step"), (true, "export-all-steps")];
+    let steps = steps.map(|(all, key)| (all, look.say(key)));
     Grid::new("figures")
         .num_columns(2)
         .spacing(vec2(16.0, 4.0))
         .show(ui, |ui| {
-            named(ui, "export-size", &mut |ui| {
-                for size in Figures::SIZES {
-                    let [width, height] = size;
-                    ui.selectable_value(&mut figures.size_px, size, format!("{width} × {height}"));
-                }
-            });
-            named(ui, "settings-theme", &mut |ui| {
-                for kind in ThemeKind::ALL {
-                    ui.selectable_value(&mut figures.theme, kind, look.say(theme_key(kind)));
-                }
-            });
-            named(ui, "export-language", &mut |ui| {
-                for lang in Lang::ALL {
-                    ui.selectable_value(&mut figures.lang, lang, lang.native_name());
-                }
-            });
-            named(ui, "export-steps", &mut |ui| {
-                for (all, key) in [(false, "export-this-step"), (true, "export-all-steps")] {
-                    ui.selectable_value(&mut figures.all, all, look.say(key));
-                }
-            });
+            choice(ui, look, "export-size", (&mut figures.size_px, sizes));
+            choice(ui, look, "settings-theme", (&mut figures.theme, themes));
+            choice(ui, look, "export-language", (&mut figures.lang, langs));
+            choice(ui, look, "export-steps", (&mut figures.all, steps));
         });
+}
+
+/// A row of the grid: a name, and what there is to choose of.
+fn choice<T: PartialEq, const N: usize>(
+    ui: &mut Ui,
+    look: Look<'_>,
+    key: &str,
+    (chosen, all): (&mut T, [(T, String); N]),
+) {
+    ui.label(soft(look, key));
+    ui.horizontal_wrapped(|ui| {
+        for (value, words) in all {
+            ui.selectable_value(chosen, value, words);
+        }
+    });
+    ui.end_row();
 }
 
 fn measure(app: &App, ctx: &Context, panels: &mut [Box<dyn LabPanel>]) {

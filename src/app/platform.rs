@@ -24,11 +24,16 @@ pub struct StageFigure<'a> {
     pub figures: Figures,
 }
 
+/// A place that has no files answers as it stands here.
 pub trait Platform {
     /// Where a file of this name would be put, to be shown and changed before it is written.
-    fn suggest(&self, name: &str) -> String;
+    fn suggest(&self, name: &str) -> String {
+        name.to_owned()
+    }
 
-    fn exists(&self, path: &str) -> bool;
+    fn exists(&self, _path: &str) -> bool {
+        false
+    }
 
     fn has_dialogs(&self) -> bool {
         false
@@ -54,13 +59,17 @@ pub trait Platform {
     ///
     /// # Errors
     /// Why it could not be written: what stood there before is as it was.
-    fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic>;
+    fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, Diagnostic> {
+        Err(NO_FILES.into())
+    }
 
     /// Draws a figure as a file's bytes.
     ///
     /// # Errors
     /// Why it could not be drawn.
-    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic>;
+    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
+        Err(NO_FILES.into())
+    }
 }
 
 /// A place without files: a page in a browser, a headless table.
@@ -69,23 +78,7 @@ pub struct NoFiles;
 
 const NO_FILES: SystemError = SystemError::of_kind(io::ErrorKind::Unsupported);
 
-impl Platform for NoFiles {
-    fn suggest(&self, name: &str) -> String {
-        name.to_owned()
-    }
-
-    fn exists(&self, _path: &str) -> bool {
-        false
-    }
-
-    fn write(&mut self, _path: &str, _bytes: &[u8]) -> Result<String, Diagnostic> {
-        Err(NO_FILES.into())
-    }
-
-    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
-        Err(NO_FILES.into())
-    }
-}
+impl Platform for NoFiles {}
 
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Default)]

@@ -18,13 +18,6 @@ use super::{
     App, Command, clicks, prelude::*, room::CoursePart, stage_state::StageState, typing::told_of,
 };
 
-struct Hands<'a> {
-    handles: &'a [Handle],
-    locks: &'a [Lock],
-    /// The handle that had the focus in the last frame.
-    focused: Option<Handle>,
-}
-
 const INDENT: f32 = 24.0;
 const SPACING: Spacing = Spacing {
     margin: 0.0,
@@ -54,11 +47,8 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
         None => app.scene().document().handles(),
     };
     let step = app.bookmark.step();
-    let hands = Hands {
-        handles: &handles,
-        locks: step.map_or(&[][..], |step| step.locks_in(app.scene(), &handles)),
-        focused: state.focused.take(),
-    };
+    let locks = step.map_or(&[][..], |step| step.locks_in(app.scene(), &handles));
+    let focused = state.focused.take();
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let composition = Composition {
@@ -72,29 +62,29 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
         let column = Column {
+            app,
             index: i,
             places,
             method,
+            frame,
+            drawing: state.drawing(frame),
             composition: &composition,
-            hands: &hands,
+            handles: &handles,
+            locks,
+            focused,
         };
         let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
         ui.scope_builder(inner, |ui| {
             ui.set_clip_rect(whole.intersect(ui.clip_rect()));
-            let drawing = state.drawing(frame);
-            let shown = column.show(app, ui, state, frame, drawing);
-            state.focused = state
-                .focused
-                .or(shown.focused.and_then(|i| handles.get(i).copied()));
+            let shown = column.show(ui, state);
+            let focused = shown.focused.and_then(|i| handles.get(i).copied());
+            state.focused = state.focused.or(focused);
             if shown.clicked.is_some() {
                 state.inspected = i;
             }
             match &state.sketch {
                 Some(drawn) => clicks::ask_of_sketch(app, ui, &shown, drawn),
-                None => {
-                    let hands = (hands.handles, hands.locks);
-                    clicks::ask(app, ui, &shown, drawing, hands, state);
-                }
+                None => clicks::ask(app, ui, &shown, column.drawing, (&handles, locks), state),
             }
         });
         if i > 0 {
@@ -125,28 +115,28 @@ fn lay_out(
 }
 
 struct Column<'a> {
+    app: &'a App,
     index: usize,
     places: &'a ColumnLayout,
     method: &'a MethodCard,
+    frame: &'a Frame,
+    drawing: (ViewId, Lens),
     composition: &'a Composition<'a>,
-    hands: &'a Hands<'a>,
+    handles: &'a [Handle],
+    locks: &'a [Lock],
+    /// The handle that had the focus in the last frame.
+    focused: Option<Handle>,
 }
 
 impl Column<'_> {
-    fn show(
-        &self,
-        app: &App,
-        ui: &mut Ui,
-        state: &mut StageState,
-        frame: &Frame,
-        drawing: (ViewId, Lens),
-    ) -> CanvasShown {
+    fn show(&self, ui: &mut Ui, state: &mut StageState) -> CanvasShown {
+        let (app, frame) = (self.app, self.frame);
         let hint = state.sketch.as_ref().map(Sketch::hint);
         let late = || (app.playback.is_late).then(|| Message::new("run-later"));
         let hint = hint.or_else(late).map(Caption::new);
         let said = hint.as_ref().unwrap_or(&frame.caption);
-        let rect = rect_of(self.places.slot(drawing.0).unwrap_or_default());
-        let mut shown = self.canvas(app, ui, state, (frame, drawing), said, rect);
+        let rect = rect_of(self.places.slot(self.drawing.0).unwrap_or_default());
+        let mut shown = self.canvas(ui, state, said, rect);
         let column = (self.index, self.places);
         // The transport says the moment.
         let words = (said, None);
@@ -163,7 +153,7 @@ impl Column<'_> {
         if pixel.is_some() && is_clicked {
             let click = Click {
                 link: pixel,
-                locks: self.hands.locks,
+                locks: self.locks,
                 ..Click::default()
             };
             let change = app.scene().document().click(&click);
@@ -173,14 +163,14 @@ impl Column<'_> {
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         // A click in an inset is a click on what is seen there.
         shown.pointed = shown.pointed.or(pointed);
-        shown.picture = self.on_picture(ui, frame);
+        shown.picture = self.on_picture(ui);
         shown
     }
 
     /// Where in the picture of the scene's camera the pointer is, if that stands on the drawing.
-    fn on_picture(&self, ui: &Ui, frame: &Frame) -> Option<[f64; 2]> {
+    fn on_picture(&self, ui: &Ui) -> Option<[f64; 2]> {
         let pointer = ui.input(|input| input.pointer.interact_pos())?;
-        frame.views.iter().skip(1).find_map(|view| {
+        self.frame.views.iter().skip(1).find_map(|view| {
             let Body::Space(space) = &view.body else {
                 return None;
             };
@@ -194,55 +184,40 @@ impl Column<'_> {
         })
     }
 
-    fn spots(
-        &self,
-        app: &App,
-        ui: &Ui,
-        state: &StageState,
-        id: Id,
-        (viewport, lens): (&Viewport, Lens),
-    ) -> Vec<Spot> {
+    fn spots(&self, ui: &Ui, state: &StageState, id: Id, viewport: &Viewport) -> Vec<Spot> {
         let reach = Reach {
             viewport,
-            lens,
+            lens: self.drawing.1,
             // What a drag takes hold of is where the button went down.
             pointer: ui.input(|input| input.pointer.press_origin().or(input.pointer.latest_pos())),
-            focused: self.hands.focused,
+            focused: self.focused,
             selected: state.selected,
             gripped: gripped(ui, id),
         };
-        let Hands { handles, locks, .. } = self.hands;
-        spots(app.look(), app.scene(), handles, locks, &reach)
+        let (look, scene) = (self.app.look(), self.app.scene());
+        spots(look, scene, self.handles, self.locks, &reach)
     }
 
     /// What a click under the pointer would pick.
-    fn pointed(
-        &self,
-        app: &App,
-        ui: &Ui,
-        is_drawing: bool,
-        (viewport, lens): (&Viewport, Lens),
-        marks: &[Mark],
-    ) -> Option<Mark> {
-        if is_drawing || !ui.rect_contains_pointer(viewport.rect) {
+    fn pointed(&self, ui: &Ui, viewport: &Viewport, marks: &[Mark]) -> Option<Mark> {
+        if !ui.rect_contains_pointer(viewport.rect) {
             return None;
         }
         let pointer = ui.input(|input| input.pointer.hover_pos())?;
         let there = (pointer, link_at(viewport, marks, pointer));
-        let click = clicks::click_at(viewport, lens, self.hands.locks, there);
-        let shape = app.scene().document().pointed(&click)?;
+        let click = clicks::click_at(viewport, self.drawing.1, self.locks, there);
+        let shape = self.app.scene().document().pointed(&click)?;
         Some(Mark::new(Role::Accent, shape))
     }
 
     fn canvas(
         &self,
-        app: &App,
         ui: &mut Ui,
         state: &mut StageState,
-        (frame, drawing): (&Frame, (ViewId, Lens)),
         said: &Caption,
         rect: Rect,
     ) -> CanvasShown {
+        let (app, frame, drawing) = (self.app, self.frame, self.drawing);
         let look = app.look();
         let space = frame.space();
         let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
@@ -253,7 +228,7 @@ impl Column<'_> {
         let is_drawing = state.sketch.is_some();
         let is_world = !space.is_some_and(|space| matches!(space.seer, Seer::Apart(_)));
         let spots = if is_world {
-            self.spots(app, ui, state, id, (&viewport, drawing.1))
+            self.spots(ui, state, id, &viewport)
         } else {
             Vec::new()
         };
@@ -266,6 +241,7 @@ impl Column<'_> {
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
         let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
+        let pointed = (!is_drawing).then(|| self.pointed(ui, &viewport, &marks));
         let shown = Canvas {
             id,
             viewport,
@@ -274,7 +250,7 @@ impl Column<'_> {
             spots: &spots,
             snap: app.settings.snap && is_flat,
             has_grid: is_flat,
-            pointed: self.pointed(app, ui, is_drawing, (&viewport, drawing.1), &marks),
+            pointed: pointed.flatten(),
             marks: &marks,
             covered: &covered,
             lit,
@@ -287,7 +263,7 @@ impl Column<'_> {
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| id.with(spot.index));
         state.handle_ids.extend(ids);
-        self.over_the_drawing(app, ui, state, (drawing.0, &viewport), rect);
+        self.over_the_drawing(ui, state, &viewport, rect);
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.seen.insert(drawing.0, shown.viewport);
         shown
@@ -295,18 +271,18 @@ impl Column<'_> {
 
     fn over_the_drawing(
         &self,
-        app: &App,
         ui: &mut Ui,
         state: &mut StageState,
-        (id, viewport): (ViewId, &Viewport),
+        viewport: &Viewport,
         rect: Rect,
     ) {
+        let app = self.app;
         if let Some(drawn) = &state.sketch {
             clicks::draw_sketch(app, ui, viewport, drawn);
         } else if self.index == 0 && app.playback.main().is_refused() {
             ways_out(app, ui, state, rect);
         }
-        if state.is_moved(id) {
+        if state.is_moved(self.drawing.0) {
             fit(app, ui, rect);
         }
     }
@@ -318,10 +294,8 @@ fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
     let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 32.0), size);
     let button = ui.put(place, Button::new(text).fill(look.theme.background));
-    if button
-        .on_hover_text(look.say("action-reset-view"))
-        .clicked()
-    {
+    let button = button.on_hover_text(look.say("action-reset-view"));
+    if button.clicked() {
         app.push(Command::FitView);
     }
 }
@@ -333,10 +307,8 @@ fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) {
         ui.horizontal_wrapped(|ui| {
             let way = |ui: &mut Ui, words: String, command: Command| {
                 let text = RichText::new(words).color(look.theme.accent);
-                if ui
-                    .add(Button::new(text).fill(look.theme.background))
-                    .clicked()
-                {
+                let button = Button::new(text).fill(look.theme.background);
+                if ui.add(button).clicked() {
                     app.push(command);
                 }
             };

@@ -204,11 +204,8 @@ impl StageState {
         let methods = document.methods();
         let method = methods.get(column).map_or("", |card| card.id);
         let under = (history.revision(), method, step >= transport.n_steps());
-        let known = self
-            .layers
-            .get(column)
-            .filter(|layers| layers.under == under);
-        if known.is_none() {
+        let known = self.layers.get(column);
+        if known.is_none_or(|layers| layers.under != under) {
             let marks = document.backdrop(column, under.2);
             self.layers.truncate(column);
             self.layers.push(Layers {

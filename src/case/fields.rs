@@ -33,11 +33,7 @@ impl<'a> Fields<'a> {
     /// Those of an object: refuses one that is given twice, too.
     pub(super) fn of(node: &'a Node<'a>, table: &Table, detail: Detail) -> Result<Self, Refusal> {
         let pairs = node.pairs()?;
-        if let Some(name) = pairs.repeated() {
-            let problem = Message::new("case-repeated-field").with("name", short(name));
-            let place = Path::Member(&node.path, name);
-            return Err(Refusal::at(Code::BadJson, &place, problem));
-        }
+        pairs.check_once(|name| Path::Member(&node.path, name))?;
         let takes = (table.name_key, table.fields);
         Self::checked(Some(&node.path), takes, pairs.0.iter(), detail)
     }
@@ -205,10 +201,9 @@ impl Node<'_> {
             Shape::Wholes(dims, ..) => self.wholes(dims, detail),
             Shape::Table(table) => Fields::of(self, table, detail)?.all(),
             Shape::List(entry) => {
-                let entries = self
-                    .entries("json-list")?
-                    .map(|node| node.got(entry, detail));
-                entries.collect::<Result<_, _>>().map(Got::List)
+                let entries = self.entries("json-list")?;
+                let got = entries.map(|node| node.got(entry, detail));
+                got.collect::<Result<_, _>>().map(Got::List)
             }
             Shape::OrNull(shape) => self.got(shape, detail),
             // Answers alone have these.

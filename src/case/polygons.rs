@@ -275,17 +275,12 @@ fn ring<V: Vertex>(ring: &ClippedRing<V>) -> Message {
 /// `V₁V₂V₃, V₁V₃V₄`.
 fn triangles(whole: &Triangulation) -> Message {
     let triangles = whole.triangles();
-    let names: Vec<String> = triangles
-        .iter()
-        .take(MAX_SHOWN)
-        .map(|triangle| triangle.map(vertex_symbol).concat())
-        .collect();
-    let more = if triangles.len() > MAX_SHOWN {
-        ", …"
-    } else {
-        ""
-    };
+    let shown = triangles.iter().take(MAX_SHOWN);
+    let mut names: Vec<String> = shown.map(|it| it.map(vertex_symbol).concat()).collect();
+    if triangles.len() > MAX_SHOWN {
+        names.push("…".to_owned());
+    }
     Message::new("case-triangles")
         .with("n", triangles.len())
-        .with("triangles", names.join(", ") + more)
+        .with("triangles", names.join(", "))
 }

@@ -130,15 +130,18 @@ impl<'a> Node<'a> {
     }
 
     pub(super) fn wrong_type(&self, expected: &'static str) -> Refusal {
-        let problem = Message::new("case-wrong-type")
-            .with("expected", Value::Term(expected))
-            .with("found", Value::Term(kind(self.raw.get())));
-        Refusal::at(Code::WrongType, &self.path, problem)
+        Refusal::at(Code::WrongType, &self.path, not_a(expected, self.raw))
     }
 }
 
+pub(super) fn not_a(expected: &'static str, found: &RawValue) -> Message {
+    Message::new("case-wrong-type")
+        .with("expected", Value::Term(expected))
+        .with("found", Value::Term(kind(found.get())))
+}
+
 /// Catalogue key of the type of a JSON text.
-pub(super) fn kind(text: &str) -> &'static str {
+fn kind(text: &str) -> &'static str {
     match text.as_bytes().first() {
         Some(b'{') => "json-object",
         Some(b'[') => "json-list",
@@ -178,8 +181,16 @@ impl<'a> Pairs<'a> {
         found.map(|(_, raw)| *raw)
     }
 
-    /// The first field whose name has come before.
-    pub fn repeated(&self) -> Option<&str> {
+    /// Refuses the first field whose name has come before, at its place.
+    pub fn check_once<'p>(&'p self, place: impl Fn(&'p str) -> Path<'p>) -> Result<(), Refusal> {
+        let Some(name) = self.repeated() else {
+            return Ok(());
+        };
+        let problem = Message::new("case-repeated-field").with("name", short(name));
+        Err(Refusal::at(Code::BadJson, &place(name), problem))
+    }
+
+    fn repeated(&self) -> Option<&str> {
         let mut order: Vec<usize> = (0..self.0.len()).collect();
         order.sort_by_key(|&i| (&self.0[i].0, i));
         let again = |pair: &[usize]| (self.0[pair[0]].0 == self.0[pair[1]].0).then_some(pair[1]);

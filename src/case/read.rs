@@ -6,7 +6,7 @@ use super::{
     CaseLine, Fields, Id, MAX_LINE_BYTES, Solvable, Solver, Solvers,
     fields::missing,
     prelude::*,
-    raw::{Node, Pairs, kind},
+    raw::{Node, Pairs, not_a},
 };
 
 /// A case that can be solved.
@@ -55,10 +55,7 @@ fn read_into(
     if let Ok(read) = &read_id {
         id.clone_from(read);
     }
-    if let Some(name) = pairs.repeated() {
-        let problem = Message::new("case-repeated-field").with("name", short(name));
-        return Err(Refusal::at(Code::BadJson, &Path::Field(name), problem));
-    }
+    pairs.check_once(Path::Field)?;
     read_id?;
     let (solver, fields) = fields(solvers, &pairs, detail)?;
     Ok((solver, (solver.read)(&fields)?))
@@ -109,10 +106,7 @@ fn pairs(text: &str) -> Result<Pairs<'_>, Refusal> {
     }
     // Valid up to here, but not an object; the rest may still be no JSON at all.
     let whole: &RawValue = serde_json::from_str(text).map_err(|error| bad_json(&error))?;
-    let problem = Message::new("case-wrong-type")
-        .with("expected", Value::Term("json-object"))
-        .with("found", Value::Term(kind(whole.get())));
-    Err(Refusal::whole(Code::WrongType, problem))
+    Err(Refusal::whole(Code::WrongType, not_a("json-object", whole)))
 }
 
 fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver, Refusal> {

@@ -52,11 +52,8 @@ impl<'a> Source<'a> {
         let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
         let full = text[line_start..line_end].trim_end_matches('\r');
         let before = text[line_start..start].chars().count();
-        let length = text[start..end.min(line_end)]
-            .trim_end()
-            .chars()
-            .count()
-            .max(1);
+        let meant = text[start..end.min(line_end)].trim_end();
+        let length = meant.chars().count().max(1);
         let (source_line, caret) = excerpt(full, before);
         Place {
             line: text[..line_start].matches('\n').count() + 1,

@@ -67,6 +67,7 @@ fn a_scene_is_saved_where_the_dialog_says_over_another_file_when_told_twice() {
     let read = read.expect("what is saved can be opened");
     assert_eq!(&read.scene, bench.app.scene());
     // Now it is the scene's own file: saving again asks no more.
+    bench.settle();
     bench.apply(Command::Last);
     bench.press(Key::S, ctrl());
     bench.apply(Command::Confirm);

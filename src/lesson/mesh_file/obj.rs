@@ -2,10 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::{
-    geom::{Mesh, MeshError},
-    lesson::prelude::*,
-};
+use crate::{geom::Mesh, lesson::prelude::*};
 
 use super::{
     faces::triangles,
@@ -57,6 +54,9 @@ pub fn read_obj_while(
     reader.finish(sink)
 }
 
+/// The indices of a place and of texture coordinates, each where it is named.
+type Corner = [Option<usize>; 2];
+
 #[derive(Default)]
 struct Reader {
     positions: Vec<[f32; 3]>,
@@ -64,8 +64,8 @@ struct Reader {
     library: Option<String>,
     material: Option<String>,
     /// Vertices of the mesh, by what a corner names.
-    known: HashMap<[Option<usize>; 2], u32>,
-    vertices: Vec<[Option<usize>; 2]>,
+    known: HashMap<Corner, u32>,
+    vertices: Vec<Corner>,
     faces: Vec<[u32; 3]>,
 }
 
@@ -105,22 +105,20 @@ impl Reader {
             sink.warning(statement.span(), message.with("count", corners.len()));
             return;
         }
-        let positions: Vec<[f32; 3]> = corners
-            .iter()
-            .filter_map(|[position, _]| self.positions.get((*position)?).copied())
-            .collect();
+        let positions: Vec<_> = corners.iter().filter_map(|it| self.place(it)).collect();
         let Some(cut) = triangles(&positions) else {
             sink.warning(statement.span(), Message::new("problem-face-not-simple"));
             return;
         };
-        let vertices: Vec<u32> = corners
-            .into_iter()
-            .map(|corner| self.vertex(corner))
-            .collect();
-        self.faces.extend(
-            cut.into_iter()
-                .map(|triangle| triangle.map(|i| vertices[i])),
-        );
+        let corners = corners.into_iter();
+        let vertices: Vec<u32> = corners.map(|corner| self.vertex(corner)).collect();
+        let cut = cut.into_iter();
+        self.faces
+            .extend(cut.map(|triangle| triangle.map(|i| vertices[i])));
+    }
+
+    fn place(&self, [position, _]: &Corner) -> Option<[f32; 3]> {
+        self.positions.get((*position)?).copied()
     }
 
     /// `position`, `position/uv`, `position//normal` or `position/uv/normal`: indices of position and texture coordinates.
@@ -130,7 +128,7 @@ impl Reader {
         span: Range<usize>,
         so_far: [usize; 2],
         sink: &Sink<'_>,
-    ) -> Option<[Option<usize>; 2]> {
+    ) -> Option<Corner> {
         let mut parts = word.split('/');
         let counts = [self.positions.len(), self.uvs.len()];
         let position = parts.next().unwrap_or_default();
@@ -152,7 +150,7 @@ impl Reader {
         Some([Some(position), found])
     }
 
-    fn vertex(&mut self, corner: [Option<usize>; 2]) -> u32 {
+    fn vertex(&mut self, corner: Corner) -> u32 {
         let Self {
             known, vertices, ..
         } = self;
@@ -166,35 +164,24 @@ impl Reader {
         if sink.n_errors() > 0 {
             return Err(sink.into_problems());
         }
-        let positions = self
-            .vertices
-            .iter()
-            .filter_map(|[position, _]| self.positions.get((*position)?).copied());
+        let positions = self.vertices.iter().filter_map(|it| self.place(it));
         let has_uv = self.vertices.iter().any(|[_, uv]| uv.is_some());
-        let uv = |[_, uv]: &[Option<usize>; 2]| {
-            uv.and_then(|i| self.uvs.get(i).copied())
-                .unwrap_or_default()
+        let uv = |[_, uv]: &Corner| {
+            let found = uv.and_then(|i| self.uvs.get(i).copied());
+            found.unwrap_or_default()
         };
         let uvs = self.vertices.iter().filter(|_| has_uv).map(uv);
-        match Mesh::new(positions.collect(), uvs.collect(), self.faces) {
-            Ok(mesh) => Ok(ObjFile {
-                mesh,
-                material: self
-                    .library
-                    .zip(self.material)
-                    .map(|(library, name)| [library, name]),
-                warnings: sink.into_problems(),
-            }),
-            Err(
-                MeshError::NoFaces
-                | MeshError::NotFinite { .. }
-                | MeshError::NoSuchVertex { .. }
-                | MeshError::UvLength { .. },
-            ) => {
-                sink.error(0..0, Message::new("problem-no-faces"), []);
-                Err(sink.into_problems())
-            }
-        }
+        // Numbers and indices have been looked at: what makes no mesh has no faces.
+        let Ok(mesh) = Mesh::new(positions.collect(), uvs.collect(), self.faces) else {
+            sink.error(0..0, Message::new("problem-no-faces"), []);
+            return Err(sink.into_problems());
+        };
+        let material = self.library.zip(self.material);
+        Ok(ObjFile {
+            mesh,
+            material: material.map(|(library, name)| [library, name]),
+            warnings: sink.into_problems(),
+        })
     }
 }
 
