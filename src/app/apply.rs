@@ -16,8 +16,6 @@ impl App {
         match command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
-            Command::First => transport.seek(0),
-            Command::Last => transport.seek(usize::MAX),
             Command::Phase(by) => self.seek(self.playback.phase(by)),
             Command::Play => transport.toggle(),
             Command::Speed(speed) => {
@@ -39,8 +37,7 @@ impl App {
             Command::Select(handle) => self.stage.selected = Some(handle),
             Command::Ask(about) => self.stage.asked = about,
             Command::Verdict => self.go_to_verdict(),
-            Command::Type(handle) => self.start_typing(handle, None),
-            Command::TypeAt(handle, at) => self.start_typing(Some(handle), Some(at)),
+            Command::Type(handle, at) => self.start_typing(handle, at),
             Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
             Command::Typed => self.apply_typed(now),
             Command::DrawNth(nth) => {

@@ -189,11 +189,11 @@ fn buttons(app: &App, ui: &mut Ui) {
         .scope(|ui| transport_buttons(ui, app.look(), &app.playback.transport))
         .inner;
     app.push_all(pressed.map(|press| match press {
-        Press::First => Command::First,
+        Press::First => Command::FIRST,
         Press::Back => Command::Step(-1),
         Press::Play => Command::Play,
         Press::Forward => Command::Step(1),
-        Press::Last => Command::Last,
+        Press::Last => Command::LAST,
     }));
 }
 

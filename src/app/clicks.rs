@@ -43,7 +43,7 @@ pub fn ask(
     let vertex = click.spot.and_then(|i| handles.get(i));
     let is_free = |handle: &&Handle| !Lock::any_holds(locks, **handle);
     if let Some(&handle) = vertex.filter(|handle| click.is_double && is_free(handle)) {
-        app.push(Command::Type(Some(handle)));
+        app.push(Command::Type(Some(handle), None));
         return;
     }
     if let Some(&vertex) = vertex.filter(|handle| handle.kind().is_vertex) {

@@ -9,8 +9,6 @@ use super::{dialog::Dialog, history::UndoGroup, prelude::*};
 pub enum Command {
     Step(isize),
     Seek(usize),
-    First,
-    Last,
     Phase(isize),
     Play,
     Speed(f32),
@@ -33,8 +31,8 @@ pub enum Command {
     /// Asks why this was kept or dropped; or nothing any more.
     Ask(Option<Link>),
     Verdict,
-    Type(Option<Handle>),
-    TypeAt(Handle, Pos2),
+    /// A handle's place, in a field at the pointer or beside the handle; or none any more.
+    Type(Option<Handle>, Option<Pos2>),
     /// The same of the handle that has the focus, or was taken hold of last.
     TypeChosen,
     Typed,
@@ -74,14 +72,15 @@ pub enum Command {
 }
 
 impl Command {
+    pub const FIRST: Self = Self::Seek(0);
+    pub const LAST: Self = Self::Seek(usize::MAX);
+
     /// May it be done while an outline is half drawn? The run does not move then, and nothing else is edited.
     pub(super) const fn goes_with_a_sketch(&self) -> bool {
         !matches!(
             self,
             Self::Step(_)
                 | Self::Seek(_)
-                | Self::First
-                | Self::Last
                 | Self::Phase(_)
                 | Self::Verdict
                 | Self::Play
@@ -125,8 +124,8 @@ pub static BINDINGS: [Binding; 38] = [
     (SHIFT, Key::ArrowRight, Command::Step(10), "help-step-ten"),
     (CTRL, Key::ArrowLeft, Command::Phase(-1), "help-phase"),
     (CTRL, Key::ArrowRight, Command::Phase(1), "help-phase"),
-    (NONE, Key::Home, Command::First, "help-ends"),
-    (NONE, Key::End, Command::Last, "help-ends"),
+    (NONE, Key::Home, Command::FIRST, "help-ends"),
+    (NONE, Key::End, Command::LAST, "help-ends"),
     (NONE, Key::Space, Command::Play, "help-play"),
     (NONE, Key::R, Command::Reset, "help-reset"),
     (NONE, Key::PageUp, BACK, "help-lesson-step"),

@@ -57,7 +57,7 @@ fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson)) {
             shown.push(&step.scene);
             if ui.button(&title.title).clicked() {
                 app.push(Command::Edit(Edit::Replace((*step.scene).clone()), None));
-                app.push(Command::First);
+                app.push(Command::FIRST);
                 ui.close();
             }
         }

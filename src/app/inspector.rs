@@ -152,7 +152,7 @@ fn watched(
     if let Some((link, at)) = shown.clicked
         && let Some(handle) = told_of(app, scalars, link)
     {
-        app.push(Command::TypeAt(handle, at));
+        app.push(Command::Type(Some(handle), Some(at)));
     }
     shown.pointed
 }

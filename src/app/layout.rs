@@ -24,16 +24,15 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         if !app.is_narrow() {
             sides(app, ui, state, panels);
         }
-        let panel = Frame::new().fill(app.look().theme.panel).inner_margin(16);
+        let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
+        let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
             Room::Stage => centre(app, ui, state),
             Room::Course => {
-                let centre = CentralPanel::no_frame().frame(panel);
-                centre.show(ui, |ui| left(app, ui, panels));
+                panel.show(ui, |ui| left(app, ui, panels));
             }
             Room::Inspector => {
-                let centre = CentralPanel::no_frame().frame(panel);
-                centre.show(ui, |ui| inspector::show(app, ui, state));
+                panel.show(ui, |ui| inspector::show(app, ui, state));
             }
         }
     }

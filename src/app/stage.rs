@@ -147,7 +147,7 @@ impl Column<'_> {
             ui.set_cursor_icon(CursorIcon::Text);
             let click = |input: &InputState| input.pointer.interact_pos();
             let at = ui.input(click).filter(|_| is_clicked);
-            app.push_all(at.map(|at| Command::TypeAt(handle, at)));
+            app.push_all(at.map(|at| Command::Type(Some(handle), Some(at))));
         }
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
         if pixel.is_some() && is_clicked {

@@ -70,7 +70,7 @@ pub fn show(app: &App, ctx: &Context, (typing, at): (&mut Typing, Pos2)) {
             if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
                 app.push(Command::Typed);
             } else if field.clicked_elsewhere() {
-                app.push(Command::Type(None));
+                app.push(Command::Type(None, None));
             } else if !field.has_focus() {
                 field.request_focus();
             }

@@ -27,7 +27,7 @@ mod sink;
 mod source;
 mod step;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
 

@@ -5,7 +5,10 @@ use std::fs;
 use super::*;
 use crate::{
     export::{Options, Picture, Steps, Studio},
-    lesson::{Folder, SceneFormats},
+    lesson::{
+        Folder, SceneFormats,
+        tests::{LESSON, TEXT},
+    },
 };
 
 fn on_a_desktop() -> Bench {
@@ -68,7 +71,7 @@ fn a_scene_is_saved_where_the_dialog_says_over_another_file_when_told_twice() {
     assert_eq!(&read.scene, bench.app.scene());
     // Now it is the scene's own file: saving again asks no more.
     bench.settle();
-    bench.apply(Command::Last);
+    bench.apply(Command::LAST);
     bench.press(Key::S, ctrl());
     bench.apply(Command::Confirm);
     assert_eq!(bench.app.shown.dialog, None);
@@ -136,20 +139,6 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
     assert_eq!(again.settings().figures, Some(figures));
 }
 
-const LESSON: &str = r#"
-lab = "lines"
-source = "D. Cohen and I. Sutherland, 1967"
-
-[scenes.two-cuts]
-method = "cohen-sutherland"
-window = [-1, -1, 1, 1]
-segments = [[-2, -1, 2, 1.5]]
-
-[[step]]
-id = "outside"
-scene = "two-cuts"
-"#;
-
 #[test]
 fn a_dropped_folder_of_lessons_opens_and_says_so_when_it_changes_only() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -164,17 +153,17 @@ fn a_dropped_folder_of_lessons_opens_and_says_so_when_it_changes_only() {
     let write = |name: &str, text: &str| fs::write(lesson.join(name), text).expect("writable");
     fs::create_dir(&lesson).expect("writable");
     write("lesson.toml", LESSON);
-    write("en.md", "# Two cuts\n\n## outside: Nothing yet\n\nWhy?\n");
+    write("en.md", TEXT);
     bench.drop_file(folder.path(), None);
     assert_eq!(n_lessons(&bench), 1, "{}", bench.said());
-    assert_eq!(bench.scene::<lines::Scene>().segments().len(), 1);
+    assert_eq!(bench.scene::<lines::Scene>().segments().len(), 2);
     let read = |bench: &mut Bench| {
         let course = Course::check(&Folder::new(folder.path()));
         bench.app.take_course("mine", course, bench.time);
         bench.app.notices.len()
     };
     assert_eq!(read(&mut bench), 0, "nothing has changed");
-    write("en.md", "# Two cuts\n\n## outside: Why?\n\nWhy?\n");
+    write("en.md", &TEXT.replace("What is", "Why is"));
     assert_eq!(read(&mut bench), 1);
 }
 

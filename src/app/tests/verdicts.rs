@@ -66,7 +66,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
         let mut bench = Bench::lab(lab);
         for &(method, at, said, event) in of_lab {
             bench.edit(Edit::Method(method));
-            bench.command(Command::First);
+            bench.command(Command::FIRST);
             bench.click_in_space(at);
             let texts = bench.texts();
             let is_said = texts.iter().any(|(text, _)| text.contains(said));

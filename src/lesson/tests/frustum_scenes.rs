@@ -294,34 +294,32 @@ proptest! {
     }
 }
 
-const MESH_LESSON: &str = r#"lab = "frustum"
-source = "J. H. Clark, 1976"
-
-[scenes.wedge]
-method = "sphere-cull"
-camera = { position = [0, 2, 6], target = [0, 1, -2], fov_y_deg = 40, aspect = 1.6, near = 1, far = 12 }
-objects = [{ mesh = "wedge.obj", at = [0, 1, 0] }]
-
-[[step]]
-id = "first"
-scene = "wedge"
-figure = "one"
-
-[[step]]
-id = "second"
-at = "end"
-"#;
+/// What is replaced in the lesson, so that it has a mesh.
+const WITH_A_MESH: [(&str, &str); 5] = [
+    ("\"lines\"", "\"frustum\""),
+    ("cohen-sutherland", "sphere-cull"),
+    (
+        "window = [-1, -1, 1, 1]",
+        "camera = { position = [0, 2, 6], target = [0, 1, -2], fov_y_deg = 40, aspect = 1.6, near = 1, far = 12 }",
+    ),
+    (
+        "segments = [[-2, -1, 2, 1.5], [0, 0, 1, 1]]",
+        "objects = [{ mesh = \"wedge.obj\", at = [0, 1, 0] }]",
+    ),
+    ("lock = [\"window\"]\n", ""),
+];
 
 const WEDGE: &str = "v 0 0 0\nv 8 0 0\nv 0 4 0\nf 1 2 3\n";
 
 #[test]
 fn a_lesson_has_meshes_in_its_folder() {
-    let found_in = |toml: &str, mesh: &str| {
-        let mut files = with(toml, TEXT);
+    let found_in = |file: &str, mesh: &str| {
+        let named = [("wedge.obj", file)];
+        let mut files = lesson(&[&WITH_A_MESH[..], &named].concat());
         files.insert("01-a/wedge.obj".to_owned(), mesh.into());
         (found(&files), Course::check(&files).course)
     };
-    let (problems, course) = found_in(MESH_LESSON, WEDGE);
+    let (problems, course) = found_in("wedge.obj", WEDGE);
     assert!(problems.is_empty(), "{problems:?}");
     let scene = course.lessons[0].steps[0].scene.get::<Scene>();
     let object = scene.expect("of this lab").focused();
@@ -340,7 +338,7 @@ fn a_lesson_has_meshes_in_its_folder() {
         ("../wedge.obj", WEDGE, "lesson.toml:7:21 no-such-mesh"),
         ("wedge.ply", WEDGE, "lesson.toml:7:21 no-such-mesh"),
     ] {
-        let (problems, _) = found_in(&MESH_LESSON.replacen("wedge.obj", file, 1), mesh);
+        let (problems, _) = found_in(file, mesh);
         assert!(
             problems.contains(&expected.to_owned()),
             "{file}: {problems:?}"

@@ -10,7 +10,7 @@ use crate::text::Lang;
 
 use super::*;
 
-const LESSON: &str = r#"lab = "lines"
+pub(crate) const LESSON: &str = r#"lab = "lines"
 source = "D. Cohen and I. Sutherland, 1967"
 
 [scenes.practice]
@@ -30,7 +30,7 @@ lock = ["window"]
 code = "words"
 "#;
 
-const TEXT: &str = "# Regions
+pub(crate) const TEXT: &str = "# Regions
 
 ## first: The first step
 
