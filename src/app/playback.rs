@@ -125,12 +125,8 @@ impl Playback {
         if self.framed_at == Some(position) {
             return;
         }
-        let steps = self.steps().into_iter();
-        let frames = self
-            .runs()
-            .zip(steps)
-            .map(|(run, [step, _])| run.frame(step));
-        self.frames = frames.collect();
+        let runs = self.runs().zip(self.steps());
+        self.frames = runs.map(|(run, [step, _])| run.frame(step)).collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
         if self.needs.is_empty() {
@@ -148,8 +144,8 @@ impl Playback {
     /// Cost so far and in the end, of each run.
     pub fn costs(&self) -> Vec<[Counts; 2]> {
         let runs = self.runs().zip(self.steps());
-        runs.map(|(run, steps)| steps.map(|step| run.counts_at(step)))
-            .collect()
+        let costs = runs.map(|(run, steps)| steps.map(|step| run.counts_at(step)));
+        costs.collect()
     }
 
     /// Lets time pass up to `now`, in seconds. Returns how long until the next step while playing.
@@ -165,10 +161,8 @@ impl Playback {
 }
 
 fn phases(run: &dyn Run) -> Vec<usize> {
-    (1..=run.n_steps())
-        .filter(|&step| run.tick(step) == Tick::Phase)
-        .take(MOST_PHASES)
-        .collect()
+    let phases = (1..=run.n_steps()).filter(|&step| run.tick(step) == Tick::Phase);
+    phases.take(MOST_PHASES).collect()
 }
 
 /// One run at least, and how they differ.

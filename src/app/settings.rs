@@ -59,10 +59,8 @@ impl Settings {
     pub fn of_system() -> Self {
         // As gettext reads them.
         let names = ["LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"];
-        let values: Vec<String> = names
-            .iter()
-            .filter_map(|name| std::env::var(name).ok())
-            .collect();
+        let values = names.iter().filter_map(|name| std::env::var(name).ok());
+        let values: Vec<String> = values.collect();
         Self::for_locales(values.iter().flat_map(|value| value.split(':')))
     }
 }

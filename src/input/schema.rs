@@ -20,17 +20,15 @@ pub fn of_shape(shape: &Shape) -> Json {
 }
 
 pub fn of_fields(fields: &[Field]) -> Json {
-    let properties: Map<String, Json> = fields
-        .iter()
-        .map(|field| (field.name.to_owned(), of_shape(field.shape)))
-        .collect();
-    let of_need = |need| fields.iter().filter(move |field| field.need == need);
-    let required: Vec<&str> = of_need(Presence::Required)
-        .map(|field| field.name)
-        .collect();
-    let choices: Vec<Json> = of_need(Presence::Choice)
-        .map(|field| json!({ "required": [field.name] }))
-        .collect();
+    let property = |field: &Field| (field.name.to_owned(), of_shape(field.shape));
+    let properties: Map<String, Json> = fields.iter().map(property).collect();
+    let of_need = |need| {
+        let fields = fields.iter().filter(move |field| field.need == need);
+        fields.map(|field| field.name)
+    };
+    let required: Vec<&str> = of_need(Presence::Required).collect();
+    let choices = of_need(Presence::Choice).map(|name| json!({ "required": [name] }));
+    let choices: Vec<Json> = choices.collect();
     let mut schema = json!({
         "type": "object",
         "properties": properties,

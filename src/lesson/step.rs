@@ -81,24 +81,18 @@ pub(super) fn moment(node: Node<'_>) -> Option<Moment> {
 }
 
 pub(super) fn never_comes(moment: &Moment, run: &dyn Run) -> Diagnostic {
-    let mut moments: Vec<String> = (0..=run.n_steps().min(MAX_MOMENTS))
-        .map(|step| run.moment(step).to_string())
-        .collect();
+    let steps = 0..=run.n_steps().min(MAX_MOMENTS);
+    let mut moments: Vec<String> = steps.map(|step| run.moment(step).to_string()).collect();
     moments.push(Moment::End.to_string());
     let wanted = moment.to_string();
     let names: Vec<&str> = moments.iter().map(String::as_str).collect();
     // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
     let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
-    let candidates = names
-        .iter()
-        .copied()
-        .chain(shorter.iter().map(String::as_str));
+    let candidates = moments.iter().chain(&shorter).map(String::as_str);
     let meant = nearest(&wanted, candidates);
     let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
-    let notes = suggestion(meant, &names);
-    notes
-        .into_iter()
-        .fold(Diagnostic::new(message), Diagnostic::noting)
+    let notes = suggestion(meant, &names).into_iter();
+    notes.fold(Diagnostic::new(message), Diagnostic::noting)
 }
 
 /// `cut`, `cut p1` and `cut left` for `cut p1 left`.

@@ -139,9 +139,8 @@ impl<'t> Node<'t> {
     /// The fields of a table of which the keys are names that the author chose.
     pub fn named(self) -> Option<impl Iterator<Item = (&'t Spanned<DeString<'t>>, Self)>> {
         let Self { sink, .. } = self;
-        let fields = self
-            .expecting(self.item.get_ref().as_table(), "expect-table")?
-            .iter();
+        let table = self.expecting(self.item.get_ref().as_table(), "expect-table")?;
+        let fields = table.iter();
         Some(fields.map(move |(key, item)| (key, Node { item, sink })))
     }
 

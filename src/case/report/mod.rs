@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 use crate::{
     figure::{Run, WatchRow, WatchSection, mark_changes},
     input::Given,
-    text::{Catalog, Message},
+    text::{Catalog, Message, Value},
     trace::Counts,
 };
 
@@ -143,10 +143,8 @@ fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<[Cell; 4]> {
 /// `code₁ = 0001 (to the left)`, or `left edge: p = −4, q = −1, r = 1/4`.
 fn changed_row(section: &WatchSection, row: &WatchRow, catalog: &Catalog) -> String {
     let name = catalog.value(&row.name);
-    let cells = row
-        .cells
-        .iter()
-        .map(|c| c.as_ref().map(|c| catalog.value(c)));
+    let said = |cell: &Option<Value>| cell.as_ref().map(|cell| catalog.value(cell));
+    let cells = row.cells.iter().map(said);
     let mut text = if section.header.is_empty() {
         let values: Vec<String> = cells.flatten().collect();
         format!("{name} = {}", values.join(catalog.lang().list_separator()))

@@ -25,11 +25,8 @@ impl Report<'_> {
 
     fn solved_text(&self, solved: &Solved) -> Vec<String> {
         let mut lines = vec![format!("{} · {}", self.name, solved.algorithm)];
-        let given: Vec<_> = solved
-            .given
-            .iter()
-            .map(|row| cells(row.each_ref()))
-            .collect();
+        let given = solved.given.iter().map(|row| cells(row.each_ref()));
+        let given: Vec<_> = given.collect();
         lines.extend(set(&given, [Align::Left; 2], WIDTH));
         lines.push(String::new());
         if let Some(steps) = &solved.steps {

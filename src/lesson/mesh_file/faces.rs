@@ -17,10 +17,8 @@ pub(super) fn triangles(corners: &[[f32; 3]]) -> Option<Vec<[usize; 3]>> {
     if corners.len() == 3 {
         return Some(vec![[0, 1, 2]]);
     }
-    let points: Vec<DVec3> = corners
-        .iter()
-        .map(|p| DVec3::from(p.map(f64::from)))
-        .collect();
+    let points = corners.iter().map(|p| DVec3::from(p.map(f64::from)));
+    let points: Vec<DVec3> = points.collect();
     let normal: DVec3 = (2..points.len())
         .map(|i| (points[i - 1] - points[0]).cross(points[i] - points[0]))
         .sum();
@@ -55,11 +53,8 @@ pub(super) fn triangles(corners: &[[f32; 3]]) -> Option<Vec<[usize; 3]>> {
 
 /// Is every corner of four a turn to the left? Then they go round once.
 fn turns_one_way(corners: &[[f64; 2]]) -> bool {
-    let points: Option<Vec<Point>> = corners
-        .iter()
-        .map(|&[x, y]| Point::new(x, y).ok())
-        .collect();
-    let Some(points) = points else {
+    let points = corners.iter().map(|&[x, y]| Point::new(x, y).ok());
+    let Some(points) = points.collect::<Option<Vec<Point>>>() else {
         return false;
     };
     let n = points.len();

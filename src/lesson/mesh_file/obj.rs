@@ -89,11 +89,9 @@ impl Reader {
     }
 
     fn face(&mut self, statement: &Statement<'_>, so_far: [usize; 2], sink: &Sink<'_>) {
-        let corners: Option<Vec<_>> = statement
-            .values()
-            .map(|(word, span)| self.corner(word, span, so_far, sink))
-            .collect();
-        let Some(corners) = corners else {
+        let words = statement.values();
+        let corners = words.map(|(word, span)| self.corner(word, span, so_far, sink));
+        let Some(corners) = corners.collect::<Option<Vec<_>>>() else {
             return;
         };
         let odd = match corners.len() {

@@ -176,10 +176,8 @@ fn odd_files_are_named() {
 fn a_problem_is_rendered_as_a_compiler_would() {
     let toml = LESSON.replace("window = [", "\"窗口\"\t= 1\nwindow = [9, -1, -1, 1] # [");
     let problems = Course::check(&with(&toml, TEXT)).problems;
-    let rendered: Vec<String> = problems
-        .iter()
-        .map(|p| p.render(Catalog::of(Lang::En)))
-        .collect();
+    let rendered = problems.iter().map(|p| p.render(Catalog::of(Lang::En)));
+    let rendered: Vec<String> = rendered.collect();
     let expected = "\
 01-a/lesson.toml:6:1: error: There is no field “窗口” here.
   6 | \"窗口\"  = 1

@@ -198,10 +198,8 @@ fn a_mesh_comes_back_however_large_with_its_picture() {
 
 #[test]
 fn first_scenes_and_names_that_need_quotes_come_back() {
-    let mut scene: Scene = (LAB.first_scene)()
-        .get::<Scene>()
-        .expect("of this lab")
-        .clone();
+    let first = (LAB.first_scene)();
+    let mut scene = first.get::<Scene>().expect("of this lab").clone();
     assert_eq!(read(&written(&scene)).as_ref(), Ok(&scene));
     for name in ["a \"b\" \\ c", "牛", "line\nbreak\t\u{7f}", "x = { }"] {
         let model = named(name, Solid::Tetrahedron.mesh(), None);
