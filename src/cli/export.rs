@@ -71,7 +71,7 @@ pub(super) enum Format {
 
 fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
     PossibleValuesParser::new(ThemeKind::ALL.map(ThemeKind::id))
-        .try_map(|id| id.parse::<ThemeKind>())
+        .map(|id| ThemeKind::from_id(&id).unwrap_or_default())
 }
 
 /// Width and height in pixels at scale 1.

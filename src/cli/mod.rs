@@ -95,7 +95,8 @@ pub fn run() -> ExitCode {
 }
 
 fn lang_parser() -> impl TypedValueParser<Value = Lang> {
-    PossibleValuesParser::new(Lang::ALL.map(Lang::id)).try_map(|id| id.parse::<Lang>())
+    PossibleValuesParser::new(Lang::ALL.map(Lang::id))
+        .map(|id| Lang::from_id(&id).unwrap_or_default())
 }
 
 /// Opens the app on a path, or on the embedded course. What goes wrong is said in the system's language.

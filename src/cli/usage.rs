@@ -43,7 +43,7 @@ fn lang_of(args: &[String]) -> Option<Lang> {
     let at = args.iter().position(|arg| arg.starts_with("--lang"))?;
     let joined = args[at].strip_prefix("--lang=");
     let id = joined.or_else(|| args.get(at + 1).map(String::as_str))?;
-    id.parse().ok()
+    Lang::from_id(id)
 }
 
 fn rendered(diagnostic: &Diagnostic, catalog: &Catalog) -> String {

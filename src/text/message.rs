@@ -38,41 +38,18 @@ pub enum Value {
     Formula(Formula),
 }
 
-impl From<f64> for Value {
-    fn from(x: f64) -> Self {
-        Self::Number(x)
-    }
+macro_rules! values {
+    ($($variant:ident of $of:ty),*) => {
+        $(impl From<$of> for Value {
+            fn from(it: $of) -> Self {
+                Self::$variant(it)
+            }
+        })*
+    };
 }
 
-impl From<[f64; 2]> for Value {
-    fn from(p: [f64; 2]) -> Self {
-        Self::Point(p)
-    }
-}
-
-impl From<usize> for Value {
-    fn from(n: usize) -> Self {
-        Self::Count(n)
-    }
-}
-
-impl From<String> for Value {
-    fn from(name: String) -> Self {
-        Self::Name(name)
-    }
-}
-
-impl From<Message> for Value {
-    fn from(message: Message) -> Self {
-        Self::Message(message)
-    }
-}
-
-impl From<Formula> for Value {
-    fn from(formula: Formula) -> Self {
-        Self::Formula(formula)
-    }
-}
+values!(Number of f64, Point of [f64; 2], Count of usize, Name of String);
+values!(Message of Message, Formula of Formula);
 
 /// Arithmetic as on the board. Tokens follow each other without a space: symbols carry their own, as in `sym(" + ")`.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -111,7 +88,18 @@ pub enum Token {
     Equals(f64),
 }
 
+macro_rules! tokens {
+    ($($name:ident: $token:ident($of:ty)),*) => {
+        $(pub fn $name(self, it: $of) -> Self {
+            self.push(Token::$token(it))
+        })*
+    };
+}
+
 impl Formula {
+    tokens!(num: Number(f64), operand: Operand(f64), dividend: Dividend(f64), divisor: Divisor(f64));
+    tokens!(equals: Equals(f64), point: Point([f64; 2]), term: Term(&'static str));
+
     /// An empty one whose numbers will be decimals, also where they have short fractions.
     pub fn decimals() -> Self {
         Self(vec![Token::Decimals])
@@ -121,32 +109,12 @@ impl Formula {
         self.push(Token::Sym(symbol.into()))
     }
 
-    pub fn num(self, x: f64) -> Self {
-        self.push(Token::Number(x))
-    }
-
-    pub fn operand(self, x: f64) -> Self {
-        self.push(Token::Operand(x))
-    }
-
-    pub fn dividend(self, x: f64) -> Self {
-        self.push(Token::Dividend(x))
-    }
-
-    pub fn divisor(self, x: f64) -> Self {
-        self.push(Token::Divisor(x))
-    }
-
     pub fn ratio(self, num: f64, den: f64) -> Self {
         self.push(Token::Ratio { num, den })
     }
 
     pub fn over(self, num: Self, den: Self) -> Self {
         self.push(Token::Over { num, den })
-    }
-
-    pub fn point(self, p: [f64; 2]) -> Self {
-        self.push(Token::Point(p))
     }
 
     pub fn place(self, at: [f64; 3]) -> Self {
@@ -159,14 +127,6 @@ impl Formula {
 
     pub fn list(self, numbers: &[f64]) -> Self {
         self.push(Token::List(numbers.to_vec()))
-    }
-
-    pub fn term(self, key: &'static str) -> Self {
-        self.push(Token::Term(key))
-    }
-
-    pub fn equals(self, x: f64) -> Self {
-        self.push(Token::Equals(x))
     }
 
     fn push(mut self, token: Token) -> Self {

@@ -26,7 +26,7 @@ mod writing;
 
 pub use catalog::{AREAS, Catalog, sources};
 pub use diagnostic::{Diagnostic, SystemError};
-pub use lang::{Lang, UnknownLang};
+pub use lang::Lang;
 pub use message::{Formula, Message, Token, Value};
 pub use number::Notation;
 pub use piece::Piece;
