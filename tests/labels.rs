@@ -5,7 +5,7 @@ use clipscope::{
     figure::{Mark, Shape},
     labs::Scene,
     lesson::Course,
-    paint::{Headless, Obstacle, Placed, ThemeKind, Viewport, arrange},
+    paint::{Headless, Look, Obstacle, Placed, ThemeKind, Viewport},
     text::{Catalog, Lang},
 };
 use egui::{Pos2, Rect, Vec2, vec2};
@@ -93,7 +93,7 @@ fn place(
     let mut found = (Vec::new(), Vec::new());
     table.draw(size, 1.0, |ui| {
         let catalog = Catalog::of(Lang::En);
-        found = arrange(ui.painter(), &viewport, theme, catalog, marks, before);
+        found = Look { theme, catalog }.arrange(ui.painter(), &viewport, marks, before);
     });
     found
 }

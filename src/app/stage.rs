@@ -6,10 +6,12 @@ use std::borrow::Cow;
 use egui::InputState;
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Mark, Raster, Role, Seer, sentences},
+    figure::{
+        Body, Caption, ColumnLayout, Frame, Layout, Mark, Raster, Role, Seer, Spacing, sentences,
+    },
     panels::{Reach, spots},
     widgets::{
-        Canvas, CanvasShown, Composition, Spacing, Spot, covered, gripped, height_for_all, link_at,
+        Canvas, CanvasShown, Composition, Spot, covered, gripped, height_for_all, link_at,
         picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
     },
 };

@@ -133,7 +133,7 @@ pub(super) fn export(args: &Args) -> Outcome {
         if args.window {
             window_png(job, &course, studio.table(), args)
         } else {
-            job.png(studio, &options)
+            job.png(studio, options)
         }
     };
     let done = || progress.advance(1);

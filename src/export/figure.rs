@@ -3,16 +3,15 @@
 #[cfg(test)]
 mod tests;
 
-use egui::{Rect, Ui, vec2};
+use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, ViewId, needs, sentences},
+    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, Spacing, ViewId, needs, sentences},
     labs::{Difference, MethodCard, Scene},
-    paint::{Around, Headless, Image, Theme, ThemeKind, Viewport, stage},
+    paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
     text::{Catalog, Lang, Message},
     widgets::{
-        Bars, Composition, Cost, Look, Spacing, covered, height_for_all, most_of_a_kind, rect_of,
-        space, view,
+        Bars, Composition, Cost, covered, height_for_all, most_of_a_kind, rect_of, space, view,
     },
 };
 
@@ -135,10 +134,7 @@ impl Recorded {
 
 fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
     table.set_theme(picture.options.theme);
-    let size = vec2(
-        picture.options.size_px[0] as f32,
-        picture.options.size_px[1] as f32,
-    );
+    let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
     let page = Page {
         picture,
@@ -299,15 +295,7 @@ impl Page<'_> {
         let painter = ui.painter().with_clip_rect(rect);
         let mut marks = scene.backdrop(index, column.at_end());
         marks.extend(column.frame.marks().iter().cloned());
-        let Look { theme, catalog } = self.look;
-        stage(
-            &painter,
-            &viewport,
-            theme,
-            catalog,
-            &marks,
-            None,
-            Around::default(),
-        );
+        let around = Around::default();
+        (self.look).stage(&painter, &viewport, &marks, None, around);
     }
 }

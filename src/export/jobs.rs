@@ -94,14 +94,17 @@ impl Job<'_> {
         }
     }
 
-    pub fn png(&self, studio: &mut Studio, options: &Options) -> Vec<u8> {
-        let picture = Picture {
+    pub fn picture(&self, options: Options) -> Picture<'_> {
+        Picture {
             title: self.title(options.lang),
             scene: self.source.scene(),
             step: self.position,
-            options: *options,
-        };
-        studio.draw(&picture).to_png()
+            options,
+        }
+    }
+
+    pub fn png(&self, studio: &mut Studio, options: Options) -> Vec<u8> {
+        studio.draw(&self.picture(options)).to_png()
     }
 
     fn write(&self, png: &[u8], out: &Path) -> io::Result<()> {
@@ -140,7 +143,11 @@ pub fn run(
             let (next, failures, png) = (&next, &failures, &png);
             scope.spawn(move || {
                 let mut studio = Studio::new(theme);
-                while let Some((i, job)) = take(next, jobs) {
+                let take = || {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    Some((i, jobs.get(i)?))
+                };
+                while let Some((i, job)) = take() {
                     if let Err(error) = job.write(&png(job, &mut studio), out) {
                         let path = out.join(&job.path).display().to_string();
                         if let Ok(mut failures) = failures.lock() {
@@ -161,9 +168,4 @@ pub fn run(
     let mut failures = failures.into_inner().unwrap_or_default();
     failures.sort_by_key(|(i, _)| *i);
     failures.into_iter().map(|(_, failure)| failure).collect()
-}
-
-fn take<'j, 'a>(next: &AtomicUsize, jobs: &'j [Job<'a>]) -> Option<(usize, &'j Job<'a>)> {
-    let i = next.fetch_add(1, Ordering::Relaxed);
-    Some((i, jobs.get(i)?))
 }

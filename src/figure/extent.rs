@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::{
     frame::{Caption, Shown},
-    graph::{Graph, Places, layers},
+    graph::{Graph, Places, layers, size_of},
     lens::Lens,
     run::Run,
     values::Lists,
@@ -137,8 +137,7 @@ fn graph_need(graph: &Graph) -> (Stand, [f32; 2], [f32; 2]) {
         Places::Free(_) => (Stand::Foot, [12.0, 8.5], [f32::MAX, 13.0]),
         Places::Layers(below) => {
             let spots = layers(below, None, [usize::MAX; 2]);
-            let high = spots.iter().map(|spot| spot.layer + 1).max().unwrap_or(1) as f32;
-            let wide = spots.iter().map(|spot| spot.column + 1).max().unwrap_or(1) as f32;
+            let [wide, high] = size_of(&spots);
             // What has no room is folded.
             let least = [3.0 * wide.clamp(5.0, 6.0), 2.0 + 3.2 * high.clamp(3.0, 4.0)];
             let natural = [5.7 * wide.clamp(3.0, 8.0), 2.0 + 4.2 * high.clamp(3.0, 8.0)];

@@ -7,7 +7,7 @@ use crate::text::Value;
 
 use super::role::{Link, Role};
 
-pub use layers::{Spot, Stands, layers};
+pub use layers::{Spot, Stands, layers, size_of};
 pub use spread::spread;
 
 #[derive(Clone, PartialEq, Debug)]

@@ -36,22 +36,30 @@ const INSET: [f32; 2] = [0.27, 0.4];
 /// Between a drawing and what stands beside it, and under it; in ems.
 const GAP: [f32; 2] = [3.0, 1.0];
 
+/// The white space of a page, or of the window's stage.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Spacing {
+    pub margin: f32,
+    pub gutter: f32,
+    /// White space that a view beside the drawing keeps from the edges of its column.
+    pub inset: f32,
+    pub under_title: f32,
+    pub name: f32,
+    /// White space between the views and the hairline over the caption.
+    pub over_caption: f32,
+    /// It cannot be enlarged: where nothing else has room, all views are low.
+    pub is_fixed: bool,
+}
+
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Sheet {
     pub area: Slot,
     pub em: f32,
-    pub margin: f32,
-    /// White space that a view beside the drawing keeps from the edges of its column.
-    pub inset: f32,
-    pub gutter: f32,
+    pub spacing: &'static Spacing,
     pub title: f32,
     pub name: f32,
-    /// White space between the views and the hairline over the caption.
-    pub over_caption: f32,
     pub caption: f32,
     pub cost: f32,
-    /// It cannot be enlarged: where nothing else has room, all views are low.
-    pub is_fixed: bool,
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -66,27 +74,24 @@ impl Sheet {
         let mut rest = self.area;
         let mut title = rest.take_top(self.title);
         for slot in [&mut title, &mut rest] {
-            slot.min[0] += self.margin;
-            slot.max[0] -= self.margin;
+            slot.min[0] += self.spacing.margin;
+            slot.max[0] -= self.spacing.margin;
         }
         let n = needs.len().max(1) as f32;
-        let width = (rest.size()[0] - (n - 1.0) * self.gutter) / n;
-        let mut columns: Vec<(ColumnLayout, Slot)> = (0..needs.len())
-            .map(|i| {
-                let left = (rest.min[0] + i as f32 * (width + self.gutter)).round();
-                let whole = Slot {
-                    min: [left, rest.min[1]],
-                    max: [(left + width).round(), rest.max[1]],
-                };
-                self.column(whole)
+        let width = (rest.size()[0] - (n - 1.0) * self.spacing.gutter) / n;
+        let column = |i: usize| {
+            let left = (rest.min[0] + i as f32 * (width + self.spacing.gutter)).round();
+            self.column(Slot {
+                min: [left, rest.min[1]],
+                max: [(left + width).round(), rest.max[1]],
             })
-            .collect();
-        let stages: Vec<Slot> = columns.iter().map(|(_, stage)| *stage).collect();
+        };
+        let columns = (0..needs.len()).map(column);
+        let (mut columns, stages): (Vec<ColumnLayout>, Vec<Slot>) = columns.unzip();
         let views = self.views(&stages, needs);
-        for ((column, _), views) in columns.iter_mut().zip(views) {
+        for (column, views) in columns.iter_mut().zip(views) {
             column.views = views;
         }
-        let columns = columns.into_iter().map(|(column, _)| column).collect();
         Layout { title, columns }
     }
 
@@ -96,7 +101,7 @@ impl Sheet {
         let n_wanted: usize = needs.iter().map(Vec::len).sum();
         let mut best = Vec::new();
         let is_portrait = stages.iter().all(|stage| stage.size()[0] < stage.size()[1]);
-        let low = self.is_fixed.then_some(Way::Low);
+        let low = self.spacing.is_fixed.then_some(Way::Low);
         for way in Way::roomy(is_portrait).into_iter().chain(low) {
             let views = self.views_in(way, stages, needs);
             if best.is_empty() || count(&views) > count(&best) {
@@ -132,7 +137,7 @@ impl Sheet {
         let name = stage.take_top(self.name);
         // The white space that a short sentence leaves is at the foot of the page.
         let caption = stage.take_bottom(self.caption.min(most));
-        stage.take_bottom(self.over_caption);
+        stage.take_bottom(self.spacing.over_caption);
         let cost = stage.take_bottom(self.cost.min(most));
         let column = ColumnLayout {
             whole,
@@ -168,7 +173,7 @@ impl Sheet {
         let [width, height] = stage.size();
         let (em, least_width) = self.least_width(way, drawing, width);
         let gap_x = GAP[0] * em;
-        let room = width - least_width - gap_x - self.inset;
+        let room = width - least_width - gap_x - self.spacing.inset;
         let side_width = beside.iter().map(|need| need.natural[0] * self.em);
         let side_width = side_width.fold(0.0, f32::max).min(room);
         if beside.iter().any(|need| need.least[0] * em > side_width) {
@@ -176,29 +181,39 @@ impl Sheet {
         }
         let mut left = stage;
         if !beside.is_empty() {
-            left.max[0] -= (side_width + gap_x + self.inset).round();
+            left.max[0] -= (side_width + gap_x + self.spacing.inset).round();
         }
         let least_height = least_height(way, drawing, height);
-        let strips = self.heights(&under, height - least_height - self.inset);
+        let strips = self.heights(&under, height - least_height - self.spacing.inset);
         // As far as they all are seen, the drawing keeps half.
         let half = self.heights(&under, 0.5 * height);
         let is_enough = half.len() == strips.len();
         let strips = if is_enough { half } else { strips };
         let taken: f32 = strips.iter().map(|strip| strip + self.gap()).sum();
         let size = left.size();
-        let inset = if strips.is_empty() { 0.0 } else { self.inset };
+        let inset = if strips.is_empty() {
+            0.0
+        } else {
+            self.spacing.inset
+        };
         let high = (height - taken - inset).round();
         let drawn = Slot::new(left.min, [size[0].min(most[0]), high.min(most[1])]);
         let mut slots = vec![(drawing.id, drawn)];
         let mut below = Slot {
-            min: [drawn.min[0] + self.inset, drawn.max[1]],
-            max: [drawn.max[0] - self.inset, stage.max[1]],
+            min: [drawn.min[0] + self.spacing.inset, drawn.max[1]],
+            max: [drawn.max[0] - self.spacing.inset, stage.max[1]],
         };
         below.take_top(self.gap());
         slots.extend(self.stack(below, &under, &strips));
         let side = Slot {
-            min: [left.max[0] + gap_x.round(), stage.min[1] + self.inset],
-            max: [stage.max[0] - self.inset, stage.max[1] - self.inset],
+            min: [
+                left.max[0] + gap_x.round(),
+                stage.min[1] + self.spacing.inset,
+            ],
+            max: [
+                stage.max[0] - self.spacing.inset,
+                stage.max[1] - self.spacing.inset,
+            ],
         };
         let mut heights = self.heights(&beside, side.size()[1] + self.gap());
         // The last one may grow into what is left.
@@ -257,20 +272,20 @@ impl Sheet {
         take: fn(&mut Slot, f32) -> Slot,
     ) -> Vec<(ViewId, Slot)> {
         let [width, height] = stage.size();
-        needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.inset);
-        let room = height - least_height(way, drawing, height) - self.inset;
+        needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.spacing.inset);
+        let room = height - least_height(way, drawing, height) - self.spacing.inset;
         let heights = self.heights(&needs, room);
         if heights.is_empty() {
             return Vec::new();
         }
         let gap = self.gap();
         let taken: f32 = heights.iter().map(|height| height + gap).sum();
-        let mut strips = take(stage, taken + self.inset);
-        strips.min[0] += self.inset;
-        strips.max[0] -= self.inset;
+        let mut strips = take(stage, taken + self.spacing.inset);
+        strips.min[0] += self.spacing.inset;
+        strips.max[0] -= self.spacing.inset;
         // On the side that the other views are on.
         let is_under = strips.max[1] > stage.min[1];
-        strips.take_top(if is_under { gap } else { self.inset });
+        strips.take_top(if is_under { gap } else { self.spacing.inset });
         self.stack(strips, &needs, &heights)
     }
 

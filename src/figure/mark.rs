@@ -3,7 +3,7 @@
 use crate::{geom::Axis, text::Value};
 
 use super::{
-    role::{Label, Link, Role},
+    role::{Label, Link, Role, told},
     solids::Solids,
 };
 
@@ -75,6 +75,8 @@ pub struct Weight {
     pub strength: f32,
 }
 
+told!(Mark);
+
 impl Mark {
     pub const fn new(role: Role, shape: Shape) -> Self {
         Self {
@@ -93,25 +95,8 @@ impl Mark {
         self
     }
 
-    pub const fn dashed(mut self) -> Self {
-        self.is_dashed = true;
-        self
-    }
-
-    pub fn labelled(mut self, text: impl Into<Value>) -> Self {
-        self.label = Some(Label::new(text, false));
-        self
-    }
-
     pub fn coded(mut self, text: impl Into<Value>) -> Self {
         self.label = Some(Label::new(text, true));
-        self
-    }
-
-    pub fn strong(mut self) -> Self {
-        if let Some(label) = &mut self.label {
-            label.strong = true;
-        }
         self
     }
 
@@ -126,11 +111,6 @@ impl Mark {
         if let Some(label) = &mut self.label {
             label.lit = Some(character);
         }
-        self
-    }
-
-    pub fn linked(mut self, link: impl Into<Link>) -> Self {
-        self.link = Some(link.into());
         self
     }
 }

@@ -23,9 +23,10 @@ pub use code_links::CodeLinks;
 pub use extent::{Need, Stand, needs, sentences, watches};
 pub use frame::{Caption, Choice, Decides, Frame, Shown};
 pub use graph::{
-    ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, spread,
+    ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
+    spread,
 };
-pub use layout::{ColumnLayout, Layout, Sheet, Slot};
+pub use layout::{ColumnLayout, Layout, Sheet, Slot, Spacing};
 pub use lens::Lens;
 pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};

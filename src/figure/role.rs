@@ -59,6 +59,37 @@ pub struct Label {
     pub lit: Option<usize>,
 }
 
+/// How a mark of the plane and one of space are told alike: what is written beside it, and what it is about.
+macro_rules! told {
+    ($mark:ty) => {
+        impl $mark {
+            pub fn labelled(mut self, text: impl Into<Value>) -> Self {
+                self.label = Some(Label::new(text, false));
+                self
+            }
+
+            pub fn strong(mut self) -> Self {
+                if let Some(label) = &mut self.label {
+                    label.strong = true;
+                }
+                self
+            }
+
+            pub const fn dashed(mut self) -> Self {
+                self.is_dashed = true;
+                self
+            }
+
+            pub fn linked(mut self, link: impl Into<Link>) -> Self {
+                self.link = Some(link.into());
+                self
+            }
+        }
+    };
+}
+
+pub(super) use told;
+
 impl Label {
     pub(super) fn new(text: impl Into<Value>, mono: bool) -> Self {
         Self {

@@ -9,7 +9,7 @@ use crate::{
     text::Value,
 };
 
-use super::role::{Label, Link, Role};
+use super::role::{Label, Link, Role, told};
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Space {
@@ -84,6 +84,8 @@ pub enum Shape3 {
     Label([f64; 3]),
 }
 
+told!(Mark3);
+
 impl Mark3 {
     pub const fn new(role: Role, shape: Shape3) -> Self {
         Self {
@@ -102,30 +104,8 @@ impl Mark3 {
         self
     }
 
-    pub fn labelled(mut self, text: impl Into<Value>) -> Self {
-        self.label = Some(Label::new(text, false));
-        self
-    }
-
-    pub fn strong(mut self) -> Self {
-        if let Some(label) = &mut self.label {
-            label.strong = true;
-        }
-        self
-    }
-
     pub const fn fine(mut self) -> Self {
         self.is_fine = true;
-        self
-    }
-
-    pub const fn dashed(mut self) -> Self {
-        self.is_dashed = true;
-        self
-    }
-
-    pub fn linked(mut self, link: impl Into<Link>) -> Self {
-        self.link = Some(link.into());
         self
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Context, Id, Mesh, Pos2, Shape, pos2};
 use lyon_tessellation::{
-    BuffersBuilder, FillOptions, FillTessellator, FillVertex, FillVertexConstructor, VertexBuffers,
+    BuffersBuilder, FillOptions, FillTessellator, FillVertex, VertexBuffers,
     math::point,
     path::{FillRule, Path},
 };
@@ -24,29 +24,25 @@ const HALF: f64 = 1_000.0;
 /// Areas kept: two columns with a subject and a result each, and what was shown a step before.
 const MOST_KEPT: usize = 8;
 
+type Triangles = VertexBuffers<Pos2, u32>;
+
 /// Everything that an odd number of `outlines` goes round. Soft edges are left to the stroke over them.
 pub fn filled(outlines: &[Vec<Pos2>], colour: Color32) -> Shape {
     let outlines = outlines.iter().map(|outline| outline.iter().copied());
-    triangles(outlines).mesh(colour, |at| at)
+    mesh(&triangles(outlines), colour, |at| at)
 }
 
-#[derive(Default)]
-struct Triangles(VertexBuffers<Pos2, u32>);
-
-impl Triangles {
-    fn mesh(&self, colour: Color32, place: impl Fn(Pos2) -> Pos2) -> Shape {
-        let Self(buffers) = self;
-        if buffers.indices.is_empty() {
-            return Shape::Noop;
-        }
-        let mut mesh = Mesh::default();
-        mesh.reserve_vertices(buffers.vertices.len());
-        for &at in &buffers.vertices {
-            mesh.colored_vertex(place(at), colour);
-        }
-        mesh.indices.clone_from(&buffers.indices);
-        Shape::mesh(mesh)
+fn mesh(triangles: &Triangles, colour: Color32, place: impl Fn(Pos2) -> Pos2) -> Shape {
+    if triangles.indices.is_empty() {
+        return Shape::Noop;
     }
+    let mut mesh = Mesh::default();
+    mesh.reserve_vertices(triangles.vertices.len());
+    for &at in &triangles.vertices {
+        mesh.colored_vertex(place(at), colour);
+    }
+    mesh.indices.clone_from(&triangles.indices);
+    Shape::mesh(mesh)
 }
 
 fn triangles<O: Iterator<Item = Pos2>>(outlines: impl IntoIterator<Item = O>) -> Triangles {
@@ -60,23 +56,15 @@ fn triangles<O: Iterator<Item = Pos2>>(outlines: impl IntoIterator<Item = O>) ->
         }
         path.end(true);
     }
-    let mut buffers = VertexBuffers::<Pos2, u32>::new();
+    let mut buffers = Triangles::new();
+    let position = |vertex: FillVertex<'_>| Pos2::from(vertex.position().to_array());
     let options = FillOptions::tolerance(TOLERANCE_PTS).with_fill_rule(FillRule::EvenOdd);
     let done = FillTessellator::new().tessellate_path(
         &path.build(),
         &options,
-        &mut BuffersBuilder::new(&mut buffers, Position),
+        &mut BuffersBuilder::new(&mut buffers, position),
     );
-    done.map_or_else(|_| Triangles::default(), |()| Triangles(buffers))
-}
-
-struct Position;
-
-impl FillVertexConstructor<Pos2> for Position {
-    fn new_vertex(&mut self, vertex: FillVertex<'_>) -> Pos2 {
-        let at = vertex.position();
-        pos2(at.x, at.y)
-    }
+    done.map_or_else(|_| Triangles::new(), |()| buffers)
 }
 
 #[derive(Clone, Default)]
@@ -103,7 +91,7 @@ pub fn filled_large(
             (hash, Arc::new(triangles(outlines)))
         }
     };
-    let shape = area.1.mesh(colour, |at| viewport.to_screen(unit.world(at)));
+    let shape = mesh(&area.1, colour, |at| viewport.to_screen(unit.world(at)));
     // The least lately drawn comes first, and goes first.
     kept.0.push(area);
     let surplus = kept.0.len().saturating_sub(MOST_KEPT);

@@ -16,10 +16,6 @@ pub struct CpuPainter {
 }
 
 impl CpuPainter {
-    pub fn new() -> Self {
-        Self::default()
-    }
-
     /// Leaves `delta` empty. What egui freed with this frame is kept until the next call: the frame may still show it.
     pub fn apply(&mut self, delta: &mut TexturesDelta) {
         for id in self.to_free.drain(..) {

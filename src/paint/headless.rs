@@ -33,7 +33,7 @@ impl Headless {
         let mut headless = Self {
             pristine: ctx.memory(Memory::clone),
             ctx,
-            painter: CpuPainter::new(),
+            painter: CpuPainter::default(),
             kind,
         };
         headless.install(kind);

@@ -51,12 +51,13 @@ pub fn pieces<'a>(
                 mark,
                 part: part.clone(),
             }));
-            let is_line = matches!(part, Part::Stroke(_) | Part::Ring(_) | Part::Arrow(_));
-            pieces.extend((mark.is_cased && is_line).then(|| LayeredPart {
-                layer: Layer::Casing,
-                mark,
-                part: part.clone(),
-            }));
+            pieces.extend(
+                (mark.is_cased && part.line().is_some()).then(|| LayeredPart {
+                    layer: Layer::Casing,
+                    mark,
+                    part: part.clone(),
+                }),
+            );
             pieces.push(LayeredPart {
                 layer: layer_of(&part, mark.role),
                 mark,

@@ -32,6 +32,24 @@ pub enum Part<'a> {
     Marker(Marker, Pos2),
 }
 
+impl Part<'_> {
+    /// Its points, where it is a line from point to point, and whether it leads back to the first.
+    pub fn line(&self) -> Option<(&[Pos2], bool)> {
+        match self {
+            Self::Stroke(points) => Some((points, false)),
+            Self::Ring(points) => Some((points, true)),
+            Self::Arrow(ends) => Some((ends, false)),
+            Self::Wash(_)
+            | Self::Fill(_)
+            | Self::Solids(_)
+            | Self::Texture(_)
+            | Self::Crowd(_)
+            | Self::Head(_)
+            | Self::Marker(..) => None,
+        }
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Marker {
     Dot,
@@ -44,7 +62,7 @@ pub enum Marker {
 /// The parts of a shape, those that lie under others first. Lines without ends reach beyond the stage.
 pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
     let at = |p: &[f64; 2]| viewport.to_screen(*p);
-    let all = |points: &[[f64; 2]]| points.iter().map(at).collect::<Vec<_>>();
+    let all = |points: &[[f64; 2]]| viewport.all_to_screen(points);
     let endless = |a: Pos2, b: Pos2| {
         let reach = reach(viewport.rect, a, b);
         Part::Stroke(vec![a - reach, b + reach])

@@ -135,8 +135,18 @@ impl Asked {
     }
 
     fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
-        let facets = &self.solids.facets;
-        tones(Theme::of(self.theme), facets, normals, self.lit).into()
+        let (theme, light) = (Theme::of(self.theme), LIGHT.normalize());
+        let tone = |(facet, normal): (&Facet, &[f32; 3])| {
+            let cosine = DVec3::from(normal.map(f64::from)).dot(light);
+            let darkness = LIT.iter().filter(|least| cosine <= **least).count();
+            let tone = tone(theme, facet.role, darkness);
+            if self.lit.is_some() && facet.link == self.lit {
+                tone.lerp_to_gamma(theme.accent, STANDS_OUT)
+            } else {
+                tone
+            }
+        };
+        self.solids.facets.iter().zip(normals).map(tone).collect()
     }
 
     fn image(&self, surface: &Surface, is_fine: bool) -> ColorImage {
@@ -214,21 +224,6 @@ impl Surface {
             normals,
         }
     }
-}
-
-fn tones(theme: &Theme, facets: &[Facet], normals: &[[f32; 3]], lit: Option<Link>) -> Vec<Color32> {
-    let light = LIGHT.normalize();
-    let tone = |(facet, normal): (&Facet, &[f32; 3])| {
-        let cosine = DVec3::from(normal.map(f64::from)).dot(light);
-        let darkness = LIT.iter().filter(|least| cosine <= **least).count();
-        let tone = tone(theme, facet.role, darkness);
-        if lit.is_some() && facet.link == lit {
-            tone.lerp_to_gamma(theme.accent, STANDS_OUT)
-        } else {
-            tone
-        }
-    };
-    facets.iter().zip(normals).map(tone).collect()
 }
 
 fn tone(theme: &Theme, role: Role, darkness: usize) -> Color32 {

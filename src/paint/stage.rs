@@ -2,13 +2,10 @@
 
 use egui::{Color32, Painter, Pos2, Shape as Egui, Stroke, vec2};
 
-use crate::{
-    figure::{Link, Mark},
-    text::Catalog,
-};
+use crate::figure::{Link, Mark};
 
 use super::{
-    Theme, Viewport,
+    Look, Theme, Viewport,
     area::{LARGE, filled, filled_large},
     checker::textured,
     labels::{Around, Labels, Obstacle, Placed},
@@ -21,54 +18,56 @@ use super::{
 
 const CASING: f32 = 1.25;
 
-/// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
-pub fn stage(
-    painter: &Painter,
-    viewport: &Viewport,
-    theme: &Theme,
-    catalog: &Catalog,
-    marks: &[Mark],
-    lit: Option<Link>,
-    around: Around<'_>,
-) -> Vec<Placed> {
-    let painter = &painter.with_clip_rect(viewport.rect);
-    let stage = Stage {
-        painter,
-        viewport,
-        theme,
-        lit,
-    };
-    let pieces = pieces(viewport, theme, marks, lit);
-    for piece in &pieces {
-        match piece.layer {
-            Layer::Glow => stage.glow(piece),
-            Layer::Casing => stage.casing(piece),
-            Layer::Wash
-            | Layer::Construction
-            | Layer::Area
-            | Layer::Stroke
-            | Layer::Head
-            | Layer::Marker => stage.part(piece),
+impl Look<'_> {
+    /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
+    pub fn stage(
+        self,
+        painter: &Painter,
+        viewport: &Viewport,
+        marks: &[Mark],
+        lit: Option<Link>,
+        around: Around<'_>,
+    ) -> Vec<Placed> {
+        let painter = &painter.with_clip_rect(viewport.rect);
+        let theme = self.theme;
+        let stage = Stage {
+            painter,
+            viewport,
+            theme,
+            lit,
+        };
+        let pieces = pieces(viewport, theme, marks, lit);
+        for piece in &pieces {
+            match piece.layer {
+                Layer::Glow => stage.glow(piece),
+                Layer::Casing => stage.casing(piece),
+                Layer::Wash
+                | Layer::Construction
+                | Layer::Area
+                | Layer::Stroke
+                | Layer::Head
+                | Layer::Marker => stage.part(piece),
+            }
         }
+        let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
+        labels.draw(painter, theme);
+        labels.placed
     }
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
-    labels.draw(painter, theme);
-    labels.placed
-}
 
-pub fn arrange(
-    painter: &Painter,
-    viewport: &Viewport,
-    theme: &Theme,
-    catalog: &Catalog,
-    marks: &[Mark],
-    before: &[Placed],
-) -> (Vec<Placed>, Vec<Obstacle>) {
-    let pieces = pieces(viewport, theme, marks, None);
-    let covered = &[];
-    let around = Around { before, covered };
-    let labels = Labels::new(painter, viewport, theme, catalog, (marks, &pieces), around);
-    (labels.placed, labels.obstacles)
+    /// Where the labels of the marks would stand, and what they keep off.
+    pub fn arrange(
+        self,
+        painter: &Painter,
+        viewport: &Viewport,
+        marks: &[Mark],
+        before: &[Placed],
+    ) -> (Vec<Placed>, Vec<Obstacle>) {
+        let pieces = pieces(viewport, self.theme, marks, None);
+        let covered = &[];
+        let around = Around { before, covered };
+        let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
+        (labels.placed, labels.obstacles)
+    }
 }
 
 struct Stage<'a> {
@@ -116,11 +115,8 @@ impl Stage<'_> {
         if outlines.iter().map(Vec::len).sum::<usize>() >= LARGE {
             return filled_large(self.painter.ctx(), self.viewport, outlines, colour);
         }
-        let on_screen = |outline: &Vec<[f64; 2]>| -> Vec<Pos2> {
-            let points = outline.iter();
-            points.map(|&p| self.viewport.to_screen(p)).collect()
-        };
-        filled(&outlines.iter().map(on_screen).collect::<Vec<_>>(), colour)
+        let on_screen = outlines.iter().map(|it| self.viewport.all_to_screen(it));
+        filled(&on_screen.collect::<Vec<_>>(), colour)
     }
 
     fn head(&self, [from, tip]: [Pos2; 2], colour: Color32) -> Egui {
@@ -160,17 +156,8 @@ impl Stage<'_> {
         let pen = Pen::of(self.theme, mark);
         let around = self.theme.stroke(2.0 * CASING, self.theme.background);
         let stroke = Stroke::new(pen.stroke.width + around.width, around.color);
-        match part {
-            Part::Stroke(points) => Line::new(points, false).draw(self.painter, stroke),
-            Part::Ring(points) => Line::new(points, true).draw(self.painter, stroke),
-            Part::Arrow(ends) => Line::new(ends, false).draw(self.painter, stroke),
-            Part::Wash(_)
-            | Part::Fill(_)
-            | Part::Solids(_)
-            | Part::Texture(_)
-            | Part::Crowd(_)
-            | Part::Head(_)
-            | Part::Marker(..) => {}
+        if let Some((points, is_closed)) = part.line() {
+            Line::new(points, is_closed).draw(self.painter, stroke);
         }
     }
 

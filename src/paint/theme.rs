@@ -11,6 +11,8 @@ use egui::{
 };
 use serde::{Deserialize, Serialize};
 
+use crate::text::Catalog;
+
 use super::fonts::semibold;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -67,6 +69,19 @@ pub struct Theme {
     pub text_scale: f32,
     /// The same of titles and captions: what is large already grows less, so that figures keep their room.
     pub title_scale: f32,
+}
+
+/// What everything is drawn with: the colours, and the words.
+#[derive(Clone, Copy)]
+pub struct Look<'a> {
+    pub theme: &'a Theme,
+    pub catalog: &'a Catalog,
+}
+
+impl Look<'_> {
+    pub fn say(&self, key: &str) -> String {
+        self.catalog.term(key)
+    }
 }
 
 const fn rgb(hex: u32) -> Color32 {

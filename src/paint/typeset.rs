@@ -124,23 +124,20 @@ fn wrapped(painter: &Painter, script: &Script, width: f32) -> Vec<SetRow> {
 }
 
 fn lines(spans: &[Span]) -> Vec<Vec<Span>> {
-    let mut lines = vec![Vec::new()];
+    let (mut lines, mut line) = (Vec::new(), Vec::new());
     for span in spans {
         let text = Piece::plain(&span.pieces);
         for (i, part) in text.split('\n').enumerate() {
             if i > 0 {
-                lines.push(Vec::new());
+                lines.push(std::mem::take(&mut line));
             }
-            let part = Span {
+            line.push(Span {
                 pieces: Piece::words(part),
                 ..span.clone()
-            };
-            lines
-                .last_mut()
-                .into_iter()
-                .for_each(|it| it.push(part.clone()));
+            });
         }
     }
+    lines.push(line);
     lines
 }
 

@@ -46,6 +46,10 @@ impl Viewport {
         self.rect.center() + vec2(offset.x as f32, offset.y as f32)
     }
 
+    pub fn all_to_screen(&self, points: &[[f64; 2]]) -> Vec<Pos2> {
+        points.iter().map(|&p| self.to_screen(p)).collect()
+    }
+
     pub fn to_world(&self, at: Pos2) -> [f64; 2] {
         let offset = at - self.rect.center();
         let offset = DVec2::new(f64::from(offset.x), -f64::from(offset.y));

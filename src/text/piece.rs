@@ -34,24 +34,22 @@ impl Piece {
     pub const RELATIONS: [char; 7] = ['=', '≈', '≠', '<', '>', '≤', '≥'];
 
     pub fn steps(formula: &[Self]) -> Vec<Vec<Self>> {
-        let mut steps = vec![Vec::new()];
+        let (mut steps, mut step) = (Vec::new(), Vec::new());
+        let words = |text: &str| (!text.is_empty()).then(|| Self::Text(text.to_owned()));
         for piece in formula {
             let Self::Text(text) = piece else {
-                steps
-                    .last_mut()
-                    .into_iter()
-                    .for_each(|it| it.push(piece.clone()));
+                step.push(piece.clone());
                 continue;
             };
-            let starts = text.match_indices(Self::RELATIONS).map(|(at, _)| at);
             let mut from = 0;
-            for at in starts {
-                push(&mut steps, &text[from..at]);
-                steps.push(Vec::new());
+            for (at, _) in text.match_indices(Self::RELATIONS) {
+                step.extend(words(&text[from..at]));
+                steps.push(std::mem::take(&mut step));
                 from = at;
             }
-            push(&mut steps, &text[from..]);
+            step.extend(words(&text[from..]));
         }
+        steps.push(step);
         steps
     }
 
@@ -59,12 +57,6 @@ impl Piece {
         let mut text = String::new();
         write_plain(pieces, &mut text);
         text
-    }
-}
-
-fn push(steps: &mut [Vec<Piece>], text: &str) {
-    if let Some(step) = steps.last_mut().filter(|_| !text.is_empty()) {
-        step.push(Piece::Text(text.to_owned()));
     }
 }
 

@@ -148,7 +148,9 @@ impl Writer<'_> {
             Token::Dividend(x) => self.parenthesised(*x, self.is_fraction(*x)),
             Token::Divisor(x) => self.parenthesised(*x, *x < 0.0 || self.is_fraction(*x)),
             Token::Ratio { num, den } => self.number(Quantity::Ratio(*num, *den)),
-            Token::Over { num, den } if self.is_within_quotient => self.line(num, den),
+            Token::Over { num, den } if self.is_within_quotient => {
+                self.halves([num, den], text).concat()
+            }
             Token::Over { num, den } => self.over(num, den),
             Token::Point(p) => vec![Piece::Kept(self.point(*p))],
             Token::List(numbers) => self.list(numbers),
@@ -212,17 +214,15 @@ impl Writer<'_> {
             is_within_quotient: true,
             ..self
         };
-        let mut num = inner.part(num, Piece::Unset, |x| self.is_fraction(x));
-        num.push(Piece::Unset(" / "));
-        let den = inner.part(den, Piece::Unset, |x| x < 0.0 || self.is_fraction(x));
+        let [num, den] = inner.halves([num, den], Piece::Unset);
         vec![Piece::Over { num, den }]
     }
 
-    fn line(self, num: &Formula, den: &Formula) -> Vec<Piece> {
-        let mut pieces = self.part(num, text, |x| self.is_fraction(x));
-        pieces.push(text(" / "));
-        pieces.extend(self.part(den, text, |x| x < 0.0 || self.is_fraction(x)));
-        pieces
+    fn halves(self, [num, den]: [&Formula; 2], mark: fn(&'static str) -> Piece) -> [Vec<Piece>; 2] {
+        let mut num = self.part(num, mark, |x| self.is_fraction(x));
+        num.push(mark(" / "));
+        let den = self.part(den, mark, |x| x < 0.0 || self.is_fraction(x));
+        [num, den]
     }
 
     fn part(

@@ -6,6 +6,7 @@ use crate::{figure::Mark, paint::Placed};
 
 use super::{
     handles::{Handles, Moved, Spot, gripped, is_off_grid, snapped},
+    headings::focus_ring,
     hit,
     pan_zoom::PanZoom,
     prelude::*,
@@ -113,10 +114,13 @@ impl Canvas<'_> {
         {
             coordinates(&painter, viewport.rect, self.look, said);
         }
-        if response.has_focus() {
-            let ring = theme.stroke(2.0, theme.accent);
-            painter.rect_stroke(viewport.rect.shrink(1.0), 2.0, ring, StrokeKind::Inside);
-        }
+        focus_ring(
+            &painter,
+            self.look,
+            &response,
+            viewport.rect.shrink(1.0),
+            2.0,
+        );
         let focused = ui.memory(egui::Memory::focused);
         let hover = response.hover_pos().filter(|_| !response.dragged());
         let hover = hover.filter(|at| !self.is_covered(*at));

@@ -1,7 +1,7 @@
 //! A figure in its layout: everything but the drawings, for the window's stage and the exported page alike.
 
 use crate::{
-    figure::{Caption, ColumnLayout, Layout, Need, Sheet, Slot, View},
+    figure::{Caption, ColumnLayout, Layout, Need, Sheet, Slot, Spacing, View},
     labs::{Difference, MethodCard},
     paint::fonts::semibold,
 };
@@ -11,16 +11,6 @@ use super::{caption, headings::column_title, prelude::*, views::view};
 /// The size of text in points, at scale 1: what a [`Slot`]'s ems are.
 pub const TEXT_PTS: f32 = 13.0;
 const TITLE_PTS: f32 = 19.5;
-
-pub struct Spacing {
-    pub margin: f32,
-    pub gutter: f32,
-    pub inset: f32,
-    pub under_title: f32,
-    pub name: f32,
-    pub over_caption: f32,
-    pub is_fixed: bool,
-}
 
 #[derive(Clone, Copy)]
 pub struct Composition<'a> {
@@ -59,15 +49,11 @@ impl Composition<'_> {
         let sheet = Sheet {
             area: Slot { min, max },
             em: TEXT_PTS * theme.text_scale,
-            margin: spacing.margin,
-            inset: spacing.inset,
-            gutter: spacing.gutter,
+            spacing,
             title: height.map_or(0.0, |height| height + spacing.under_title),
             name: name * theme.title_scale,
-            over_caption: spacing.over_caption,
             caption,
             cost,
-            is_fixed: spacing.is_fixed,
         };
         let layout = sheet.lay_out(needs);
         if let Some(title) = title {

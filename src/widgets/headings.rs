@@ -58,6 +58,14 @@ pub fn column_title(
     note.paint(painter, top + offset, Align2::LEFT_TOP);
 }
 
+/// The ring of what has the keyboard's focus.
+pub fn focus_ring(painter: &Painter, look: Look<'_>, response: &Response, rect: Rect, corner: f32) {
+    if response.has_focus() {
+        let ring = look.theme.stroke(2.0, look.theme.accent);
+        painter.rect_stroke(rect, corner, ring, StrokeKind::Inside);
+    }
+}
+
 pub fn section(ui: &mut Ui, look: Look<'_>, title: &str) -> Response {
     let title = RichText::new(title).text_style(theme::strong());
     ui.label(title.color(look.theme.soft))

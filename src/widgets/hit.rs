@@ -41,18 +41,15 @@ fn distance(part: &Part<'_>, at: Pos2) -> f32 {
         let edges = points.windows(2).map(|ends| to_edge(ends[0], ends[1]));
         edges.fold(f32::INFINITY, f32::min)
     };
-    match part {
-        Part::Stroke(points) => to_line(points),
-        Part::Ring(points) => {
-            let closing = points.last().zip(points.first());
+    match (part, part.line()) {
+        (Part::Marker(_, centre), _) => centre.distance(at),
+        (Part::Head(ends), _) => to_line(ends),
+        (_, Some((points, is_closed))) => {
+            let closing = points.last().zip(points.first()).filter(|_| is_closed);
             let closing = closing.map_or(f32::INFINITY, |(&last, &first)| to_edge(last, first));
             to_line(points).min(closing)
         }
-        Part::Arrow(ends) | Part::Head(ends) => to_line(ends),
-        Part::Marker(_, centre) => centre.distance(at),
-        Part::Wash(_) | Part::Fill(_) | Part::Solids(_) | Part::Texture(_) | Part::Crowd(_) => {
-            f32::INFINITY
-        }
+        (_, None) => f32::INFINITY,
     }
 }
 

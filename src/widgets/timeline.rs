@@ -6,7 +6,7 @@ use egui::Key;
 
 use crate::figure::Tick;
 
-use super::prelude::*;
+use super::{headings::focus_ring, prelude::*};
 
 const CROWD_PTS: f32 = 5.0;
 const ROOM_PTS: f32 = 24.0;
@@ -41,10 +41,7 @@ impl Timeline<'_> {
         };
         let painter = ui.painter_at(rect.expand(2.0));
         self.draw(&painter, &track);
-        if response.has_focus() {
-            let ring = self.look.theme.stroke(2.0, self.look.theme.accent);
-            painter.rect_stroke(rect, 4.0, ring, StrokeKind::Inside);
-        }
+        focus_ring(&painter, self.look, &response, rect, 4.0);
         let pressed = self.keys(ui, &response);
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
         let pointed = response.hover_pos().map(|at| track.step_at(at));
@@ -102,7 +99,7 @@ impl Timeline<'_> {
         let size = (track.gap() / ROOM_PTS).clamp(0.45, 1.0);
         let each = |step: usize, when: When| {
             let (at, tick) = (pos2(track.x(step), y), (self.tick)(step));
-            draw_tick(painter, at, tick, when, size, theme, theme.panel);
+            draw_tick(painter, at, tick, when, size, theme);
         };
         for step in 1..=self.n_steps {
             match self.when(step) {
@@ -159,15 +156,8 @@ enum When {
     Untold,
 }
 
-fn draw_tick(
-    painter: &Painter,
-    at: Pos2,
-    tick: Tick,
-    when: When,
-    size: f32,
-    theme: &Theme,
-    surface: Color32,
-) {
+fn draw_tick(painter: &Painter, at: Pos2, tick: Tick, when: When, size: f32, theme: &Theme) {
+    let surface = theme.panel;
     let colour = match (when, tick) {
         (When::Now, _) => theme.signal,
         (When::Past, _) => theme.accent,
@@ -199,7 +189,7 @@ fn draw_tick(
         }
         Tick::Accept => {
             let rim = is_hollow.then_some(stroke);
-            accept(painter, at, r * 1.15, rim, theme, surface);
+            accept(painter, at, r * 1.15, rim, theme);
         }
         Tick::Reject => {
             // The line of the track must not cross the cross out.
@@ -221,14 +211,8 @@ fn draw_tick(
     }
 }
 
-fn accept(
-    painter: &Painter,
-    at: Pos2,
-    r: f32,
-    rim: Option<Stroke>,
-    theme: &Theme,
-    surface: Color32,
-) {
+fn accept(painter: &Painter, at: Pos2, r: f32, rim: Option<Stroke>, theme: &Theme) {
+    let surface = theme.panel;
     let square = Rect::from_center_size(at, Vec2::splat(2.0 * r));
     let (area, fill, stroke) = match rim {
         Some(rim) => (square, surface, rim),

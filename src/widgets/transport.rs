@@ -5,6 +5,7 @@ use egui::Role;
 use crate::trace::Transport;
 
 use super::{
+    headings::focus_ring,
     menu::{is_chosen, menu_button},
     prelude::*,
 };
@@ -170,11 +171,7 @@ fn finish(
     enabled: bool,
 ) -> Response {
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
-    if response.has_focus() {
-        let ring = look.theme.stroke(2.0, look.theme.accent);
-        let painter = ui.painter();
-        painter.rect_stroke(rect.expand(2.0), 6.0, ring, StrokeKind::Inside);
-    }
+    focus_ring(ui.painter(), look, &response, rect.expand(2.0), 6.0);
     let response = response.on_hover_cursor(CursorIcon::PointingHand);
     response.on_hover_text(name)
 }

@@ -6,7 +6,7 @@ use egui::Role;
 
 use crate::figure::{Watch, WatchRow, WatchSection};
 
-use super::{prelude::*, whole_rows::WholeRows};
+use super::{headings::focus_ring, prelude::*, whole_rows::WholeRows};
 
 const DOT_ROOM: f32 = 8.0;
 const NAME_WIDTH: f32 = 60.0;
@@ -259,10 +259,7 @@ impl<'a> Table<'a> {
             let wash = rect.expand2(vec2(8.0, 0.0));
             ui.painter().rect_filled(wash, 0.0, theme.accent_wash);
         }
-        if response.has_focus() {
-            let rim = theme.stroke(2.0, theme.accent);
-            ui.painter().rect_stroke(rect, 0.0, rim, StrokeKind::Inside);
-        }
+        focus_ring(ui.painter(), self.look, &response, rect, 0.0);
         let y = rect.center().y;
         if row.has_changed() {
             let dot = pos2(rect.left() + 1.0, y);

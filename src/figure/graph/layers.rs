@@ -43,6 +43,13 @@ pub fn layers(
     tree.spots(top, &shown)
 }
 
+/// So many columns and layers the spots take.
+pub fn size_of(spots: &[Spot]) -> [f32; 2] {
+    let n_columns = spots.iter().map(|spot| spot.column + 1).max();
+    let n_layers = spots.iter().map(|spot| spot.layer + 1).max();
+    [n_columns, n_layers].map(|n| n.unwrap_or(1) as f32)
+}
+
 struct Tree<'a> {
     below: &'a [[Option<usize>; 2]],
     above: Vec<Option<usize>>,

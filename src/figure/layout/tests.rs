@@ -17,15 +17,19 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
     Sheet {
         area: Slot::new([0.0; 2], size),
         em,
-        margin: 48.0,
-        inset: 0.0,
-        gutter: 40.0,
+        spacing: &Spacing {
+            margin: 48.0,
+            gutter: 40.0,
+            inset: 0.0,
+            under_title: 0.0,
+            name: 0.0,
+            over_caption: 18.0,
+            is_fixed: false,
+        },
         title: 40.0,
         name: 0.0,
-        over_caption: 18.0,
         caption: 60.0,
         cost: 0.0,
-        is_fixed: false,
     }
 }
 

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::*;
+use super::{tests::space_of, *};
 use crate::geom::{Camera, Matrix, Orbit, Solid, ViewVolume};
 
 use super::super::{
     mark::Shape,
     role::{Link, Role},
     solids::{SolidMesh, SolidPicture, Solids},
-    space::{Edge3, Facet, Mark3, Seer, Shape3},
+    space::{Facet, Mark3, Shape3},
 };
 
 fn facets() -> Vec<Facet> {
@@ -47,20 +47,8 @@ fn lenses() -> [Lens; 4] {
     ]
 }
 
-fn space(marks: Vec<Mark3>, lens: Lens) -> Space {
-    let seer = match lens {
-        Lens::Eye(eye) => Seer::Eye(eye),
-        Lens::Camera(camera) => Seer::Camera(camera),
-        Lens::Plane => panic!("no lens of space"),
-    };
-    let facets = facets();
-    Space {
-        title: None,
-        seer,
-        edges: Edge3::of(&facets).into(),
-        facets: facets.into(),
-        marks,
-    }
+fn drawn(mark: Mark3, lens: &Lens) -> Vec<Mark> {
+    project(&space_of(facets(), vec![mark], lens), lens)
 }
 
 fn ray(lens: &Lens, at: DVec3) -> (DVec3, f64) {
@@ -112,7 +100,7 @@ fn what_is_dashed_is_what_no_ray_reaches_at_a_hundred_points_a_line() {
         for i in 0..40 {
             let ends = [corner(i), corner(i + 23)];
             let line = Mark3::new(Role::Signal, Shape3::Segment(ends));
-            let drawn = project(&space(vec![line], lens), &lens);
+            let drawn = drawn(line, &lens);
             let parts = drawn.iter().filter(|mark| mark.role == Role::Signal);
             let parts = parts.map(|mark| match &mark.shape {
                 Shape::Segment(ends) => (false, *ends),
@@ -160,7 +148,7 @@ fn every_sight_line_of_a_balls_outline_touches_the_ball() {
             ([-1.0, 1.0, 0.0], 1.7),
         ] {
             let ball = Mark3::new(Role::Ink, Shape3::Ball(centre, radius));
-            let drawn = project(&space(vec![ball], lens), &lens);
+            let drawn = drawn(ball, &lens);
             let outline = drawn.iter().find_map(|mark| match &mark.shape {
                 Shape::Outline(outline) => Some(outline),
                 _ => None,

@@ -28,10 +28,15 @@ fn cube() -> Vec<Facet> {
         .collect()
 }
 
-fn space_of(facets: Vec<Facet>, marks: Vec<Mark3>, eye: &Orbit) -> Space {
+pub fn space_of(facets: Vec<Facet>, marks: Vec<Mark3>, lens: &Lens) -> Space {
+    let seer = match *lens {
+        Lens::Eye(eye) => Seer::Eye(eye),
+        Lens::Camera(camera) => Seer::Camera(camera),
+        Lens::Plane => panic!("no lens of space"),
+    };
     Space {
         title: None,
-        seer: Seer::Eye(*eye),
+        seer,
         edges: Edge3::of(&facets).into(),
         facets: facets.into(),
         marks,
@@ -39,7 +44,8 @@ fn space_of(facets: Vec<Facet>, marks: Vec<Mark3>, eye: &Orbit) -> Space {
 }
 
 fn seen(marks: Vec<Mark3>, eye: &Orbit) -> Vec<Mark> {
-    project(&space_of(cube(), marks, eye), &Lens::Eye(*eye))
+    let lens = Lens::Eye(*eye);
+    project(&space_of(cube(), marks, &lens), &lens)
 }
 
 #[test]
@@ -107,7 +113,7 @@ fn what_is_behind_the_eye_is_cut_off_before_it_is_divided() {
 
 #[test]
 fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
-    let eye = |yaw: f64| Orbit::new([0.0; 3], [yaw, 20.0], 8.0, 30.0);
+    let lens = |yaw: f64| Lens::Eye(Orbit::new([0.0; 3], [yaw, 20.0], 8.0, 30.0));
     let line = |role, x: f64| Mark3::new(role, Shape3::Segment([[x, 0.0, -4.0], [x, 0.5, 4.0]]));
     let corners = vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]];
     let wash = Mark3::new(Role::Accent, Shape3::Wash(corners));
@@ -116,8 +122,8 @@ fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
     let some = vec![line(Role::Ink, 0.2), wash.clone(), line(Role::Signal, 2.0)];
     let changed = vec![line(Role::Ink, 0.2), line(Role::Signal, 0.5)];
     let longer = [changed.clone(), some.clone()].concat();
-    let first = space_of(cube(), some.clone(), &eye(30.0));
-    let mut known = Projected::new(&first, &Lens::Eye(eye(30.0)));
+    let first = space_of(cube(), some.clone(), &lens(30.0));
+    let mut known = Projected::new(&first, &lens(30.0));
     for (facets, marks, yaw) in [
         (cube(), some.clone(), 30.0),
         (cube(), changed.clone(), 30.0),
@@ -131,7 +137,7 @@ fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
         let solids = known.marks().iter().find_map(faces);
         let is_alike = solids.is_some_and(|solids| *solids.facets == facets[..]);
         let kept = solids.map(|solids| solids.facets.clone());
-        let (space, lens) = (space_of(facets, marks, &eye(yaw)), Lens::Eye(eye(yaw)));
+        let (space, lens) = (space_of(facets, marks, &lens(yaw)), lens(yaw));
         known = known.again(&space, &lens);
         assert_eq!(known.marks()[..], project(&space, &lens)[..]);
         let now = known.marks().iter().find_map(faces);

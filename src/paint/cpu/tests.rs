@@ -15,7 +15,7 @@ const EVERYWHERE: [Pos2; 3] = [pos2(-99., -99.), pos2(300., -99.), pos2(-99., 30
 const ONE: Color32 = Color32::from_rgba_premultiplied(1, 0, 0, 0);
 
 fn painter_with(id: TextureId, image: ColorImage, options: TextureOptions) -> CpuPainter {
-    let mut painter = CpuPainter::new();
+    let mut painter = CpuPainter::default();
     let mut delta = TexturesDelta::default();
     delta.push(id, ImageDelta::full(image, options));
     painter.apply(&mut delta);

@@ -38,10 +38,8 @@ impl Anchor {
             | Shape::Outline(_)
             | Shape::Path(_) => Self::along(&parts, stage),
             Shape::Area(outlines) | Shape::Fill(outlines) => {
-                let on_screen = |outline: &Vec<[f64; 2]>| -> Vec<Pos2> {
-                    outline.iter().map(|&p| viewport.to_screen(p)).collect()
-                };
-                Some(Self::Within(outlines.iter().map(on_screen).collect()))
+                let on_screen = outlines.iter().map(|it| viewport.all_to_screen(it));
+                Some(Self::Within(on_screen.collect()))
             }
             Shape::Wash(_) => {
                 let corners = parts.into_iter().filter_map(|part| match part {
@@ -115,19 +113,9 @@ impl Anchor {
 }
 
 pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
-    match part {
-        Part::Stroke(points) => points.windows(2).map(|ends| [ends[0], ends[1]]).collect(),
-        Part::Ring(points) => {
-            let next = points.iter().cycle().skip(1);
-            points.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
-        }
-        Part::Arrow(ends) => vec![*ends],
-        Part::Wash(_)
-        | Part::Fill(_)
-        | Part::Solids(_)
-        | Part::Texture(_)
-        | Part::Crowd(_)
-        | Part::Head(_)
-        | Part::Marker(..) => Vec::new(),
-    }
+    let (points, is_closed) = part.line().unwrap_or_default();
+    let n = points.len().saturating_sub(usize::from(!is_closed));
+    let next = points.iter().cycle().skip(1);
+    let edges = points.iter().zip(next).take(n);
+    edges.map(|(&a, &b)| [a, b]).collect()
 }

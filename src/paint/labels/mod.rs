@@ -9,12 +9,9 @@ mod text;
 
 use egui::{Painter, Pos2, Rect, Vec2, vec2};
 
-use crate::{
-    figure::{Label, Mark, Role, Shape},
-    text::Catalog,
-};
+use crate::figure::{Label, Mark, Role, Shape};
 
-use super::{Theme, Viewport, layers::LayeredPart};
+use super::{Look, Theme, Viewport, layers::LayeredPart};
 
 use self::{
     anchor::Anchor,
@@ -79,21 +76,20 @@ impl Labels {
     pub fn new(
         painter: &Painter,
         viewport: &Viewport,
-        theme: &Theme,
-        catalog: &Catalog,
+        look: Look<'_>,
         (marks, pieces): (&[Mark], &[LayeredPart<'_>]),
         around: Around<'_>,
     ) -> Self {
+        let scale = scale(look.theme, viewport);
         let setter = Setter {
             painter,
-            theme,
-            scale: scale(theme, viewport),
-            catalog,
+            look,
+            scale,
         };
         let mut waiting = waiting(setter, viewport, marks);
         waiting.sort_by_key(|label| label.rank);
         waiting.truncate(MOST_LABELS);
-        let obstacles = obstacles(viewport, theme, pieces);
+        let obstacles = obstacles(viewport, look.theme, pieces);
         let stage = viewport.rect;
         let candidates = |label| candidates(label, stage, &obstacles, around);
         let mut table = Seating {
@@ -163,7 +159,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
     let mut waiting: Vec<Waiting> = Vec::new();
     for mark in marks {
         let Some(label) = &mark.label else { continue };
-        let Some(anchor) = Anchor::of(viewport, setter.theme, mark) else {
+        let Some(anchor) = Anchor::of(viewport, setter.look.theme, mark) else {
             continue;
         };
         let text = match anchor {

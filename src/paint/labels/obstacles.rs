@@ -125,7 +125,7 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
         }
         Part::Solids(solids) if solids.facets.len() <= MOST_FACETS => {
             for outline in solids.faces() {
-                let corners: Vec<Pos2> = outline.iter().map(|&p| viewport.to_screen(p)).collect();
+                let corners = viewport.all_to_screen(&outline);
                 let fan = corners.windows(2).skip(1);
                 obstacles.extend(fan.map(|pair| Obstacle::Surface([corners[0], pair[0], pair[1]])));
             }

@@ -5,12 +5,11 @@ use egui::{Align2, Color32, FontFamily, FontId, Painter, Rect, Vec2, vec2};
 use crate::{
     figure::{Label, Role},
     paint::{
-        Theme,
+        Look, Theme,
         fonts::semibold,
         pen::text_colour,
         typeset::{Span, Typeset},
     },
-    text::Catalog,
 };
 
 /// Space above and below that belongs to the line, not to its letters, as a part of the letters' size.
@@ -23,9 +22,8 @@ const HALO_RINGS: [(f32, usize); 2] = [(0.5, 8), (0.9, 16)];
 #[derive(Clone, Copy)]
 pub struct Setter<'a> {
     pub painter: &'a Painter,
-    pub theme: &'a Theme,
+    pub look: Look<'a>,
     pub scale: f32,
-    pub catalog: &'a Catalog,
 }
 
 pub struct Text {
@@ -50,12 +48,13 @@ impl Setter<'_> {
     }
 
     fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
-        let plain = self.catalog.value(&label.text);
-        let (mut font, colour) = (font(label, self.scale), text_colour(self.theme, role));
+        let Look { theme, catalog } = self.look;
+        let plain = catalog.value(&label.text);
+        let (mut font, colour) = (font(label, self.scale), text_colour(theme, role));
         font.size *= part;
         let spans = match label.lit {
             Some(lit) => self.spans_lit(&plain, lit, &font, colour),
-            None => vec![Span::value(self.catalog, &label.text, font, colour)],
+            None => vec![Span::value(catalog, &label.text, font, colour)],
         };
         self.of_spans(plain, spans)
     }
@@ -63,7 +62,7 @@ impl Setter<'_> {
     pub fn join(&self, first: &Text, second: &Text) -> Text {
         let font = FontId::proportional(13.0 * self.scale);
         let mut spans = first.spans.clone();
-        spans.push(Span::text(" = ", font, self.theme.soft));
+        spans.push(Span::text(" = ", font, self.look.theme.soft));
         spans.extend(second.spans.iter().cloned());
         self.of_spans(format!("{} = {}", first.plain, second.plain), spans)
     }
@@ -74,7 +73,7 @@ impl Setter<'_> {
     }
 
     fn spans_lit(&self, plain: &str, lit: usize, font: &FontId, colour: Color32) -> Vec<Span> {
-        let signal = text_colour(self.theme, Role::Signal);
+        let signal = text_colour(self.look.theme, Role::Signal);
         let mut chars = plain.char_indices().map(|(at, _)| at).skip(lit);
         let from = chars.next().unwrap_or(plain.len());
         let to = chars.next().unwrap_or(plain.len());

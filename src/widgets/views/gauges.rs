@@ -12,7 +12,6 @@ use crate::figure::{Gauge, Gauges};
 
 use super::prelude::*;
 
-const TITLE_PTS: f32 = 13.0;
 const TEXT_PTS: f32 = 13.0;
 const NUMBER_PTS: f32 = 12.5;
 const SMALL_PTS: f32 = 11.5;
@@ -38,7 +37,7 @@ impl OnSlate for Gauges {
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let theme = slate.theme();
-        let style = (Face::Strong, TITLE_PTS, theme.ink);
+        let style = (Face::Strong, TEXT_PTS, theme.ink);
         let title = slate.sentence(&self.title, rect.width(), style);
         let title = slate.put(&title, rect.min, Align2::LEFT_TOP);
         let axes = Axes::new(slate, self, rect, title.bottom());
@@ -296,26 +295,22 @@ fn reach(gauges: &Gauges) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{
+        super::tests::data::frustum::{distances, gauge},
+        *,
+    };
 
     #[test]
     fn axes_reach_as_far_as_the_largest_number_and_the_band() {
         let of = |values: &[Option<f64>], band| {
-            let row = |&value: &Option<f64>| Gauge {
-                name: Value::Count(1),
-                value,
-                verdict: None,
-                role: Role::Accent,
-                is_bar: false,
-                link: None,
-            };
-            let title = Message::new("view-empty");
-            reach(&Gauges {
-                sides: [title.clone(), title.clone()],
-                title,
+            let row = |&value: &Option<f64>| gauge(Value::Count(1), value, Role::Accent);
+            let rows = values.iter().map(row).collect();
+            let of = Gauges {
                 band,
-                rows: values.iter().map(row).collect(),
-            })
+                rows,
+                ..distances()
+            };
+            reach(&of)
         };
         assert_eq!(of(&[None], None), 1.0);
         assert_eq!(of(&[Some(-171.0), None], None), 200.0);

@@ -14,10 +14,7 @@ use crate::figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists};
 
 use super::{prelude::*, slate::cross};
 
-use plan::{
-    Column, DETAIL_SIZE, FOLD_SIZE, HEADING_SIZE, LANE, LEGEND_GAP, LEGEND_SIZE, MARKER, NAME_SIZE,
-    Plan, TITLE_SIZE, Widths,
-};
+use plan::{Column, LANE, LEGEND_GAP, MARKER, Plan, SIZE, SMALL_SIZE, Widths};
 
 impl OnSlate for Lists {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
@@ -94,7 +91,7 @@ fn spoken(look: Look<'_>, list: &ListColumn) -> String {
 
 fn legend(slate: &mut Slate<'_>, lists: &Lists, mut at: Pos2) {
     for (marker, meaning) in &lists.legend {
-        let style = (Face::Plain, LEGEND_SIZE, slate.theme().soft);
+        let style = (Face::Plain, SMALL_SIZE, slate.theme().soft);
         let meaning = slate.low(meaning, style);
         let middle = at + vec2(slate.pts(0.3 * MARKER), 0.0);
         draw_marker(slate, middle, *marker, Role::Ink);
@@ -105,7 +102,7 @@ fn legend(slate: &mut Slate<'_>, lists: &Lists, mut at: Pos2) {
 
 fn titles(slate: &mut Slate<'_>, column: &Column<'_>, top: f32) {
     let list = column.list;
-    let style = (Face::Strong, TITLE_SIZE, slate.theme().ink);
+    let style = (Face::Strong, SIZE, slate.theme().ink);
     let title = slate.value(&list.title, style);
     let at = pos2(column.chips.center().x, top);
     slate.put(&title, at, Align2::CENTER_TOP);
@@ -119,7 +116,7 @@ fn titles(slate: &mut Slate<'_>, column: &Column<'_>, top: f32) {
             (left, Align2::LEFT_BOTTOM)
         };
         if details.next().is_some() {
-            let style = (Face::Plain, HEADING_SIZE, slate.theme().soft);
+            let style = (Face::Plain, SMALL_SIZE, slate.theme().soft);
             let heading = slate.low(heading, style);
             let at = pos2(x, column.chips.top() - slate.pts(3.0));
             slate.put(&heading, at, align);
@@ -206,7 +203,7 @@ fn entries(slate: &mut Slate<'_>, column: &Column<'_>, links: &mut Links) {
     let last = fold.n_rows().saturating_sub(1);
     for (count, row) in [(fold.before, 0), (fold.after, last)] {
         if count > 0 {
-            let words = slate.more(count, FOLD_SIZE);
+            let words = slate.more(count, SMALL_SIZE);
             slate.put(&words, column.chip(row).center(), Align2::CENTER_CENTER);
         }
     }
@@ -246,7 +243,7 @@ fn chip(slate: &mut Slate<'_>, place: Rect, widths: &Widths, entry: &ListRow, li
         let at = pos2(left + 0.3 * marker, y);
         draw_marker(slate, at, kind, entry.role);
     }
-    let name = slate.value(&entry.name, (face, NAME_SIZE, ink));
+    let name = slate.value(&entry.name, (face, SIZE, ink));
     let is_alone = entry.marker.is_none() && widths.details.is_empty();
     let x = if is_alone {
         place.center().x
@@ -266,7 +263,7 @@ fn chip(slate: &mut Slate<'_>, place: Rect, widths: &Widths, entry: &ListRow, li
         } else {
             (left, Align2::LEFT_CENTER)
         };
-        let detail = slate.low(detail, (Face::Plain, DETAIL_SIZE, soft));
+        let detail = slate.low(detail, (Face::Plain, SMALL_SIZE, soft));
         slate.put(&detail, pos2(x, y), align);
     }
 }
@@ -281,7 +278,7 @@ const fn is_flush_right(detail: &Value) -> bool {
 fn no_chip(slate: &mut Slate<'_>, place: Rect) {
     let stroke = slate.stroke(1.0, slate.theme().faint);
     slate.dashed_box(place, stroke, 1.0);
-    let dash = slate.words("–", (Face::Plain, NAME_SIZE, slate.theme().soft));
+    let dash = slate.words("–", (Face::Plain, SIZE, slate.theme().soft));
     slate.put(&dash, place.center(), Align2::CENTER_CENTER);
 }
 

@@ -176,12 +176,8 @@ impl Columns {
             for (i, width) in self.entries.iter().enumerate() {
                 right += width;
                 column(slate, pos2(right, corner.y), rows, |row| {
-                    let ink = if row.is_current {
-                        theme.ink
-                    } else {
-                        theme.soft
-                    };
                     let x = *row.entries.get(i)?;
+                    let ink = ink_of(row, theme);
                     Some((x, if x == 0.0 { theme.faint } else { ink }))
                 });
                 right += self.between;
@@ -262,12 +258,15 @@ fn brackets(slate: &Slate<'_>, left: f32, width: f32, [top, height]: [f32; 2]) {
     }
 }
 
-fn written(slate: &Slate<'_>, row: &MatrixRow, sum: &Formula) -> Typeset {
-    let theme = slate.theme();
-    let ink = if row.is_current {
+const fn ink_of(row: &MatrixRow, theme: &Theme) -> Color32 {
+    if row.is_current {
         theme.ink
     } else {
         theme.soft
-    };
+    }
+}
+
+fn written(slate: &Slate<'_>, row: &MatrixRow, sum: &Formula) -> Typeset {
+    let ink = ink_of(row, slate.theme());
     slate.low(&Value::Formula(sum.clone()), (Face::Mono, SUM_PTS, ink))
 }

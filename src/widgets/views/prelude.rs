@@ -3,7 +3,9 @@
 pub use super::super::prelude::*;
 pub use super::fold::{Fold, more};
 pub use super::slate::{
-    Face, LEAST_SCALE, Links, OnSlate, Slate, bracketed, colour, joined, now, text_colour, tone,
-    wash,
+    Face, LEAST_SCALE, Links, OnSlate, Slate, bracketed, colour, joined, now, tone, wash,
 };
-pub use crate::figure::{CellStage, Role};
+pub use crate::{
+    figure::{CellStage, Role},
+    paint::text_colour,
+};

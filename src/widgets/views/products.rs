@@ -24,12 +24,10 @@ const MOST_WORDS: f32 = 210.0;
 const LEAST_WORDS: f32 = 90.0;
 const GAP: f32 = 8.0;
 const DECISION_SIZE: f32 = 14.0;
-const ARITHMETIC_SIZE: f32 = 13.0;
 const AIR: f32 = 4.0;
 // Distances along the normal, from the border: outside to the left of 0, inside to its right.
 const TITLE_SIZE: f32 = 13.5;
-const NAME_SIZE: f32 = 13.0;
-const NUMBER_SIZE: f32 = 13.0;
+const SIZE: f32 = 13.0;
 const TITLE_GAPS: [f32; 2] = [10.0, 6.0];
 const ROW: f32 = 22.0;
 const BAR: f32 = 30.0;
@@ -117,7 +115,7 @@ fn words(slate: &Slate<'_>, product: &Product, width: f32, is_soft: bool) -> [Ty
     let theme = slate.theme();
     let ink = if is_soft { theme.soft } else { theme.ink };
     let width = width.min(slate.pts(MOST_WORDS)).max(slate.pts(LEAST_WORDS));
-    let soft = (Face::Plain, ARITHMETIC_SIZE, theme.soft);
+    let soft = (Face::Plain, SIZE, theme.soft);
     [
         slate.sentence(&product.decision, width, (Face::Strong, DECISION_SIZE, ink)),
         slate.formula(&product.arithmetic, soft),
@@ -231,9 +229,9 @@ fn names(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured) {
     let above = bar.top() - 0.6 * slate.pts(ROW);
     let below = bar.bottom() + 0.6 * slate.pts(ROW);
     let [(first, from), (second, to)] = &measured.ends;
-    let zero = (Face::Strong, NAME_SIZE, theme.signal_text);
-    let end = (Face::Strong, NAME_SIZE, theme.accent);
-    let number = (Face::Plain, NUMBER_SIZE, theme.ink);
+    let zero = (Face::Strong, SIZE, theme.signal_text);
+    let end = (Face::Strong, SIZE, theme.accent);
+    let number = (Face::Plain, SIZE, theme.ink);
     let numbers = [*from, *to, 0.0].map(|at| (Value::Number(at), at, below, number));
     let names = [
         (measured.zero.clone(), 0.0, above, zero),
@@ -268,7 +266,7 @@ fn length(
         slate.line([pos2(x, y - tick), pos2(x, y + tick)], stroke);
     }
     let ink = text_colour(slate.theme(), *role);
-    let text = slate.value(value, (Face::Strong, NAME_SIZE, ink));
+    let text = slate.value(value, (Face::Strong, SIZE, ink));
     let half = 0.5 * text.size().x + slate.pts(6.0);
     let middle = 0.5 * (from + to);
     if to - from > 2.0 * half + slate.pts(12.0) {

@@ -5,7 +5,7 @@ use egui::FontFamily;
 
 use crate::{
     figure::Role,
-    paint::{crosses, fonts::semibold},
+    paint::{crosses, fonts::semibold, stroke_colour},
     text::Piece,
 };
 
@@ -259,24 +259,11 @@ pub fn cross(at: Pos2, arm: f32) -> [[Pos2; 2]; 2] {
     [-arm, arm].map(|y| [at + vec2(-arm, -y), at + vec2(arm, y)])
 }
 
+/// As on the stage, but what may be missed is fainter.
 pub const fn colour(theme: &Theme, role: Role) -> Color32 {
     match role {
-        Role::Ink => theme.ink,
-        Role::Soft => theme.soft,
         Role::Faint => theme.faint,
-        Role::Accent => theme.accent,
-        Role::Signal => theme.signal,
-        Role::Accepted => theme.accepted,
-        Role::Discarded => theme.discarded,
-    }
-}
-
-/// Of text: thinner than strokes, so darker where those are light.
-pub const fn text_colour(theme: &Theme, role: Role) -> Color32 {
-    match role {
-        Role::Signal => theme.signal_text,
-        Role::Faint | Role::Discarded => theme.soft,
-        Role::Ink | Role::Soft | Role::Accent | Role::Accepted => colour(theme, role),
+        role => stroke_colour(theme, role),
     }
 }
 

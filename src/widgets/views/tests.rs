@@ -2,7 +2,7 @@
 //!
 //! `CLIPSCOPE_SAMPLES=/tmp cargo test --lib -- widgets::views` also leaves the pictures there.
 
-mod data;
+pub mod data;
 
 use super::{body_of, prelude::*};
 use crate::{

@@ -1,6 +1,6 @@
 //! Where the nodes of a graph stand in a room.
 
-use crate::figure::{Graph, GraphNode, NodeStage, Places, Spot, Stands, layers, spread};
+use crate::figure::{Graph, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of, spread};
 
 use super::super::prelude::*;
 
@@ -91,12 +91,6 @@ pub fn fitted<'a>(slate: Slate<'a>, graph: &Graph, room: Vec2) -> Slate<'a> {
             vec2(n_columns * column_width(slate, graph), height)
         }
     })
-}
-
-fn size_of(spots: &[Spot]) -> [f32; 2] {
-    let n_columns = spots.iter().map(|spot| spot.column + 1).max();
-    let n_layers = spots.iter().map(|spot| spot.layer + 1).max();
-    [n_columns, n_layers].map(|n| n.unwrap_or(1) as f32)
 }
 
 fn name_width(slate: &Slate<'_>, node: &GraphNode) -> f32 {

@@ -23,12 +23,9 @@ const FEW: usize = 8;
 const FOLD_FEW_BELOW: f32 = 0.7;
 const LEAST_ROWS: usize = 4;
 const LEAST_DETAIL: f32 = 18.0;
-pub const TITLE_SIZE: f32 = 13.0;
-pub const NAME_SIZE: f32 = 13.0;
-pub const FOLD_SIZE: f32 = 12.0;
-pub const DETAIL_SIZE: f32 = 12.0;
-pub const HEADING_SIZE: f32 = 12.0;
-pub const LEGEND_SIZE: f32 = 12.0;
+/// Of titles and names; and of headings, details, the legend and what is folded.
+pub const SIZE: f32 = 13.0;
+pub const SMALL_SIZE: f32 = 12.0;
 const LEGEND: f32 = 24.0;
 pub const LEGEND_GAP: f32 = 20.0;
 
@@ -44,10 +41,10 @@ pub struct Widths {
 impl Widths {
     fn new(slate: &Slate<'_>, list: &ListColumn, details: Vec<f32>) -> Self {
         let names = list.entries.iter();
-        let names = names.map(|entry| slate.width(&entry.name, Face::Strong, NAME_SIZE));
+        let names = names.map(|entry| slate.width(&entry.name, Face::Strong, SIZE));
         let folded = match n_all(list) {
             ..=LEAST_ROWS => 0.0,
-            n_all => slate.more(n_all, FOLD_SIZE).size().x + slate.pts(4.0),
+            n_all => slate.more(n_all, SMALL_SIZE).size().x + slate.pts(4.0),
         };
         let mut widths = Self {
             name: names.fold(0.0, f32::max),
@@ -55,7 +52,7 @@ impl Widths {
             has_markers: list.entries.iter().any(|entry| entry.marker.is_some()),
             chip: 0.0,
             folded,
-            title: slate.width(&list.title, Face::Strong, TITLE_SIZE),
+            title: slate.width(&list.title, Face::Strong, SIZE),
         };
         widths.keep(slate, usize::MAX);
         widths
@@ -316,7 +313,7 @@ fn widths(
     let style = |size: f32| (Face::Plain, size, slate.theme().ink);
     let widest = |column: &Vec<String>| {
         let widths = column.iter();
-        let widths = widths.map(|words| slate.words(words, style(DETAIL_SIZE)).size().x);
+        let widths = widths.map(|words| slate.words(words, style(SMALL_SIZE)).size().x);
         widths.fold(slate.pts(LEAST_DETAIL), f32::max)
     };
     let of_list = |columns: &Vec<Vec<String>>| -> Vec<f32> {
@@ -331,7 +328,7 @@ fn widths(
             own.get(nth).copied()
         });
         let widest = alike.fold(own[i][nth], f32::max);
-        let heading = heading.map(|heading| slate.low(heading, style(HEADING_SIZE)).size().x);
+        let heading = heading.map(|heading| slate.low(heading, style(SMALL_SIZE)).size().x);
         widest.max(heading.unwrap_or(0.0))
     };
     let widths = |(i, list): (usize, &ListColumn)| {

@@ -6,8 +6,11 @@ pub mod surfaces;
 
 use crate::{
     figure::{
-        BitRow, Bits, Cell, LineTick, Measured, NumberLine, Product, Products, Role, Side, Table,
-        TableNote, TableRow, Vector,
+        ArrowKind, BitRow, Bits, Cell, CellStage, ClipperBox, ClipperRow, Fate, Gauge, Gauges,
+        Graph, GraphArrow, GraphNode, ItemMarker, LineTick, ListColumn, ListLink, ListRow, Lists,
+        Mark, Measured, Multiples, NodeStage, NumberLine, Places, Product, Products, Ribbon,
+        RibbonStage, Role, Shape, Side, SmallDrawing, Story, StoryCard, StoryFate, Table,
+        TableNote, TableRow, Traveller, Vector,
     },
     text::{Formula, Message, Value},
 };

@@ -1,11 +1,8 @@
 //! What the prototypes A1 and A6 show.
 
-use crate::{
-    figure::{Gauge, Gauges, Mark, Multiples, Ribbon, RibbonStage, Role, Shape, SmallDrawing},
-    text::{Message, Value},
-};
+use super::*;
 
-fn gauge(name: Value, value: Option<f64>, role: Role) -> Gauge {
+pub fn gauge(name: Value, value: Option<f64>, role: Role) -> Gauge {
     Gauge {
         name,
         value,
@@ -93,7 +90,7 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
     let outline = vec![[0.0, 0.0], [4.0, 1.0], [1.0, 3.0]];
     let drawing = |(i, key): (usize, &'static str)| SmallDrawing {
         title: Value::Term(key),
-        note: Some(super::name(&format!("{} → {}", i + 6, i + 7))),
+        note: Some(name(&format!("{} → {}", i + 6, i + 7))),
         marks: vec![Mark::new(Role::Accent, Shape::Area(vec![outline.clone()]))],
         is_current: current == Some(i),
         is_to_come: current.is_none_or(|current| i > current),

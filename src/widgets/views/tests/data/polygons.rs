@@ -1,14 +1,6 @@
 //! Lists and pipelines: what polygon clippers hold.
 
-use crate::{
-    figure::{
-        ClipperBox, ClipperRow, Fate, ItemMarker, ListColumn, ListLink, ListRow, Lists, Role,
-        Traveller,
-    },
-    text::Value,
-};
-
-use super::name;
+use super::*;
 
 fn entry(symbol: &str, marker: Option<ItemMarker>, role: Role) -> ListRow {
     ListRow {
@@ -48,10 +40,9 @@ pub fn two_lists() -> Lists {
         ".S₁", "=C₁", ".S₂", ".S₃", ".S₄", "+C₂", "+S₅", "!C₃", ".S₆", ".S₇", "=C₄",
     ];
     let window = [".W₁", ".W₂", "=C₁", "=C₄", "!C₃", ".W₃", "=C₂", ".W₄"];
-    let links = [(7, 4), (1, 2), (5, 6), (10, 3)].map(|(from, to)| ListLink {
-        from: [0, from],
-        to: [1, to],
-        role: if from == 7 { Role::Signal } else { Role::Soft },
+    let links = [(7, 4), (1, 2), (5, 6), (10, 3)].map(|(from, to)| {
+        let role = if from == 7 { Role::Signal } else { Role::Soft };
+        ListLink::between(from, to, role)
     });
     Lists {
         lists: vec![
@@ -110,11 +101,7 @@ pub fn long_lists() -> Lists {
     };
     Lists {
         lists: vec![long("S"), long("W")],
-        links: vec![ListLink {
-            from: [0, 15],
-            to: [1, 38],
-            role: Role::Signal,
-        }],
+        links: vec![ListLink::between(15, 38, Role::Signal)],
         legend: Vec::new(),
     }
 }

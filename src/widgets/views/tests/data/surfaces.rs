@@ -3,15 +3,7 @@
 
 use std::cmp::Ordering;
 
-use crate::{
-    figure::{
-        ArrowKind, CellStage, Graph, GraphArrow, GraphNode, NodeStage, Places, Role, Story,
-        StoryCard, StoryFate,
-    },
-    text::{Formula, Message, Value},
-};
-
-use super::name;
+use super::*;
 
 fn node(of: &str, shade: f64) -> GraphNode {
     GraphNode {
