@@ -162,7 +162,7 @@ fn given_triangles_give_these_bytes() {
     let mut delta = egui::TexturesDelta::default();
     let options = egui::TextureOptions::LINEAR_REPEAT;
     delta.push(id, egui::epaint::ImageDelta::full(texture, options));
-    let mut painter = CpuPainter::new();
+    let mut painter = CpuPainter::default();
     painter.apply(&mut delta);
 
     let mut mesh = egui::Mesh::with_texture(id);
