@@ -96,8 +96,9 @@ fn frustum_scenes() -> Vec<Scene> {
             for point in [[0.0, 1.0, 0.0], [0.0, 2.0, 6.0], [9.0, 9.0, 9.0]] {
                 let mut scene = frustum::first_scene();
                 scene.method = method;
-                scene.places = scene.places.with_point(point).unwrap();
-                scene.set_focus(2).unwrap();
+                let places = scene.places();
+                scene.set_places(space::Places { point, ..places }).unwrap();
+                scene.look_at(space::Part::Object, 2).unwrap();
                 let mut scene: Scene = scene.into();
                 let turned = space::SpaceChange::Parallel(is_parallel);
                 Change::apply(&turned, &mut scene).unwrap();

@@ -120,27 +120,15 @@ fn scenes() -> Vec<Diagnostic> {
         Polygons::TooManyVertices(_) | Polygons::TooFewVertices => error.into(),
     };
     let space = |error: Space| match error {
-        Space::NoObjects
-        | Space::TooManyObjects(_)
-        | Space::NoSuchObject { .. }
-        | Space::NoSuchFace { .. }
-        | Space::NoSuchVertex { .. } => error.into(),
+        Space::NoObjects | Space::TooManyObjects(_) | Space::NoSuchPart { .. } => error.into(),
     };
+    let no_part = |part, idx, count| space(Space::NoSuchPart { part, idx, count });
     vec![
         space(Space::NoObjects),
         space(Space::TooManyObjects(7)),
-        space(Space::NoSuchObject {
-            focus: 3,
-            n_objects: 2,
-        }),
-        space(Space::NoSuchFace {
-            face: 12,
-            n_faces: 12,
-        }),
-        space(Space::NoSuchVertex {
-            vertex: 8,
-            n_vertices: 8,
-        }),
+        no_part(space::Part::Object, 3, 2),
+        no_part(space::Part::Face, 12, 12),
+        no_part(space::Part::Vertex, 8, 8),
         lines(Lines::NoSegments),
         lines(Lines::TooManySegments(7)),
         lines(Lines::NoSuchFocus {

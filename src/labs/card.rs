@@ -46,9 +46,9 @@ pub(super) use pseudocode;
 /// A table of mistakes. Of each: its id, its name, what is said at the first step that the right method does not do, and the lines
 /// of pseudocode that are other ones.
 macro_rules! mistakes {
-    ($variant:ident: $($rules:ident {
+    ($variant:path: $($rules:ident {
         $id:literal, $name_key:literal, $differs_key:literal;
-        $($code:ident = $right:ident but $($line:ident: $as_code:literal $in_words:literal),+;)+
+        $($code:ident = $right:ident but $($line:path: $as_code:literal $in_words:literal),+;)+
     })+) => { $(
         impl $variant for $rules {
             const ID: &'static str = $id;

@@ -38,7 +38,6 @@ pub use sketch::Sketch;
 pub use telling::Answer;
 pub use typed::{place_of, written};
 
-use card::but_for;
 pub(crate) use words::{plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.

@@ -1,11 +1,7 @@
 //! Why a part of a segment or of a triangle was kept or lost, a cut lies where it does, and the smallest change that would turn it.
 
 use crate::{
-    algo::{
-        parameter::End,
-        volume::{PartTurn, part_move_in, part_move_out},
-    },
-    geom::{Plane, VolumeSide},
+    algo::volume::{PartTurn, part_move_in, part_move_out},
     labs::frustum::prelude::*,
 };
 
@@ -106,7 +102,7 @@ pub fn segment_verdict(
     if end.is_none() && about != Link::to("segment") {
         return None;
     }
-    let segment = scene.places.segment();
+    let segment = scene.places().segment;
     let part = match end {
         Some(end) => (end_name(end), &segment[end.idx()..=end.idx()]),
         None => (Value::Term("part-segment"), &segment[..]),
@@ -145,10 +141,10 @@ mod tests {
             let mut scene = first_scene();
             scene.set_method(id);
             let moved = |[x, y, z]: [f64; 3]| [x + 2.5 * f64::from(i), y, z];
-            let (segment, triangle) = (scene.places.segment(), scene.places.triangle());
-            let places = scene.places.with_segment(segment.map(moved));
-            let places = places.and_then(|places| places.with_triangle(triangle.map(moved)));
-            scene.places = places.expect("finite");
+            let mut places = scene.places();
+            places.segment = places.segment.map(moved);
+            places.triangle = places.triangle.map(moved);
+            scene.set_places(places).expect("finite");
             scene
         })
     }

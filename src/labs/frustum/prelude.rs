@@ -1,3 +1,26 @@
 //! The words of every method of this lab.
 
-pub(super) use crate::labs::space::prelude::*;
+pub(super) use crate::{
+    algo::{
+        cull::{
+            BackFace, BackFaceInput,
+            Containment::{self, Inside, Outside, Straddles},
+            asked_viewer,
+        },
+        parameter::End,
+        ring::{Crossing, Right},
+        volume::{
+            ClipSpace, ClipVertex, HomogeneousTriangle, IntersectionPolygon, PlaneAtATime,
+            SideCode, SpaceVertex, TrianglePlanes, VolumeRules, side_distances,
+        },
+    },
+    figure::{Gauge, Gauges},
+    geom::{AlignedBox, Camera, Plane, Sight, VolumeSide},
+    labs::{
+        rings::{RingStep, asked_vertex},
+        segments::{LineLook, LineStep, LineVariant},
+        space::prelude::*,
+    },
+};
+pub(super) use glam::DVec3;
+pub(super) use serde_json::{Value as Json, json};

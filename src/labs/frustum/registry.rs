@@ -51,7 +51,14 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
 pub static LAB: &Lab = &FRUSTUM.lab;
 
 const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
-    demo::told::<M>(&FRUSTUM)
+    demo::told::<M, M>(&FRUSTUM)
+}
+
+const fn wrong<M: SpaceTelling, Right>() -> MethodEntry<MethodInfo>
+where
+    Right: SpaceTelling<Input = M::Input, Event = M::Event>,
+{
+    demo::told::<M, Right>(&FRUSTUM)
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
@@ -72,18 +79,22 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<HomogeneousTriangle<Option<[f64; 2]>>>(),
     told::<ViewingPipeline>(),
     told::<LineToPixels>(),
-    told::<Funnel<OneAngle>>(),
-    told::<Funnel<TurnsSign>>(),
-    told::<Funnel<AroundOrigin>>(),
-    told::<Funnel<Clockwise>>(),
-    told::<Funnel<ConstantView>>(),
-    told::<DividedLine>(),
-    told::<PlaneAtATime<MissesEdge>>(),
-    told::<IntersectionPolygon<DropsOnPlane>>(),
-    told::<IntersectionPolygon<KeepsPlaceInTexture>>(),
-    told::<IntersectionPolygon<EdgeByEdge>>(),
-    told::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>>(),
-    told::<HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>>(),
+    wrong::<Funnel<OneAngle>, Funnel>(),
+    wrong::<Funnel<TurnsSign>, Funnel>(),
+    wrong::<Funnel<AroundOrigin>, Funnel>(),
+    wrong::<Funnel<Clockwise>, Funnel>(),
+    wrong::<Funnel<ConstantView>, Funnel>(),
+    wrong::<DividedLine, HomogeneousLine>(),
+    wrong::<PlaneAtATime<MissesEdge>, PlaneAtATime>(),
+    wrong::<IntersectionPolygon<DropsOnPlane>, IntersectionPolygon>(),
+    wrong::<IntersectionPolygon<KeepsPlaceInTexture>, IntersectionPolygon>(),
+    wrong::<IntersectionPolygon<EdgeByEdge>, IntersectionPolygon>(),
+    wrong::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>, HomogeneousTriangle<Option<[f64; 2]>>>(
+    ),
+    wrong::<
+        HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>,
+        HomogeneousTriangle<Option<[f64; 2]>>,
+    >(),
 ];
 
 /// # Panics

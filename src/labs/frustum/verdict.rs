@@ -1,16 +1,8 @@
 //! Why an object or a face was kept or culled, in a sentence, and the smallest change that would turn it.
 
 use crate::{
-    algo::{
-        cull::{
-            BackFaceInput, Containment, FaceTurn, SphereCullInput, asked_viewer, face_turn,
-            sphere_verdict, triangle_move,
-        },
-        ring::Right,
-        volume::SideCode,
-    },
+    algo::cull::{FaceTurn, SphereCullInput, face_turn, sphere_verdict, triangle_move},
     figure::Caption,
-    geom::VolumeSide,
     labs::{frustum::prelude::*, space::pixel_verdict},
 };
 
@@ -105,7 +97,7 @@ fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::{Document, frustum::first_scene};
+    use crate::labs::{Document, frustum::first_scene, space::Part};
 
     #[test]
     fn every_object_and_every_face_of_it_is_told_by_the_funnel() {
@@ -116,7 +108,9 @@ mod tests {
             let object = scene.objects()[0].moved([0.6 * f64::from(x), 0.9, 0.2]);
             scene.set_object(0, object.expect("finite"));
             for object_idx in 0..scene.objects().len() {
-                scene.set_focus(object_idx).expect("one of them");
+                scene
+                    .look_at(Part::Object, object_idx)
+                    .expect("one of them");
                 tests.extend(told_of_faces(&scene));
             }
         }

@@ -5,7 +5,7 @@ use crate::{
     text::Diagnostic,
 };
 
-use super::{Model, Object, Opening, RasterPlan, Scene, street::street};
+use super::{Model, Object, Opening, Part, RasterPlan, Scene, street::street};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CameraNumber {
@@ -19,9 +19,7 @@ pub enum CameraNumber {
 
 #[derive(Clone, PartialEq, Debug)]
 pub enum SpaceChange {
-    Focus(usize),
-    Face(usize),
-    Vertex(usize),
+    LookAt(Part, usize),
     Camera(CameraNumber, f64),
     /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
     Freeze(bool),
@@ -45,9 +43,7 @@ impl ChangeOf for SpaceChange {
 
     fn make(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
         match self {
-            &Self::Focus(object_idx) => scene.set_focus(object_idx)?,
-            &Self::Face(face_idx) => scene.set_face(face_idx)?,
-            &Self::Vertex(vertex_idx) => scene.set_vertex(vertex_idx)?,
+            &Self::LookAt(part, idx) => scene.look_at(part, idx)?,
             &Self::Camera(number, value) => set_number(scene, number, value)?,
             &Self::Freeze(is_frozen) => scene.frozen = is_frozen.then_some(scene.camera),
             &Self::Raster(plan) => scene.raster = plan,

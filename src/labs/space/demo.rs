@@ -23,28 +23,26 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
     fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
     }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        Box::new(Recorded::<Self>::new(
-            Self::input(scene),
-            Some(scenery_of(scene)),
-        ))
-    }
 }
 
-pub fn scenery_of(scene: &Scene) -> Arc<Scenery> {
-    Arc::new(Scenery::new(scene))
-}
-
-pub(in crate::labs) const fn told<A: SpaceTelling>(
-    lab: &'static SpaceLab,
-) -> MethodEntry<MethodInfo> {
+/// A method; of one that is wrong on purpose a run knows where it first differs from that of `Right`.
+pub(in crate::labs) const fn told<A, Right>(lab: &'static SpaceLab) -> MethodEntry<MethodInfo>
+where
+    A: SpaceTelling,
+    Right: SpaceTelling<Input = A::Input, Event = A::Event>,
+{
     let info = MethodInfo {
         lab,
         card_on: A::card,
         subject: A::SUBJECT,
         tells_faces: A::TELLS_FACES,
-        record: A::record,
+        record: |scene| {
+            let scenery = Arc::new(Scenery::new(scene));
+            Box::new(Recorded::<A>::beside::<Right>(
+                A::input(scene),
+                Some(scenery),
+            ))
+        },
         verdict: A::verdict,
     };
     let card = MethodCard::of::<A>();

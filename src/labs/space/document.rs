@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    Method, RasterPlan, Scene, SpaceChange, Subject,
+    Method, Part, RasterPlan, Scene, SpaceChange, Subject,
     change::beside,
     pixel::pixel_link,
     stage::{face_link, object_link, vertex_link},
@@ -139,23 +139,16 @@ impl Document for Scene {
         if let Some(place) = on_raster.filter(|_| self.asks(Subject::Surfaces)) {
             return Some(Arc::new(SpaceChange::Raster(self.looking_at(place))));
         }
-        let mut objects = 0..self.objects().len();
-        let mut faces = 0..self.focused().model().mesh().faces().len();
-        let mut vertices = 0..self.focused().model().mesh().positions().len();
-        let change = if let Some(object_idx) = objects.find(|&i| clicked == object_link(i)) {
-            SpaceChange::Focus(object_idx)
-        } else if let Some(vertex_idx) = vertices.find(|&i| clicked == vertex_link(i)) {
-            SpaceChange::Vertex(vertex_idx)
-        } else {
-            SpaceChange::Face(faces.find(|&i| clicked == face_link(i))?)
-        };
-        let there = [
-            SpaceChange::Focus(self.focus()),
-            SpaceChange::Face(self.face()),
-            SpaceChange::Vertex(self.vertex()),
+        let parts: [(_, fn(usize) -> Link, _); 3] = [
+            (Part::Object, object_link, self.focus()),
+            (Part::Vertex, vertex_link, self.vertex()),
+            (Part::Face, face_link, self.face()),
         ];
-        let is_there = there.contains(&change);
-        (!is_there).then(|| -> Own { Arc::new(change) })
+        let (part, idx, now) = parts.into_iter().find_map(|(part, link, now)| {
+            let idx = (0..self.count(part)).find(|&i| clicked == link(i))?;
+            Some((part, idx, now))
+        })?;
+        (idx != now).then(|| -> Own { Arc::new(SpaceChange::LookAt(part, idx)) })
     }
 
     fn size(&self) -> usize {

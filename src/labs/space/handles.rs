@@ -3,12 +3,11 @@
 use glam::DVec3;
 
 use crate::{
-    geom::Camera,
     labs::{Draggable, Handle, HandleKind, Motion},
     text::{Diagnostic, Message},
 };
 
-use super::{Opening, Scene, Subject, stage::object_link};
+use super::{Opening, Places, Scene, Subject, stage::object_link};
 
 const fn kind(
     id: &'static str,
@@ -21,27 +20,29 @@ const fn kind(
     }
 }
 
+const fn marked(
+    id: &'static str,
+    group: &'static str,
+    name: fn([usize; 2]) -> Message,
+) -> HandleKind {
+    HandleKind {
+        is_marked: true,
+        ..kind(id, group, name)
+    }
+}
+
 static POSITION: HandleKind = kind("camera", "camera", |_| Message::new("handle-camera"));
 static TARGET: HandleKind = kind("target", "camera", |_| Message::new("handle-target"));
 static NEAR: HandleKind = kind("near", "volume", |_| Message::new("handle-near"));
 static FAR: HandleKind = kind("far", "volume", |_| Message::new("handle-far"));
 static TOP: HandleKind = kind("top", "volume", |_| Message::new("handle-top"));
-static POINT: HandleKind = HandleKind {
-    is_marked: true,
-    ..kind("point", "point", |_| Message::new("handle-point"))
-};
-static END: HandleKind = HandleKind {
-    is_marked: true,
-    ..kind("end", "segment", |[i, _]| {
-        Message::new("handle-space-end").with("number", i + 1)
-    })
-};
-static CORNER: HandleKind = HandleKind {
-    is_marked: true,
-    ..kind("corner", "triangle", |[i, _]| {
-        Message::new("handle-space-corner").with("number", i)
-    })
-};
+static POINT: HandleKind = marked("point", "point", |_| Message::new("handle-point"));
+static END: HandleKind = marked("end", "segment", |[i, _]| {
+    Message::new("handle-space-end").with("number", i + 1)
+});
+static CORNER: HandleKind = marked("corner", "triangle", |[i, _]| {
+    Message::new("handle-space-corner").with("number", i)
+});
 static OBJECT: HandleKind = HandleKind {
     is_vertex: true,
     is_whole: true,
@@ -95,80 +96,71 @@ impl Draggable for Scene {
         let [position, target, _] = self.camera.places();
         let [near, far] = self.camera.depths();
         let camera = self.camera.camera();
-        Some(if handle.is(&POSITION) {
-            position
-        } else if handle.is(&TARGET) {
-            target
-        } else if handle.is(&NEAR) {
-            camera.world_from_view([0.0, 0.0, -near])
-        } else if handle.is(&FAR) {
-            camera.world_from_view([0.0, 0.0, -far])
-        } else if handle.is(&TOP) {
-            let [left, right] = [6, 7].map(|i| DVec3::from(camera.corners_in_world()[i]));
-            left.midpoint(right).into()
-        } else if handle.is(&POINT) {
-            self.places.point()
-        } else if handle.is(&END) {
-            *self.places.segment().get(handle.idx()[0])?
-        } else if handle.is(&CORNER) {
-            *self.places.triangle().get(handle.idx()[0])?
-        } else {
-            let [object_idx, corner] = handle.idx();
-            let object = self.objects().get(object_idx)?;
-            if handle.is(&OBJECT_CORNER) {
-                object.points().nth(corner)?
-            } else {
-                object.at()
+        let [i, corner] = handle.idx();
+        Some(match handle.kind().id {
+            "camera" => position,
+            "target" => target,
+            "near" => camera.world_from_view([0.0, 0.0, -near]),
+            "far" => camera.world_from_view([0.0, 0.0, -far]),
+            "top" => {
+                let [left, right] = [6, 7].map(|i| DVec3::from(camera.corners_in_world()[i]));
+                left.midpoint(right).into()
             }
+            "point" => self.places().point,
+            "end" => *self.places().segment.get(i)?,
+            "corner" => *self.places().triangle.get(i)?,
+            "object-corner" => self.objects().get(i)?.points().nth(corner)?,
+            _ => self.objects().get(i)?.at(),
         })
     }
 
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
-        let camera = self.camera;
+        let (camera, places) = (self.camera, self.places());
         let [position, target, up] = camera.places();
         let [near, far] = camera.depths();
-        let [_, height, depth] = in_view(camera.camera(), to);
-        if handle.is(&POSITION) {
-            self.camera = camera.placed([to, target, up])?;
-        } else if handle.is(&TARGET) {
-            self.camera = camera.placed([position, to, up])?;
-        } else if handle.is(&NEAR) {
-            self.camera = camera.deep([-depth, far])?;
-        } else if handle.is(&FAR) {
-            self.camera = camera.deep([near, -depth])?;
-        } else if handle.is(&TOP) {
-            self.camera = camera.opened(match camera.opening() {
-                Opening::FovY(_) => Opening::FovY(2.0 * libm::atan2(height, far).to_degrees()),
-                Opening::Height(_) => Opening::Height(2.0 * height),
-            })?;
-        } else if handle.is(&POINT) {
-            self.places = self.places.with_point(to)?;
-        } else if handle.is(&END) {
-            let moved = with(self.places.segment(), handle, to);
-            self.places = self.places.with_segment(moved)?;
-        } else if handle.is(&CORNER) {
-            let moved = with(self.places.triangle(), handle, to);
-            self.places = self.places.with_triangle(moved)?;
-        } else if let Some(object) = self.objects().get(handle.idx()[0]) {
-            let [object_idx, corner] = handle.idx();
-            let moved = if handle.is(&OBJECT_CORNER) {
-                object.with_corner(corner, to)?
-            } else {
-                object.moved(to)?
-            };
-            self.set_object(object_idx, moved);
+        let [_, height, depth] = camera.camera().view_from_world().point(to);
+        let [i, corner] = handle.idx();
+        match handle.kind().id {
+            "camera" => self.camera = camera.placed([to, target, up])?,
+            "target" => self.camera = camera.placed([position, to, up])?,
+            "near" => self.camera = camera.deep([-depth, far])?,
+            "far" => self.camera = camera.deep([near, -depth])?,
+            "top" => {
+                self.camera = camera.opened(match camera.opening() {
+                    Opening::FovY(_) => Opening::FovY(2.0 * libm::atan2(height, far).to_degrees()),
+                    Opening::Height(_) => Opening::Height(2.0 * height),
+                })?;
+            }
+            "point" => self.set_places(Places {
+                point: to,
+                ..places
+            })?,
+            "end" => {
+                let segment = with(places.segment, i, to);
+                self.set_places(Places { segment, ..places })?;
+            }
+            "corner" => {
+                let triangle = with(places.triangle, i, to);
+                self.set_places(Places { triangle, ..places })?;
+            }
+            id => {
+                let Some(object) = self.objects().get(i) else {
+                    return Ok(());
+                };
+                let moved = match id {
+                    "object-corner" => object.with_corner(corner, to)?,
+                    _ => object.moved(to)?,
+                };
+                self.set_object(i, moved);
+            }
         }
         Ok(())
     }
 }
 
-fn with<const N: usize>(mut places: [[f64; 3]; N], handle: Handle, to: [f64; 3]) -> [[f64; 3]; N] {
-    if let Some(place) = places.get_mut(handle.idx()[0]) {
+fn with<const N: usize>(mut places: [[f64; 3]; N], i: usize, to: [f64; 3]) -> [[f64; 3]; N] {
+    if let Some(place) = places.get_mut(i) {
         *place = to;
     }
     places
-}
-
-fn in_view(camera: &Camera, at: [f64; 3]) -> [f64; 3] {
-    camera.view_from_world().point(at)
 }

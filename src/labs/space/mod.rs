@@ -20,11 +20,11 @@ mod taught_camera;
 pub use change::{CameraNumber, SpaceChange};
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use raster_plan::{RasterPlan, Tones};
-pub use scene::{MAX_OBJECTS, Method, MethodInfo, Scene, SceneError, SpaceLab};
+pub use scene::{MAX_OBJECTS, Method, MethodInfo, Part, Scene, SceneError, SpaceLab};
 pub use street::street;
 pub use subject::{Places, Subject};
 pub use taught_camera::{Opening, TaughtCamera};
 
-pub(in crate::labs) use demo::{SpaceTelling, scenery_of};
+pub(in crate::labs) use demo::SpaceTelling;
 
 pub(in crate::labs) use pixel::{pixel_verdict, raster_verdict};

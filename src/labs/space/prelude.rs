@@ -3,7 +3,7 @@
 pub(in crate::labs) use crate::labs::{
     prelude::*,
     space::{
-        Scene, SpaceTelling, Subject, scenery_of,
+        Scene, SpaceTelling, Subject,
         stage::{
             FaceLook, Fate, Scenery, face_link, object_link, plane_at_work, side_link, side_name,
         },

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::{
-    geom::{Camera, Orbit},
+    geom::{Camera, Orbit, SpaceError},
     labs::{self, Lab, MethodEntry, prelude::*},
     text::Diagnostic,
 };
@@ -63,8 +63,8 @@ pub struct Scene {
     /// Who culls in its place, so that the camera flies around what this one kept.
     pub frozen: Option<TaughtCamera>,
     pub eye: Orbit,
-    pub places: Places,
     pub raster: RasterPlan,
+    places: Places,
     objects: Vec<Object>,
     focus: usize,
     face: usize,
@@ -75,9 +75,19 @@ pub struct Scene {
 pub enum SceneError {
     NoObjects,
     TooManyObjects(usize),
-    NoSuchObject { focus: usize, n_objects: usize },
-    NoSuchFace { face: usize, n_faces: usize },
-    NoSuchVertex { vertex: usize, n_vertices: usize },
+    NoSuchPart {
+        part: Part,
+        idx: usize,
+        count: usize,
+    },
+}
+
+/// What a person looks at: an object, and of the one in focus a face and a vertex.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Part {
+    Object,
+    Face,
+    Vertex,
 }
 
 impl From<SceneError> for Diagnostic {
@@ -88,18 +98,14 @@ impl From<SceneError> for Diagnostic {
                 let message = Message::new("error-too-many-objects").with("count", count);
                 Self::new(message.with("limit", MAX_OBJECTS)).coded("too-large")
             }
-            SceneError::NoSuchObject { focus, n_objects } => {
-                let message = Message::new("error-no-such-object").with("focus", focus.to_string());
-                Self::new(message.with("count", n_objects))
-            }
-            SceneError::NoSuchFace { face, n_faces } => {
-                let message = Message::new("error-no-such-face").with("face", face.to_string());
-                Self::new(message.with("count", n_faces))
-            }
-            SceneError::NoSuchVertex { vertex, n_vertices } => {
-                let message =
-                    Message::new("error-no-such-vertex").with("vertex", vertex.to_string());
-                Self::new(message.with("count", n_vertices))
+            SceneError::NoSuchPart { part, idx, count } => {
+                let (key, name) = match part {
+                    Part::Object => ("error-no-such-object", "focus"),
+                    Part::Face => ("error-no-such-face", "face"),
+                    Part::Vertex => ("error-no-such-vertex", "vertex"),
+                };
+                let message = Message::new(key).with(name, idx.to_string());
+                Self::new(message.with("count", count))
             }
         }
     }
@@ -163,47 +169,49 @@ impl Scene {
         self.frozen.as_ref().unwrap_or(&self.camera).camera()
     }
 
-    /// Looks at another object, at its first face and vertex.
+    /// What is asked about besides objects.
+    pub const fn places(&self) -> Places {
+        self.places
+    }
+
+    /// Asks about other places.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchObject`]
-    pub fn set_focus(&mut self, focus: usize) -> Result<(), SceneError> {
-        let n_objects = self.objects.len();
-        if focus >= n_objects {
-            return Err(SceneError::NoSuchObject { focus, n_objects });
-        }
-        self.look_at(focus);
+    /// [`SpaceError::NotFinite`]
+    pub fn set_places(&mut self, places: Places) -> Result<(), SpaceError> {
+        self.places = places.checked()?;
         Ok(())
     }
 
-    const fn look_at(&mut self, focus: usize) {
+    /// So many there are to look at.
+    pub fn count(&self, part: Part) -> usize {
+        let mesh = self.focused().model().mesh();
+        match part {
+            Part::Object => self.objects.len(),
+            Part::Face => mesh.faces().len(),
+            Part::Vertex => mesh.positions().len(),
+        }
+    }
+
+    /// Looks at another object, at its first face and vertex; or at another face or vertex of the object in focus.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPart`]
+    pub fn look_at(&mut self, part: Part, idx: usize) -> Result<(), SceneError> {
+        let count = self.count(part);
+        if idx >= count {
+            return Err(SceneError::NoSuchPart { part, idx, count });
+        }
+        match part {
+            Part::Object => self.focus_on(idx),
+            Part::Face => self.face = idx,
+            Part::Vertex => self.vertex = idx,
+        }
+        Ok(())
+    }
+
+    const fn focus_on(&mut self, focus: usize) {
         (self.focus, self.face, self.vertex) = (focus, 0, 0);
-    }
-
-    /// Looks at another face of the object in focus.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchFace`]
-    pub fn set_face(&mut self, face: usize) -> Result<(), SceneError> {
-        let n_faces = self.focused().model().mesh().faces().len();
-        if face >= n_faces {
-            return Err(SceneError::NoSuchFace { face, n_faces });
-        }
-        self.face = face;
-        Ok(())
-    }
-
-    /// Looks at another vertex of the object in focus.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchVertex`]
-    pub fn set_vertex(&mut self, vertex: usize) -> Result<(), SceneError> {
-        let n_vertices = self.focused().model().mesh().positions().len();
-        if vertex >= n_vertices {
-            return Err(SceneError::NoSuchVertex { vertex, n_vertices });
-        }
-        self.vertex = vertex;
-        Ok(())
     }
 
     /// Replaces an object; an index that is none is ignored.
@@ -212,7 +220,7 @@ impl Scene {
             let is_same = old.model() == object.model();
             *old = object;
             if object_idx == self.focus && !is_same {
-                self.look_at(object_idx);
+                self.focus_on(object_idx);
             }
         }
     }
@@ -226,7 +234,7 @@ impl Scene {
             return Err(SceneError::TooManyObjects(self.objects.len() + 1));
         }
         self.objects.push(object);
-        self.look_at(self.objects.len() - 1);
+        self.focus_on(self.objects.len() - 1);
         Ok(())
     }
 
@@ -234,7 +242,7 @@ impl Scene {
     pub fn remove_object(&mut self, object_idx: usize) {
         if self.objects.len() > 1 && object_idx < self.objects.len() {
             self.objects.remove(object_idx);
-            self.look_at(self.focus.min(self.objects.len() - 1));
+            self.focus_on(self.focus.min(self.objects.len() - 1));
         }
     }
 
@@ -245,7 +253,7 @@ impl Scene {
     pub fn set_objects(&mut self, objects: Vec<Object>) -> Result<(), SceneError> {
         check(&objects)?;
         self.objects = objects;
-        self.look_at(0);
+        self.focus_on(0);
         Ok(())
     }
 }

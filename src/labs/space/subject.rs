@@ -20,32 +20,21 @@ pub enum Subject {
 
 impl Subject {
     pub const fn shows_objects(self) -> bool {
-        match self {
-            Self::Object | Self::Face | Self::Vertex | Self::Point | Self::Surfaces => true,
-            Self::Segment | Self::BoxedSegment | Self::Triangle => false,
-        }
+        !matches!(self, Self::Segment | Self::BoxedSegment | Self::Triangle)
     }
 
     pub const fn shows_camera(self) -> bool {
-        match self {
-            Self::Object
-            | Self::Face
-            | Self::Vertex
-            | Self::Point
-            | Self::Segment
-            | Self::Triangle
-            | Self::Surfaces => true,
-            Self::BoxedSegment => false,
-        }
+        !matches!(self, Self::BoxedSegment)
     }
 }
 
-/// What can be asked about besides objects: places in the world, all finite.
+/// What can be asked about besides objects: places in the world, in a scene all finite.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Places {
-    point: [f64; 3],
-    segment: [[f64; 3]; 2],
-    triangle: [[f64; 3]; 3],
+    pub point: [f64; 3],
+    /// Both ends, which may be one place.
+    pub segment: [[f64; 3]; 2],
+    pub triangle: [[f64; 3]; 3],
 }
 
 impl Default for Places {
@@ -60,44 +49,11 @@ impl Default for Places {
 }
 
 impl Places {
-    pub const fn point(&self) -> [f64; 3] {
-        self.point
-    }
-
-    /// Both ends of a segment, which may be one place.
-    pub const fn segment(&self) -> [[f64; 3]; 2] {
-        self.segment
-    }
-
-    pub const fn triangle(&self) -> [[f64; 3]; 3] {
-        self.triangle
-    }
-
-    /// The same with another point.
+    /// The same, if they are finite.
     ///
     /// # Errors
     /// [`SpaceError::NotFinite`]
-    pub fn with_point(self, point: [f64; 3]) -> Result<Self, SpaceError> {
-        Self { point, ..self }.checked()
-    }
-
-    /// The same with another segment.
-    ///
-    /// # Errors
-    /// [`SpaceError::NotFinite`]
-    pub fn with_segment(self, segment: [[f64; 3]; 2]) -> Result<Self, SpaceError> {
-        Self { segment, ..self }.checked()
-    }
-
-    /// The same with another triangle.
-    ///
-    /// # Errors
-    /// [`SpaceError::NotFinite`]
-    pub fn with_triangle(self, triangle: [[f64; 3]; 3]) -> Result<Self, SpaceError> {
-        Self { triangle, ..self }.checked()
-    }
-
-    fn checked(self) -> Result<Self, SpaceError> {
+    pub fn checked(self) -> Result<Self, SpaceError> {
         let places = [&self.point].into_iter();
         let places = places.chain(&self.segment).chain(&self.triangle);
         for (index, &value) in places.flatten().enumerate() {

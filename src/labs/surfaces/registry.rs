@@ -42,7 +42,14 @@ pub static SURFACES: SpaceLab = SpaceLab {
 pub static LAB: &Lab = &SURFACES.lab;
 
 const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
-    demo::told::<M>(&SURFACES)
+    demo::told::<M, M>(&SURFACES)
+}
+
+const fn wrong<M: SpaceTelling, Right>() -> MethodEntry<MethodInfo>
+where
+    Right: SpaceTelling<Input = M::Input, Event = M::Event>,
+{
+    demo::told::<M, Right>(&SURFACES)
 }
 
 pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
@@ -51,12 +58,12 @@ pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
     told::<Painter>(),
     told::<Bsp>(),
     told::<Occlusion>(),
-    told::<DepthBuffer<ClearsToNear>>(),
-    told::<DepthBuffer<TurnsComparison>>(),
-    told::<DepthBuffer<WritesAlways>>(),
-    told::<DepthBuffer<StraightDistance>>(),
-    told::<Painter<NearestKeys>>(),
-    told::<Painter<KeysOnly>>(),
+    wrong::<DepthBuffer<ClearsToNear>, DepthBuffer>(),
+    wrong::<DepthBuffer<TurnsComparison>, DepthBuffer>(),
+    wrong::<DepthBuffer<WritesAlways>, DepthBuffer>(),
+    wrong::<DepthBuffer<StraightDistance>, DepthBuffer>(),
+    wrong::<Painter<NearestKeys>, Painter>(),
+    wrong::<Painter<KeysOnly>, Painter>(),
 ];
 
 /// What the lab opens on where there is no lesson: two triangles, one through the other.

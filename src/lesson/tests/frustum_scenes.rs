@@ -10,7 +10,9 @@ use crate::{
     labs::{
         self,
         frustum::{FRUSTUM, LAB},
-        space::{Method, Model, NamedMesh, Object, Opening, Picture, Scene, TaughtCamera},
+        space::{
+            Method, Model, NamedMesh, Object, Opening, Part, Picture, Places, Scene, TaughtCamera,
+        },
     },
 };
 
@@ -53,7 +55,7 @@ fn every_field_is_read() {
     assert_eq!((camera.aspect(), camera.depths()), (1.6, [1.0, 12.0]));
     let eye = Orbit::new([0.0, 1.0, 0.0], [-58.0, 24.0], 26.0, 26.0);
     assert_eq!(scene.eye, eye);
-    assert_eq!(scene.places.point(), [0.5, 1.0, -2.0]);
+    assert_eq!(scene.places().point, [0.5, 1.0, -2.0]);
     assert_eq!((scene.focus(), scene.face()), (1, 2));
     let [cube, wedge, cow] = scene.objects() else {
         panic!("three objects");
@@ -183,7 +185,7 @@ fn a_mesh_comes_back_however_large_with_its_picture() {
         let model = named("grid", grid(n), picture);
         let object = Object::new(model, [1.0, 2.0, 3.0], [0.0; 3], 0.5);
         scene.set_object(1, object.expect("finite"));
-        scene.set_face(100).expect("it has as many");
+        scene.look_at(Part::Face, 100).expect("it has as many");
         // An OBJ file numbers vertices as faces name them: a mesh that came from one keeps even that.
         let again = read(&written(&scene)).expect("as it was written");
         assert_eq!(read(&written(&again)).as_ref(), Ok(&again));
@@ -270,13 +272,13 @@ prop_compose! {
         let mut scene = Scene::new(method, camera, eye, objects).ok()?;
         scene.beside = [compare].into_iter().filter(|&it| it != method).collect();
         let [a, b, _] = corners;
-        scene.places = scene.places.with_point(point).ok()?.with_segment([b, a]).ok()?.with_triangle(corners).ok()?;
+        scene.set_places(Places { point, segment: [b, a], triangle: corners }).ok()?;
         scene.frozen = if is_frozen { Some(camera.placed([target, position, up]).ok()?) } else { None };
-        scene.set_focus(picks[0].index(scene.objects().len())).ok()?;
+        scene.look_at(Part::Object, picks[0].index(scene.objects().len())).ok()?;
         let n_faces = scene.focused().model().mesh().faces().len();
-        scene.set_face(picks[1].index(n_faces)).ok()?;
+        scene.look_at(Part::Face, picks[1].index(n_faces)).ok()?;
         let n_vertices = scene.focused().model().mesh().positions().len();
-        scene.set_vertex(picks[2].index(n_vertices)).ok()?;
+        scene.look_at(Part::Vertex, picks[2].index(n_vertices)).ok()?;
         Some(scene)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     geom::Solid,
-    labs::space::{MAX_OBJECTS, Model, Object, Scene, SpaceChange},
+    labs::space::{MAX_OBJECTS, Model, Object, Part, Scene, SpaceChange},
     lesson::spot,
     panels::prelude::*,
 };
@@ -54,24 +54,25 @@ const fn solid_key(solid: Solid) -> &'static str {
 
 /// Which object is looked at, which face of it and which vertex: people count from 1.
 fn focus(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-    let mesh = scene.focused().model().mesh();
-    let (n_faces, n_vertices) = (mesh.faces().len(), mesh.positions().len());
-    let mut number = |key, index: usize, count: usize| {
+    let mut number = |key, part, index: usize, id| {
         let mut number = index + 1;
         ui.horizontal(|ui| {
             let label = ui.label(look.say(key));
+            let count = scene.count(part);
             let field = DragValue::new(&mut number).range(1..=count).speed(0.1);
             ui.add(field).labelled_by(label.id);
         });
-        (number != index + 1).then(|| number - 1)
+        (number != index + 1).then(|| tuned(SpaceChange::LookAt(part, number - 1), id))
     };
-    let object = number("object-focus", scene.focus(), scene.objects().len());
-    let face = number("object-face", scene.face(), n_faces);
-    let vertex = number("object-vertex", scene.vertex(), n_vertices);
-    let object = object.map(|idx| tuned(SpaceChange::Focus(idx), FIRST_NUMBER));
-    object
-        .or(face.map(|idx| tuned(SpaceChange::Face(idx), FIRST_NUMBER + 1)))
-        .or(vertex.map(|idx| tuned(SpaceChange::Vertex(idx), FIRST_NUMBER + 6)))
+    let object = number("object-focus", Part::Object, scene.focus(), FIRST_NUMBER);
+    let face = number("object-face", Part::Face, scene.face(), FIRST_NUMBER + 1);
+    let vertex = number(
+        "object-vertex",
+        Part::Vertex,
+        scene.vertex(),
+        FIRST_NUMBER + 6,
+    );
+    object.or(face).or(vertex)
 }
 
 fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {

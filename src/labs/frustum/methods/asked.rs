@@ -1,13 +1,6 @@
 //! What all methods tell that ask planes: how a plane is called and measured, and what each says of a point, a sphere or a box.
 
-use glam::DVec3;
-
-use crate::{
-    algo::cull::Containment::{self, Inside, Outside, Straddles},
-    figure::{Gauge, Gauges},
-    geom::{Camera, Plane, VolumeSide},
-    labs::{frustum::prelude::*, plane_symbol},
-};
+use crate::labs::{frustum::prelude::*, plane_symbol};
 
 /// A plane's name: its side's in a scene, a symbol where a case gives planes alone.
 pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {

@@ -1,17 +1,10 @@
 //! Does a face show its front to the camera? Shown.
 
 use crate::{
-    algo::{
-        cull::{
-            BackFace, BackFaceEvent as Event, BackFaceInput, BackFaceOutput, Viewer, asked_viewer,
-        },
-        ring::Right,
-    },
-    figure::{Gauge, Gauges},
-    geom::Camera,
+    algo::cull::{BackFaceEvent as Event, BackFaceOutput, Viewer},
     labs::frustum::prelude::*,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::asked::place;
 

@@ -1,11 +1,7 @@
 //! A bounding box against the planes of the view volume, and what they cannot tell, shown.
 
 use crate::{
-    algo::cull::{
-        BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput,
-        Containment::{Inside, Outside, Straddles},
-    },
-    geom::VolumeSide,
+    algo::cull::{BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput},
     labs::frustum::prelude::*,
 };
 

@@ -1,14 +1,9 @@
 //! Cohen–Sutherland in space, shown.
 
 use crate::{
-    algo::{
-        parameter::End,
-        volume::{
-            CohenSutherland3d, CohenSutherland3dEvent as Event, CohenSutherland3dInput as Input,
-            SideCode,
-        },
+    algo::volume::{
+        CohenSutherland3d, CohenSutherland3dEvent as Event, CohenSutherland3dInput as Input,
     },
-    geom::{AlignedBox, VolumeSide},
     labs::{
         crossing_formulas::upright_in_space,
         frustum::prelude::*,
@@ -25,9 +20,8 @@ use super::{
         stage::{cube_view, face_at_work},
     },
     line::{
-        face_equation,
+        SpaceLine, face_equation,
         marks::{segment_marks, shadow},
-        unit_box,
     },
 };
 
@@ -43,10 +37,7 @@ impl SpaceTelling for CohenSutherland3d {
     const SUBJECT: Subject = Subject::BoxedSegment;
 
     fn input(scene: &Scene) -> Input {
-        Input {
-            bounds: unit_box(),
-            ends: scene.places.segment(),
-        }
+        AlignedBox::input(scene)
     }
 
     fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {

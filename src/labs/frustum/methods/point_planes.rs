@@ -2,13 +2,10 @@
 
 use crate::{
     algo::{
-        cull::{
-            Containment, PointPlanes, PointPlanesEvent as Event, PointPlanesInput,
-            PointPlanesOutput,
-        },
+        cull::{PointPlanes, PointPlanesEvent as Event, PointPlanesInput, PointPlanesOutput},
         volume::PlaneSide::{self, Inside, On, Outside},
     },
-    geom::{VolumeSide, planes_from_matrix},
+    geom::planes_from_matrix,
     labs::{frustum::prelude::*, words},
 };
 
@@ -24,7 +21,7 @@ impl SpaceTelling for PointPlanes {
     fn input(scene: &Scene) -> PointPlanesInput {
         PointPlanesInput {
             planes: scene.culler().planes_in_world().to_vec(),
-            point: scene.places.point(),
+            point: scene.places().point,
         }
     }
 }

@@ -1,19 +1,13 @@
 //! A bounding sphere against the planes of the view volume, shown.
 
 use crate::{
-    algo::{
-        cull::{
-            Containment::{self, Inside, Outside, Straddles},
-            CullRules, SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
-            sphere_side,
-        },
-        ring::Right,
+    algo::cull::{
+        CullRules, SphereCull, SphereCullEvent as Event, SphereCullInput, SphereCullOutput,
+        sphere_side,
     },
-    figure::Gauges,
-    geom::{Camera, Sphere},
+    geom::Sphere,
     labs::frustum::prelude::*,
 };
-use glam::DVec3;
 
 use super::asked::{Asked, both, distance_formula, place, says};
 

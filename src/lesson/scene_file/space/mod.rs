@@ -9,7 +9,7 @@ use crate::{
     geom::Solid,
     input::{CAMERA_IN_FILE, FROZEN},
     labs::space::{
-        MAX_OBJECTS, Method, Model, Object, Places, RasterPlan, Scene, SceneError, SpaceLab,
+        MAX_OBJECTS, Method, Model, Object, Part, Places, RasterPlan, Scene, SceneError, SpaceLab,
         TaughtCamera, street,
     },
 };
@@ -68,15 +68,17 @@ pub(super) fn scene(
     let refuse = |error| fields.sink.error(fields.span.clone(), error, []);
     let mut scene = scene.map_err(refuse).ok()?;
     (scene.beside, scene.frozen) = (beside?, frozen);
-    (scene.places, scene.raster) = (places?, raster?);
-    if let Some((node, index)) = focus {
-        node.accept(scene.set_focus(index));
-    }
-    if let Some((node, index)) = face {
-        node.accept(scene.set_face(index));
-    }
-    if let Some((node, index)) = vertex {
-        node.accept(scene.set_vertex(index));
+    scene.raster = raster?;
+    scene.set_places(places?).ok()?;
+    let parts = [
+        (Part::Object, focus),
+        (Part::Face, face),
+        (Part::Vertex, vertex),
+    ];
+    for (part, index) in parts {
+        if let Some((node, index)) = index {
+            node.accept(scene.look_at(part, index));
+        }
     }
     (fields.sink.n_errors() == n_errors).then(|| scene.into())
 }
@@ -89,15 +91,15 @@ fn places(fields: &TomlFields<'_>) -> Option<Places> {
     let mut places = Places::default();
     if let Some(node) = fields.get("point") {
         let point = node.got(&Shape::PLACE, "expect-place")?.array();
-        places = node.accept(places.with_point(point))?;
+        places = node.accept(Places { point, ..places }.checked())?;
     }
     if let Some(node) = fields.get("segment") {
         let segment = node.got(&SEGMENT, "expect-space-segment")?.matrix();
-        places = node.accept(places.with_segment(segment))?;
+        places = node.accept(Places { segment, ..places }.checked())?;
     }
     if let Some(node) = fields.get("triangle") {
         let triangle = node.got(&TRIANGLE, "expect-space-triangle")?.matrix();
-        places = node.accept(places.with_triangle(triangle))?;
+        places = node.accept(Places { triangle, ..places }.checked())?;
     }
     Some(places)
 }
@@ -172,12 +174,12 @@ fn to_toml(scene: &Scene) -> String {
         [one] => Some(one.clone()),
         several => Some(list(several, usize::MAX)),
     };
-    let (places, usual) = (&scene.places, Places::default());
-    let point = (places.point() != usual.point()).then(|| array(&places.point()));
-    let is_usual = places.segment() == usual.segment();
-    let segment = (!is_usual).then(|| list(&rows(places.segment()), 2));
-    let is_usual = places.triangle() == usual.triangle();
-    let triangle = (!is_usual).then(|| list(&rows(places.triangle()), 3));
+    let (places, usual) = (scene.places(), Places::default());
+    let point = (places.point != usual.point).then(|| array(&places.point));
+    let moved = places.segment != usual.segment;
+    let segment = moved.then(|| list(&rows(places.segment), 2));
+    let moved = places.triangle != usual.triangle;
+    let triangle = moved.then(|| list(&rows(places.triangle), 3));
     let objects: Vec<String> = scene.objects().iter().map(object_to_toml).collect();
     lines([
         ("method", Some(quoted(scene.method.card().id))),

@@ -2,8 +2,6 @@
 
 mod picture;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::pipeline::{DrawnSegment, LineToPixels, LineToPixelsEvent as Event, LineToPixelsInput},
     labs::frustum::prelude::*,
@@ -32,7 +30,7 @@ impl SpaceTelling for LineToPixels {
         let aspect = scene.camera.aspect();
         let rows = ROWS_OF_PIXELS.min(MOST_COLUMNS / aspect).max(1.0) as u32;
         LineToPixelsInput::Segment(DrawnSegment {
-            ends: scene.places.segment(),
+            ends: scene.places().segment,
             camera: *scene.camera.camera(),
             viewport: screen(aspect, rows),
         })

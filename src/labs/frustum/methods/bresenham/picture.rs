@@ -1,14 +1,7 @@
 //! What a run has worked out at a step: the segment in the view volume, and the pixels of the screen.
 
-use glam::DVec3;
-
 use crate::{
-    algo::{
-        parameter::End,
-        pipeline::{BresenhamInput, DrawnSegment, LineToPixelsEvent as Event, LineToPixelsInput},
-    },
-    figure::{Pixel, Raster, RasterMark, RasterShape},
-    geom::Sight,
+    algo::pipeline::{BresenhamInput, DrawnSegment, LineToPixelsEvent as Event, LineToPixelsInput},
     labs::frustum::prelude::*,
 };
 

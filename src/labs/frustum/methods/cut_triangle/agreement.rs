@@ -1,12 +1,6 @@
 //! World planes beside clip space on one triangle: what each finds, and whether both leave the same.
 
-use crate::{
-    algo::{
-        ring::Right,
-        volume::{HomogeneousTriangle, IntersectionPolygon},
-    },
-    labs::frustum::prelude::*,
-};
+use crate::labs::frustum::prelude::*;
 
 use super::{
     LISTS_VIEW,

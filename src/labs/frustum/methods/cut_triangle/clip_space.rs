@@ -1,10 +1,6 @@
 //! A triangle in clip space as the lab clips it, and how its points and bounds are written.
 
-use crate::{
-    algo::volume::{ClipVertex, HomogeneousTriangleEvent},
-    geom::{Camera, Sight, VolumeSide},
-    labs::frustum::prelude::*,
-};
+use crate::{algo::volume::HomogeneousTriangleEvent, labs::frustum::prelude::*};
 
 use super::variant::UV;
 
@@ -27,7 +23,7 @@ pub fn bound_symbol(side: VolumeSide) -> String {
 
 pub fn triangle(scene: &Scene) -> [Vertex; 3] {
     let clip_from_world = scene.culler().clip_from_world();
-    let corners = scene.places.triangle();
+    let corners = scene.places().triangle;
     std::array::from_fn(|i| {
         let [x, y, z] = corners[i];
         ClipVertex {
@@ -39,7 +35,7 @@ pub fn triangle(scene: &Scene) -> [Vertex; 3] {
 
 /// Where in the world a vertex is, by its share of the triangle's corners.
 pub fn in_world(v: &Vertex, scene: &Scene) -> [f64; 3] {
-    let [a, b, c] = scene.places.triangle();
+    let [a, b, c] = scene.places().triangle;
     let [s, t] = v.attributes.unwrap_or_default();
     std::array::from_fn(|i| a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i]))
 }

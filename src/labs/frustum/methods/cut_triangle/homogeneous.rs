@@ -1,17 +1,11 @@
 //! A triangle before the divide, shown.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::{
-        ring::{Crossing, EdgeTest, Known},
-        volume::{ClipPolygon, HomogeneousTriangle, SideCode},
+        ring::{EdgeTest, Known},
+        volume::ClipPolygon,
     },
-    geom::VolumeSide,
-    labs::{
-        frustum::prelude::*,
-        rings::{RingStep, asked_vertex},
-    },
+    labs::frustum::prelude::*,
 };
 
 use super::{
@@ -50,13 +44,6 @@ impl<L: Variant<Homogeneous>> SpaceTelling for Shown<L> {
         let recording = Recording::<Self>::new(Self::input(scene));
         let parts = in_clip_space(*recording.input(), recording.events());
         parts.verdict(scene, about, |v| in_world(v, scene), run)
-    }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let input = Self::input(scene);
-        let run =
-            Recorded::<Self>::beside::<HomogeneousTriangle<Uv>>(input, Some(scenery_of(scene)));
-        Box::new(run)
     }
 }
 

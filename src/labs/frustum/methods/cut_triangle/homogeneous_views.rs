@@ -1,13 +1,8 @@
 //! Codes, lists and pictures of a triangle before the divide.
 
 use crate::{
-    algo::{
-        ring::Crossing,
-        volume::{SideCode, side_distances},
-    },
-    figure::{BitRow, Bits, ListColumn, ListRow, Lists},
-    geom::VolumeSide,
-    labs::{frustum::prelude::*, rings::RingStep},
+    figure::{BitRow, Bits},
+    labs::frustum::prelude::*,
 };
 
 use super::{
@@ -167,7 +162,7 @@ fn place_of<L: Variant<Homogeneous>>(
 }
 
 pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
-    let corners = scenery.scene().places.triangle();
+    let corners = scenery.scene().places().triangle;
     let mut marks = given(&corners);
     if let Some(side) = now.side {
         marks.extend(plane_mark(scenery, side as usize));
@@ -201,7 +196,7 @@ pub fn camera_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scener
     if !L::DIVIDES_FIRST {
         return area(list, now.role());
     }
-    let corners = scenery.scene().places.triangle().to_vec();
+    let corners = scenery.scene().places().triangle.to_vec();
     let mut marks = area(list, Role::Signal);
     marks.push(Mark3::new(Role::Accent, Shape3::Outline(corners)));
     marks

@@ -1,9 +1,9 @@
 //! The list in, with every distance from the plane at work, and the list out.
 
 use crate::{
-    algo::volume::{IntersectionPolygonEvent as Event, SpaceVertex, TrianglePlanes},
-    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists},
-    labs::{frustum::prelude::*, rings::RingStep},
+    algo::volume::IntersectionPolygonEvent as Event,
+    figure::{ItemMarker, ListLink},
+    labs::frustum::prelude::*,
 };
 
 use super::{

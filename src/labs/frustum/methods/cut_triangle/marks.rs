@@ -1,10 +1,6 @@
 //! A triangle and what is left of it in the observer's view, and what its vertices, cuts and pieces are called.
 
-use crate::{
-    algo::volume::{SpaceVertex, clipped},
-    geom::{Plane, VolumeSide},
-    labs::frustum::prelude::*,
-};
+use crate::{algo::volume::clipped, labs::frustum::prelude::*};
 
 use super::super::asked::{distance_formula, perpendicular, place, plane_link, plane_name};
 

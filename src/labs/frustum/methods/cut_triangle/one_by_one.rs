@@ -1,15 +1,7 @@
 //! A triangle against planes, triangle by triangle, shown.
 
 use crate::{
-    algo::{
-        ring::Right,
-        volume::{
-            IntersectionPolygon, PlaneAtATime, PlaneAtATimeEvent as Event, SpaceVertex,
-            TrianglePlanes,
-        },
-    },
-    figure::Tick::Cut as Cuts,
-    labs::frustum::prelude::*,
+    algo::volume::PlaneAtATimeEvent as Event, figure::Tick::Cut as Cuts, labs::frustum::prelude::*,
 };
 
 use super::{
@@ -42,12 +34,6 @@ impl<L: Variant<OneByOne>> SpaceTelling for Shown<L> {
         let recording = Recording::<Self>::new(Self::input(scene));
         let parts = of_triangles(recording.input().triangle, recording.events());
         parts.verdict(scene, about, |v| v.at, run)
-    }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let input = Self::input(scene);
-        let run = Recorded::<Self>::beside::<PlaneAtATime>(input, Some(scenery_of(scene)));
-        Box::new(run)
     }
 }
 

@@ -1,19 +1,14 @@
 //! A triangle against planes as one polygon, shown.
 
-use serde_json::{Value as Json, json};
-
 use crate::{
     algo::{
-        ring::{Crossing, EdgeTest, Known, Right, Rule},
-        volume::{
-            CutTriangles, IntersectionPolygon, IntersectionPolygonEvent as Event, PlaneAtATime,
-            SpaceVertex, TrianglePlanes,
-        },
+        ring::{EdgeTest, Known, Rule},
+        volume::{CutTriangles, IntersectionPolygonEvent as Event},
     },
     figure::Tick::Cut as Cuts,
     labs::{
         frustum::prelude::*,
-        rings::{RingStep, asked_vertex, is_crossed, rules},
+        rings::{is_crossed, rules},
     },
 };
 
@@ -54,12 +49,6 @@ impl<L: Variant<OnePolygon>> SpaceTelling for Shown<L> {
         let recording = Recording::<Self>::new(Self::input(scene));
         let parts = of_polygon(recording.input().triangle, recording.events());
         parts.verdict(scene, about, |v| v.at, run)
-    }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let input = Self::input(scene);
-        let run = Recorded::<Self>::beside::<IntersectionPolygon>(input, Some(scenery_of(scene)));
-        Box::new(run)
     }
 }
 

@@ -1,19 +1,6 @@
 //! The drawing of a triangle that is cut as one polygon, with a checkered texture where it has one.
 
-use crate::{
-    algo::{
-        ring::Right,
-        volume::{
-            ClipVertex, HomogeneousTriangle, IntersectionPolygon,
-            IntersectionPolygonEvent as Event, SpaceVertex,
-        },
-    },
-    geom::{Camera, Plane},
-    labs::{
-        frustum::prelude::*,
-        rings::{RingStep, asked_vertex},
-    },
-};
+use crate::{algo::volume::IntersectionPolygonEvent as Event, labs::frustum::prelude::*};
 
 use super::{
     clip_space::on_screen,

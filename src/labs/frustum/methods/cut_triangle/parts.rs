@@ -3,10 +3,9 @@
 
 use crate::{
     algo::{
-        ring::{Crossing, Happening, RingEvent},
+        ring::{Happening, RingEvent},
         volume::{
-            HomogeneousTriangleEvent, IntersectionPolygonEvent, PlaneAtATimeEvent, SpaceVertex,
-            signed_distance,
+            HomogeneousTriangleEvent, IntersectionPolygonEvent, PlaneAtATimeEvent, signed_distance,
         },
     },
     labs::frustum::prelude::*,
@@ -132,7 +131,7 @@ impl<V: Copy + PartialEq> Parts<V> {
         run: &dyn Run,
     ) -> Option<Verdict> {
         let (subject, run) = (Subject::Triangle, (scene, run));
-        let places = scene.places.triangle();
+        let places = scene.places().triangle;
         if let Some(i) = (0..3).find(|&i| about == corner_link(i)) {
             let part = Message::new("part-corner").with("vertex", name(vertex_symbol(i)));
             let fate = self.corner_fate(self.corners[i])?;

@@ -3,11 +3,8 @@
 use std::ops::Range;
 
 use crate::{
-    algo::{
-        ring::Crossing,
-        volume::{PlaneAtATime, PlaneAtATimeEvent as Event, SpaceVertex, VolumeRules},
-    },
-    figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists},
+    algo::volume::PlaneAtATimeEvent as Event,
+    figure::{ItemMarker, ListLink},
     labs::frustum::prelude::*,
 };
 

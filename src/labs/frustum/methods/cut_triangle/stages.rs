@@ -1,18 +1,12 @@
 //! What both methods hold after each plane, which the small drawings and the totals show of the whole run at every step.
 
-use glam::DVec3;
 use std::convert::Infallible;
 
 use crate::{
-    algo::{
-        ring::Crossing,
-        volume::{
-            IntersectionPolygon, IntersectionPolygonEvent, IntersectionPolygonHeld, PlaneAtATime,
-            PlaneAtATimeEvent, PlaneAtATimeHeld, SpaceVertex, TrianglePlanes, VolumeRules,
-        },
+    algo::volume::{
+        IntersectionPolygonEvent, IntersectionPolygonHeld, PlaneAtATimeEvent, PlaneAtATimeHeld,
     },
     figure::{Multiples, SmallDrawing, Weight},
-    geom::Plane,
     labs::frustum::prelude::*,
     trace::{Listening, Method, Told},
 };

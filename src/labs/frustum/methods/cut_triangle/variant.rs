@@ -3,12 +3,9 @@
 
 use crate::{
     algo::{
-        ring::{Right, Rules},
-        volume::{
-            SpaceVertex, TrianglePlanes, VolumeRules,
-            faulty::{
-                AllSides, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture, MissesEdge,
-            },
+        ring::Rules,
+        volume::faulty::{
+            AllSides, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture, MissesEdge,
         },
     },
     labs::frustum::prelude::*,
@@ -144,7 +141,7 @@ impl Variant<OnePolygon> for EvenOnScreen {
 pub const UV: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
 pub fn input(scene: &Scene, is_textured: bool) -> TrianglePlanes {
-    let corners = scene.places.triangle();
+    let corners = scene.places().triangle;
     TrianglePlanes {
         planes: scene.culler().planes_in_world().to_vec(),
         triangle: std::array::from_fn(|i| SpaceVertex {
@@ -152,34 +149,6 @@ pub fn input(scene: &Scene, is_textured: bool) -> TrianglePlanes {
             uv: is_textured.then_some(UV[i]),
         }),
     }
-}
-
-impl Variant<OneByOne> for MissesEdge {
-    const ID: &'static str = "faulty-missed-edge";
-    const NAME_KEY: &'static str = "alg-faulty-missed-edge";
-    const CODE: &'static [CodeLine] = &but_for(
-        ONE_BY_ONE,
-        [(
-            one_by_one::ONE,
-            "code-faulty-missed-edge",
-            "words-faulty-missed-edge",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-missed-edge-differs");
-}
-
-impl Variant<OnePolygon> for DropsOnPlane {
-    const ID: &'static str = "faulty-on-plane";
-    const NAME_KEY: &'static str = "alg-faulty-on-plane";
-    const CODE: &'static [CodeLine] = &but_for(
-        ONE_POLYGON,
-        [(
-            polygon::INSIDE,
-            "code-faulty-on-plane",
-            "words-faulty-on-plane",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-on-plane-differs");
 }
 
 impl Variant<OnePolygon> for KeepsPlaceInTexture {
@@ -197,44 +166,32 @@ impl Variant<OnePolygon> for KeepsPlaceInTexture {
     const IS_TEXTURED: bool = true;
 }
 
-impl Variant<OnePolygon> for EdgeByEdge {
-    const ID: &'static str = "faulty-edge-by-edge";
-    const NAME_KEY: &'static str = "alg-faulty-edge-by-edge";
-    const CODE: &'static [CodeLine] = &but_for(
-        ONE_POLYGON,
-        [(
-            polygon::EACH,
-            "code-faulty-edge-by-edge",
-            "words-faulty-edge-by-edge",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-edge-by-edge-differs");
+mistakes! { Variant<OneByOne>:
+    MissesEdge {
+        "faulty-missed-edge", "alg-faulty-missed-edge", "faulty-missed-edge-differs";
+        CODE = ONE_BY_ONE but one_by_one::ONE: "code-faulty-missed-edge" "words-faulty-missed-edge";
+    }
 }
 
-impl Variant<Homogeneous> for AllSides {
-    const ID: &'static str = "faulty-all-sides";
-    const NAME_KEY: &'static str = "alg-faulty-all-sides";
-    const CODE: &'static [CodeLine] = &but_for(
-        HOMOGENEOUS,
-        [(
-            homogeneous::EACH,
-            "code-faulty-all-sides",
-            "words-faulty-all-sides",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-all-sides-differs");
+mistakes! { Variant<OnePolygon>:
+    DropsOnPlane {
+        "faulty-on-plane", "alg-faulty-on-plane", "faulty-on-plane-differs";
+        CODE = ONE_POLYGON but polygon::INSIDE: "code-faulty-on-plane" "words-faulty-on-plane";
+    }
+    EdgeByEdge {
+        "faulty-edge-by-edge", "alg-faulty-edge-by-edge", "faulty-edge-by-edge-differs";
+        CODE = ONE_POLYGON but polygon::EACH: "code-faulty-edge-by-edge" "words-faulty-edge-by-edge";
+    }
 }
 
-impl Variant<Homogeneous> for DividesFirst {
-    const ID: &'static str = "faulty-divided-triangle";
-    const NAME_KEY: &'static str = "alg-faulty-divided-triangle";
-    const CODE: &'static [CodeLine] = &but_for(
-        HOMOGENEOUS,
-        [(
-            homogeneous::CODES,
-            "code-faulty-divided-triangle",
-            "words-faulty-divided-triangle",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-divided-triangle-differs");
+mistakes! { Variant<Homogeneous>:
+    AllSides {
+        "faulty-all-sides", "alg-faulty-all-sides", "faulty-all-sides-differs";
+        CODE = HOMOGENEOUS but homogeneous::EACH: "code-faulty-all-sides" "words-faulty-all-sides";
+    }
+    DividesFirst {
+        "faulty-divided-triangle", "alg-faulty-divided-triangle", "faulty-divided-triangle-differs";
+        CODE = HOMOGENEOUS but
+            homogeneous::CODES: "code-faulty-divided-triangle" "words-faulty-divided-triangle";
+    }
 }

@@ -1,10 +1,7 @@
 //! The funnel's two views: each object by its fate, and each of its triangles.
 
 use crate::{
-    algo::cull::{
-        BackFace, BackFaceInput, Containment, Funnel, FunnelEvent as Event, FunnelObject,
-        TriangleFate, asked_camera, asked_viewer,
-    },
+    algo::cull::{Funnel, FunnelEvent as Event, FunnelObject, TriangleFate, asked_camera},
     labs::frustum::prelude::*,
 };
 

@@ -5,16 +5,10 @@ mod ribbon;
 mod variant;
 
 use crate::{
-    algo::{
-        cull::{
-            Containment::{self, Inside, Outside, Straddles},
-            Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels, FunnelObject, TriangleFate,
-            asked_camera, asked_sphere,
-        },
-        ring::Right,
-        volume::SideCode,
+    algo::cull::{
+        Funnel, FunnelEvent as Event, FunnelInput, FunnelLevels, FunnelObject, TriangleFate,
+        asked_camera, asked_sphere,
     },
-    geom::VolumeSide,
     labs::frustum::prelude::*,
 };
 
@@ -39,11 +33,6 @@ impl<L: Variant> SpaceTelling for Funnel<L> {
             objects: scene.objects().iter().map(Object::in_funnel).collect(),
         }
     }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
-        Box::new(Recorded::<Self>::beside::<Funnel<Right>>(input, scenery))
-    }
 }
 
 /// A triangle that the clipper takes over. What all corners lie beyond would decide; here it is nothing.
@@ -58,7 +47,7 @@ impl<L: Variant> Telling for Funnel<L> {
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = "Clark, 1976";
-    const CODE: &'static [CodeLine] = &L::CODE;
+    const CODE: &'static [CodeLine] = L::CODE;
     const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["watch-object", "c", "r", "n", "D", "watch-class"]),

@@ -1,7 +1,7 @@
 //! How much is left after each test.
 
 use crate::{
-    algo::cull::{Containment, Funnel, FunnelEvent as Event, FunnelLevels, Level},
+    algo::cull::{Funnel, FunnelEvent as Event, FunnelLevels, Level},
     figure::{Ribbon, RibbonStage},
     labs::frustum::prelude::*,
 };

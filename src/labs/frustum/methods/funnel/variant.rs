@@ -1,14 +1,11 @@
 //! The funnel by one set of rules, the right ones or those of [`crate::algo::cull::faulty`]: how it is called, and its pseudocode.
 
 use crate::{
-    algo::{
-        cull::{
-            CullRules,
-            faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
-        },
-        ring::Right,
+    algo::cull::{
+        CullRules,
+        faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
     },
-    labs::{but_for, frustum::prelude::*},
+    labs::frustum::prelude::*,
 };
 
 pub const EACH: usize = 0;
@@ -20,9 +17,7 @@ pub const TRIANGLE: usize = 5;
 pub const FACE: usize = 6;
 pub const DRAW: usize = 7;
 
-pub type Pseudocode = [CodeLine; DRAW + 1];
-
-pub const CODE: Pseudocode = [
+const RIGHT: [CodeLine; DRAW + 1] = [
     code_line(0, "code-funnel-each", "words-funnel-each"),
     code_line(1, "code-funnel-sphere", "words-funnel-sphere"),
     code_line(1, "code-funnel-plane", "words-funnel-plane"),
@@ -37,8 +32,7 @@ pub const CODE: Pseudocode = [
 pub trait Variant: CullRules {
     const ID: &'static str;
     const NAME_KEY: &'static str;
-    /// The right pseudocode, but for the line with the mistake.
-    const CODE: Pseudocode = CODE;
+    const CODE: &'static [CodeLine];
     /// Of a mistake: what is said at the first step that the right rules do not do.
     const DIFFERS_KEY: Option<&'static str> = None;
 }
@@ -46,62 +40,28 @@ pub trait Variant: CullRules {
 impl Variant for Right {
     const ID: &'static str = "funnel";
     const NAME_KEY: &'static str = "alg-funnel";
+    const CODE: &'static [CodeLine] = &RIGHT;
 }
 
-impl Variant for OneAngle {
-    const ID: &'static str = "faulty-one-angle";
-    const NAME_KEY: &'static str = "alg-faulty-one-angle";
-    const CODE: Pseudocode = but_for(
-        CODE,
-        [(PLANE, "code-faulty-one-angle", "words-faulty-one-angle")],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-one-angle-differs");
-}
-
-impl Variant for TurnsSign {
-    const ID: &'static str = "faulty-turned-sign";
-    const NAME_KEY: &'static str = "alg-faulty-turned-sign";
-    const CODE: Pseudocode = but_for(
-        CODE,
-        [(CULL, "code-faulty-turned-sign", "words-faulty-turned-sign")],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-turned-sign-differs");
-}
-
-impl Variant for AroundOrigin {
-    const ID: &'static str = "faulty-around-origin";
-    const NAME_KEY: &'static str = "alg-faulty-around-origin";
-    const CODE: Pseudocode = but_for(
-        CODE,
-        [(
-            SPHERE,
-            "code-faulty-around-origin",
-            "words-faulty-around-origin",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-around-origin-differs");
-}
-
-impl Variant for Clockwise {
-    const ID: &'static str = "faulty-winding";
-    const NAME_KEY: &'static str = "alg-faulty-winding";
-    const CODE: Pseudocode = but_for(
-        CODE,
-        [(FACE, "code-faulty-winding", "words-faulty-winding")],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-winding-differs");
-}
-
-impl Variant for ConstantView {
-    const ID: &'static str = "faulty-constant-view";
-    const NAME_KEY: &'static str = "alg-faulty-constant-view";
-    const CODE: Pseudocode = but_for(
-        CODE,
-        [(
-            FACE,
-            "code-faulty-constant-view",
-            "words-faulty-constant-view",
-        )],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-constant-view-differs");
+mistakes! { Variant:
+    OneAngle {
+        "faulty-one-angle", "alg-faulty-one-angle", "faulty-one-angle-differs";
+        CODE = RIGHT but PLANE: "code-faulty-one-angle" "words-faulty-one-angle";
+    }
+    TurnsSign {
+        "faulty-turned-sign", "alg-faulty-turned-sign", "faulty-turned-sign-differs";
+        CODE = RIGHT but CULL: "code-faulty-turned-sign" "words-faulty-turned-sign";
+    }
+    AroundOrigin {
+        "faulty-around-origin", "alg-faulty-around-origin", "faulty-around-origin-differs";
+        CODE = RIGHT but SPHERE: "code-faulty-around-origin" "words-faulty-around-origin";
+    }
+    Clockwise {
+        "faulty-winding", "alg-faulty-winding", "faulty-winding-differs";
+        CODE = RIGHT but FACE: "code-faulty-winding" "words-faulty-winding";
+    }
+    ConstantView {
+        "faulty-constant-view", "alg-faulty-constant-view", "faulty-constant-view-differs";
+        CODE = RIGHT but FACE: "code-faulty-constant-view" "words-faulty-constant-view";
+    }
 }

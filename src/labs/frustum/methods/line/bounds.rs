@@ -2,15 +2,14 @@
 
 use crate::{
     algo::{
-        parameter::End,
         segment::Given,
-        volume::{ClipSpace, LineInput, plane_distances, side_distances},
+        volume::{LineInput, plane_distances},
     },
-    geom::{AlignedBox, Plane, VolumeSide, planes_from_matrix},
+    geom::planes_from_matrix,
     labs::{
         crossing_formulas::upright_in_space,
         frustum::prelude::*,
-        segments::{LineKeys, LineLook, LineStep, SeenRow},
+        segments::{LineKeys, SeenRow},
     },
 };
 
@@ -25,10 +24,6 @@ use super::{
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const SUBSCRIPTS: [&str; 2] = ["₁", "₂"];
-
-pub fn unit_box() -> AlignedBox {
-    AlignedBox::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]).expect("ordered")
-}
 
 pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
     let formula = sym(AXES[side.axis()]).sym(" = ");
@@ -58,8 +53,8 @@ impl SpaceLine<3> for AlignedBox {
 
     fn input(scene: &Scene) -> LineInput<3, Self> {
         LineInput {
-            bounds: unit_box(),
-            ends: scene.places.segment(),
+            bounds: Self::new([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]).expect("ordered"),
+            ends: scene.places().segment,
         }
     }
 }
@@ -155,7 +150,7 @@ impl SpaceLine<3> for Vec<Plane> {
         let planes = from_matrix.unwrap_or_else(|_| scene.culler().planes_in_world());
         LineInput {
             bounds: planes.to_vec(),
-            ends: scene.places.segment(),
+            ends: scene.places().segment,
         }
     }
 }
@@ -214,7 +209,7 @@ impl SpaceLine<4> for ClipSpace {
 
     fn input(scene: &Scene) -> LineInput<4, Self> {
         let clip_from_world = scene.culler().clip_from_world();
-        let ends = scene.places.segment();
+        let ends = scene.places().segment;
         LineInput {
             bounds: Self,
             ends: ends.map(|[x, y, z]| clip_from_world.times([x, y, z, 1.0])),

@@ -1,16 +1,8 @@
 //! A segment in space, what is left of it, and where it is cut.
 
-use crate::{
-    algo::{
-        parameter::End,
-        volume::{ClipSpace, side_distances},
-    },
-    geom::VolumeSide,
-    labs::{
-        frustum::prelude::*,
-        interval::{ShownCrossing, ShownInterval},
-        segments::LineStep,
-    },
+use crate::labs::{
+    frustum::prelude::*,
+    interval::{ShownCrossing, ShownInterval},
 };
 
 /// A crossing farther beyond the ends than this is not drawn.

@@ -6,19 +6,14 @@ pub mod marks;
 mod variants;
 mod w_lens;
 
-use serde_json::{Value as Json, json};
-
 use crate::{
-    algo::{
-        ring::Right,
-        segment::{LineClip, LineRules, VisibleLine},
-    },
-    labs::{frustum::prelude::*, segments::LineVariant},
+    algo::segment::{LineClip, LineRules, VisibleLine},
+    labs::frustum::prelude::*,
 };
 
 use super::super::part::segment_verdict;
 
-pub use bounds::{SpaceLine, face_equation, unit_box};
+pub use bounds::{SpaceLine, face_equation};
 
 impl<const N: usize> Answer for VisibleLine<N> {
     fn json(&self) -> Json {
@@ -30,7 +25,6 @@ impl<const N: usize> Answer for VisibleLine<N> {
 impl<const N: usize, B: SpaceLine<N>, L> SpaceTelling for LineClip<N, B, L>
 where
     L: LineRules + LineVariant<N, B>,
-    Right: LineVariant<N, B>,
 {
     const SUBJECT: Subject = B::SUBJECT;
 
@@ -42,10 +36,5 @@ where
         let input = B::input(scene);
         let fate = |end| fates::fate::<N, B, L>(&input, end);
         segment_verdict(scene, (B::SUBJECT, about), fate, run)
-    }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let run = Recorded::<Self>::beside::<LineClip<N, B, Right>>;
-        Box::new(run(Self::input(scene), Some(scenery_of(scene))))
     }
 }

@@ -1,17 +1,10 @@
 //! How each line clipper is called, and its pseudocode: seven lines each, of the same sense.
 
 use crate::{
-    algo::{
-        ring::Right,
-        volume::{ClipSpace, faulty::DividesFirst},
-    },
-    geom::{AlignedBox, Plane},
+    algo::volume::faulty::DividesFirst,
     labs::{
         frustum::prelude::*,
-        segments::{
-            LineVariant,
-            inequalities::{N_LINES, START},
-        },
+        segments::inequalities::{N_LINES, START},
     },
 };
 
@@ -61,12 +54,9 @@ impl LineVariant<4, ClipSpace> for Right {
     const CODE: &'static [CodeLine] = &HOMOGENEOUS;
 }
 
-impl LineVariant<4, ClipSpace> for DividesFirst {
-    const ID: &'static str = "faulty-divide-first";
-    const NAME_KEY: &'static str = "alg-faulty-divide-first";
-    const CODE: &'static [CodeLine] = &but_for(
-        HOMOGENEOUS,
-        [(START, "code-faulty-divide", "words-faulty-divide")],
-    );
-    const DIFFERS_KEY: Option<&'static str> = Some("faulty-divide-first-differs");
+mistakes! { LineVariant<4, ClipSpace>:
+    DividesFirst {
+        "faulty-divide-first", "alg-faulty-divide-first", "faulty-divide-first-differs";
+        CODE = HOMOGENEOUS but START: "code-faulty-divide" "words-faulty-divide";
+    }
 }

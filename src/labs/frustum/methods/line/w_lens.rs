@@ -9,16 +9,9 @@
 //! ```
 
 use crate::{
-    algo::{
-        parameter::End,
-        volume::{ClipSpace, HomogeneousLine, VisibleLine},
-    },
+    algo::volume::{HomogeneousLine, VisibleLine},
     figure::{Screen, Screens},
-    geom::{Camera, Sight},
-    labs::{
-        frustum::prelude::*,
-        segments::{LineLook, LineStep},
-    },
+    labs::frustum::prelude::*,
 };
 
 use super::marks::{interval_marks, is_rejected, left_so_far, on_line};
@@ -36,7 +29,7 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
     if let Some(side) = shown.in_hand() {
         marks.extend(plane_at_work(lens.camera, side));
     }
-    let world = scenery.scene().places.segment();
+    let world = scenery.scene().places().segment;
     marks.extend(lens.segment(&world));
     marks.extend(lens.images(&world));
     let screens = Body::Screens(Screens {

@@ -11,11 +11,7 @@ use crate::{
         ViewingPipeline, ViewingPipelineEvent as Event, ViewingPipelineInput,
         ViewingPipelineOutput,
     },
-    figure::{
-        CellStage, SpaceCell, SpaceRow,
-        Tick::{self},
-    },
-    geom::Sight,
+    figure::{CellStage, SpaceCell, SpaceRow, Tick},
     labs::frustum::prelude::*,
 };
 

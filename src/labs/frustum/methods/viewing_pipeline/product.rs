@@ -3,7 +3,6 @@
 use crate::{
     algo::pipeline::{PipelineSpace, ViewingPipeline, ViewingPipelineEvent as Event},
     figure::{MatrixProduct, MatrixRow},
-    geom::Sight,
     labs::frustum::prelude::*,
 };
 

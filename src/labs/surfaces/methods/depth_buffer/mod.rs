@@ -61,11 +61,6 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
         };
         scene.raster.format.is_reversed.then_some(reversed)
     }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
-        Box::new(Recorded::<Self>::beside::<DepthBuffer>(input, scenery))
-    }
 }
 
 const COMPARED: &[&str] = &["{z}{sign}{stored}"];

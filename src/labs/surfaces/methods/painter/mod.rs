@@ -24,11 +24,6 @@ impl<L: Variant> SpaceTelling for Painter<L> {
         const MOST_FACES: usize = 300;
         surfaces_on_raster(scene).first(MOST_FACES)
     }
-
-    fn record(scene: &Scene) -> Box<dyn Run> {
-        let (input, scenery) = (Self::input(scene), Some(scenery_of(scene)));
-        Box::new(Recorded::<Self>::beside::<Painter>(input, scenery))
-    }
 }
 
 const EXTENTS: &[&str] = &["~ {nearest}{sign}{farthest}"];
