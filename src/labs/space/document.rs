@@ -139,15 +139,16 @@ impl Document for Scene {
         if let Some(place) = on_raster.filter(|_| self.asks(Subject::Surfaces)) {
             return Some(Arc::new(SpaceChange::Raster(self.looking_at(place))));
         }
-        let parts: [(_, fn(usize) -> Link, _); 3] = [
-            (Part::Object, object_link, self.focus()),
-            (Part::Vertex, vertex_link, self.vertex()),
-            (Part::Face, face_link, self.face()),
-        ];
-        let (part, idx, now) = parts.into_iter().find_map(|(part, link, now)| {
+        let found = |part, link: fn(usize) -> Link| {
             let idx = (0..self.count(part)).find(|&i| clicked == link(i))?;
-            Some((part, idx, now))
-        })?;
+            Some((part, idx))
+        };
+        let vertex = || found(Part::Vertex, vertex_link);
+        let face = || found(Part::Face, face_link);
+        let (part, idx) = found(Part::Object, object_link)
+            .or_else(vertex)
+            .or_else(face)?;
+        let now = [self.focus(), self.face(), self.vertex()][part as usize];
         (idx != now).then(|| -> Own { Arc::new(SpaceChange::LookAt(part, idx)) })
     }
 

@@ -1,7 +1,5 @@
 //! What the labs in three dimensions work on: a camera, and what it may see; and what tells such a lab from the others.
 
-use std::fmt;
-
 use crate::{
     geom::{Camera, Orbit, SpaceError},
     labs::{self, Lab, MethodEntry, prelude::*},
@@ -108,12 +106,6 @@ impl From<SceneError> for Diagnostic {
                 Self::new(message.with("count", count))
             }
         }
-    }
-}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Diagnostic::from(*self).fmt(f)
     }
 }
 

@@ -1,13 +1,8 @@
 //! The box from −1 to 1 in the observer's view: its edges go on, and so part space into 27 regions.
 
-use crate::{
-    figure::{Seer, Space},
-    geom::VolumeSide,
-    labs::prelude::*,
-};
-
 use super::{
     super::Scene,
+    prelude::*,
     views::OBSERVER_VIEW,
     volume::{side_link, side_name},
 };

@@ -1,8 +1,9 @@
 //! A grid under everything, and where things stand over it.
 
-use crate::labs::prelude::*;
-
-use super::super::Scene;
+use super::{
+    super::{Object, Scene},
+    prelude::*,
+};
 
 /// At most so many lines a direction.
 const MOST_LINES: f64 = 16.0;
@@ -17,10 +18,10 @@ pub fn ground(scene: &Scene) -> Vec<Mark3> {
     } else {
         &[]
     };
-    let middles = objects.iter().map(super::super::Object::at);
+    let middles = || objects.iter().map(Object::at);
     let mut min = position;
     let mut max = position;
-    for at in corners.into_iter().chain(middles) {
+    for at in corners.into_iter().chain(middles()) {
         for i in 0..3 {
             min[i] = min[i].min(at[i]);
             max[i] = max[i].max(at[i]);
@@ -51,8 +52,7 @@ pub fn ground(scene: &Scene) -> Vec<Mark3> {
         let z = low[1] + i as f64 * step;
         marks.push(line([low[0], z], [high[0], z]));
     }
-    let middles = objects.iter().map(super::super::Object::at);
-    let dropped = middles.take(MOST_DROPPED).chain([position]);
+    let dropped = middles().take(MOST_DROPPED).chain([position]);
     marks.extend(dropped.map(|[x, y, z]| {
         let down = Shape3::Segment([[x, y, z], [x, level, z]]);
         Mark3::new(Role::Soft, down).fine()

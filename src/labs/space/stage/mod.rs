@@ -2,6 +2,7 @@
 
 mod cube;
 mod ground;
+mod prelude;
 mod solids;
 mod spaces;
 mod views;
@@ -9,6 +10,6 @@ mod volume;
 
 pub use cube::{cube_view, face_at_work};
 pub use solids::{FaceLook, Fate, Solids};
-pub use spaces::{Followed, PictureSpace, SpacePictures};
+pub use spaces::{Followed, PictureSpace, SpacePlaces};
 pub use views::{Scenery, face_link, object_link, vertex_link};
 pub use volume::{plane_at_work, side_link, side_name};

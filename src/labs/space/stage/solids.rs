@@ -1,16 +1,11 @@
 //! Solids as facets and edges, drawn by what becomes of them.
 
-use std::sync::Arc;
-
-use glam::DVec3;
-
 use crate::{
-    algo::volume::split,
-    figure::{Edge3, Facet, Link, Role, between, complement, inside},
-    geom::{Camera, Plane},
+    algo::volume::{signed_distance, split},
+    figure::{between, complement, inside},
 };
 
-use super::super::Object;
+use super::{super::Object, prelude::*};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fate {
@@ -47,19 +42,11 @@ const BOX_FACES: [[usize; 4]; 6] = [
 
 #[derive(Default)]
 pub struct Solids {
-    facets: Vec<Facet>,
-    edges: Vec<Edge3>,
+    pub facets: Vec<Facet>,
+    pub edges: Vec<Edge3>,
 }
 
 impl Solids {
-    pub fn into_parts(self) -> (Arc<[Facet]>, Arc<[Edge3]>) {
-        (self.facets.into(), self.edges.into())
-    }
-
-    pub fn into_lists(self) -> (Vec<Facet>, Vec<Edge3>) {
-        (self.facets, self.edges)
-    }
-
     /// One more object, with a look for each of its faces where they differ.
     pub fn object(
         &mut self,
@@ -221,7 +208,7 @@ impl Fate {
 fn cuts<'a>(polygon: &'a [[f64; 3]], plane: &'a Plane) -> impl Iterator<Item = [[f64; 3]; 2]> + 'a {
     let n = polygon.len();
     let is_on = |at: [f64; 3]| {
-        let distance: f64 = crate::algo::volume::signed_distance(plane, at);
+        let distance: f64 = signed_distance(plane, at);
         distance.abs() < 1e-9 * (1.0 + at.iter().map(|x| x.abs()).sum::<f64>())
     };
     (0..n)

@@ -2,18 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
-use crate::{
-    figure::{Edge3, Facet, Seer, Space},
-    geom::Plane,
-    labs::prelude::*,
-};
-
 use super::{
     super::{Object, Scene, Subject},
     FaceLook, Fate, Solids,
     ground::ground,
+    prelude::*,
     volume::volume,
 };
 
@@ -65,11 +58,7 @@ impl Scenery {
     }
 
     /// What the observer sees, objects without their numbers.
-    pub fn observed(&self, fate: impl Fn(usize) -> Fate, own: Vec<Mark3>) -> Space {
-        self.seen(&fate, &|_, _| FaceLook::Whole, own)
-    }
-
-    fn seen(
+    pub fn seen(
         &self,
         fate: &impl Fn(usize) -> Fate,
         look: &impl Fn(usize, usize) -> FaceLook,
@@ -141,7 +130,7 @@ impl Scenery {
                 solids.camera(camera.camera(), self.glyph_size());
             }
         }
-        solids.into_parts()
+        (solids.facets.into(), solids.edges.into())
     }
 
     /// What a face is about: itself where a method tells of faces, else its object.

@@ -1,11 +1,6 @@
 //! The view volume in the observer's view, and one of its planes at work.
 
-use glam::DVec3;
-
-use crate::{
-    geom::{Camera, Sight, VolumeSide},
-    labs::prelude::*,
-};
+use super::prelude::*;
 
 pub const fn side_key(side: VolumeSide) -> &'static str {
     match side {

@@ -17,7 +17,7 @@ use crate::{
 
 use super::super::{
     screen::screen,
-    stage::{Followed, PictureSpace, SpacePictures},
+    stage::{Followed, PictureSpace, SpacePlaces},
 };
 
 use formulas::{BEHIND, DIVIDE, OPENING, SCREEN, TO_W};
@@ -121,7 +121,7 @@ impl Telling for ViewingPipeline {
         let Some(scenery) = at.scenery else {
             return vec![matrix];
         };
-        let pictures = SpacePictures::new(scenery, at.step.input.viewport.size());
+        let pictures = SpacePlaces::new(scenery, at.step.input.viewport.size());
         let active = active(at.step.event());
         let large = Followed {
             is_large: true,
@@ -214,7 +214,7 @@ fn place(at: &At<'_, ViewingPipeline>, space: PictureSpace) -> Option<Value> {
     Some(Value::Formula(formula))
 }
 
-fn row_of_spaces(at: &At<'_, ViewingPipeline>, pictures: &SpacePictures<'_>) -> SpaceRow {
+fn row_of_spaces(at: &At<'_, ViewingPipeline>, pictures: &SpacePlaces<'_>) -> SpaceRow {
     let active = active(at.step.event());
     let cell = |space: PictureSpace| SpaceCell {
         name: Value::Term(space.name_key()),

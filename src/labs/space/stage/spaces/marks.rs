@@ -146,24 +146,19 @@ fn way(places: &SpacePlaces<'_>, space: PictureSpace, vertex: &Followed) -> Vec<
         PictureSpace::Clip if !places.is_parallel() => &[0, 1, 3],
         _ => &[0, 1, 2],
     };
-    let mut at = [0.0; 4];
+    // What has been divided is not divided again.
+    let is_divided = space == PictureSpace::Ndc;
+    let mut at = [0.0, 0.0, 0.0, f64::from(is_divided)];
     let mut marks = Vec::new();
-    let drawn = |[x, y, z, w]: [f64; 4]| match space {
-        PictureSpace::Clip if !places.is_parallel() => [x, y, -w],
-        PictureSpace::Clip | PictureSpace::Ndc => [x, y, -z],
-        PictureSpace::Model | PictureSpace::World | PictureSpace::View | PictureSpace::Screen => {
-            [x, y, z]
-        }
-    };
     for &axis in axes.iter().filter(|&&axis| axis < vertex.n_known) {
-        let from = drawn(at);
+        let from = places.drawn(space, at);
         at[axis] = vertex.at[axis];
         if at[axis] == 0.0 {
             continue;
         }
         let is_current = vertex.current == Some(axis);
         let role = if is_current { Role::Signal } else { Role::Soft };
-        let mark = Mark3::new(role, Shape3::Segment([from, drawn(at)]));
+        let mark = Mark3::new(role, Shape3::Segment([from, places.drawn(space, at)]));
         let symbol = ["x", "y", "z", "w"][axis];
         let formula = Formula::decimals().sym(symbol).equals(at[axis]);
         marks.push(if is_current {

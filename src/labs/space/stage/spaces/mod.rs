@@ -9,4 +9,4 @@ mod pictures;
 mod space_places;
 
 pub use picture_space::{Followed, PictureSpace};
-pub use pictures::SpacePictures;
+pub use space_places::SpacePlaces;

@@ -1,17 +1,10 @@
 //! The picture of each space.
 
-use glam::DVec3;
-
-use crate::{
-    algo::volume::clipped,
-    figure::{Edge3, Facet, Seer, Space},
-    geom::Orbit,
-    labs::prelude::*,
-};
+use crate::algo::volume::clipped;
 
 use super::{
     super::{
-        super::Object, FaceLook, Fate, Scenery, Solids, solids::parts_of_segment,
+        super::Object, FaceLook, Fate, Solids, prelude::*, solids::parts_of_segment,
         views::object_link, volume::volume,
     },
     marks::{cube, frame, pyramid, vertex_marks},
@@ -23,34 +16,26 @@ use super::{
 const LENS_DEG: f64 = 16.0;
 /// Degrees from ahead, and from above.
 const ANGLES: [f64; 2] = [58.0, 18.0];
-pub struct SpacePictures<'a> {
-    places: SpacePlaces<'a>,
-}
 
-impl<'a> SpacePictures<'a> {
-    pub fn new(scenery: &'a Scenery, size: [u32; 2]) -> Self {
-        let places = SpacePlaces::new(scenery, size);
-        Self { places }
-    }
-
+impl SpacePlaces<'_> {
     pub fn draw(&self, space: PictureSpace, vertex: &Followed) -> Space {
         let mut marks = match space {
             PictureSpace::World => return self.world(vertex),
             PictureSpace::Model => Vec::new(),
-            PictureSpace::View => volume(self.places.camera)
+            PictureSpace::View => volume(self.camera)
                 .into_iter()
-                .map(|mark| mapped(mark, |at| self.places.camera.view_from_world().point(at)))
+                .map(|mark| mapped(mark, |at| self.camera.view_from_world().point(at)))
                 .map(|mark| if vertex.is_large { mark } else { bare(mark) })
                 .collect(),
-            PictureSpace::Clip if self.places.is_parallel() => cube(),
-            PictureSpace::Clip => pyramid(&self.places, vertex),
+            PictureSpace::Clip if self.is_parallel() => cube(),
+            PictureSpace::Clip => pyramid(self, vertex),
             PictureSpace::Ndc => cube(),
-            PictureSpace::Screen => frame(&self.places),
+            PictureSpace::Screen => frame(self),
         };
         let (facets, edges) = self.object(space);
         let eye = self.eye(space, &facets);
-        marks.extend(vertex_marks(&self.places, space, vertex));
-        let title = space.title_key(self.places.is_parallel());
+        marks.extend(vertex_marks(self, space, vertex));
+        let title = space.title_key(self.is_parallel());
         Space {
             title: vertex.is_large.then_some(Value::Term(title)),
             seer: Seer::Apart(eye),
@@ -62,10 +47,10 @@ impl<'a> SpacePictures<'a> {
 
     /// The observer's view, who is in it.
     fn world(&self, vertex: &Followed) -> Space {
-        let focus = self.places.scenery.scene().focus();
+        let focus = self.scenery.scene().focus();
         let fate = |i: usize| if i == focus { Fate::Kept } else { Fate::ToCome };
-        let own = vertex_marks(&self.places, PictureSpace::World, vertex);
-        let mut space = self.places.scenery.observed(fate, own);
+        let own = vertex_marks(self, PictureSpace::World, vertex);
+        let mut space = self.scenery.seen(&fate, &|_, _| FaceLook::Whole, own);
         let title = PictureSpace::World.title_key(false);
         space.title = vertex.is_large.then_some(Value::Term(title));
         if !vertex.is_large {
@@ -76,10 +61,10 @@ impl<'a> SpacePictures<'a> {
 
     /// The object in focus; after the divide no more of it than is inside.
     fn object(&self, space: PictureSpace) -> (Vec<Facet>, Vec<Edge3>) {
-        let object = self.places.focused();
-        let link = object_link(self.places.scenery.scene().focus());
+        let object = self.focused();
+        let link = object_link(self.scenery.scene().focus());
         let mut solids = Solids::default();
-        let planes = self.places.scenery.planes();
+        let planes = self.scenery.planes();
         let look = |_| FaceLook::Whole;
         if space == PictureSpace::Model {
             let own = Object::new(object.model().clone(), [0.0; 3], [0.0; 3], 1.0);
@@ -88,10 +73,9 @@ impl<'a> SpacePictures<'a> {
         } else {
             solids.object(object, |_| link, Fate::Kept, planes, look);
         }
-        let (facets, edges) = solids.into_lists();
         let is_divided = matches!(space, PictureSpace::Ndc | PictureSpace::Screen);
-        let seen_by = self.places.camera.planes_in_world();
-        let facets = facets.into_iter().map(|mut facet| {
+        let seen_by = self.camera.planes_in_world();
+        let facets = solids.facets.into_iter().map(|mut facet| {
             if is_divided {
                 let whole = std::mem::take(&mut facet.corners);
                 let part = seen_by
@@ -100,18 +84,18 @@ impl<'a> SpacePictures<'a> {
                 facet.corners = part;
             }
             for corner in &mut facet.corners {
-                *corner = self.places.drawn_from_world(space, *corner);
+                *corner = self.drawn_from_world(space, *corner);
             }
             facet
         });
-        let edges = edges.into_iter().filter_map(|edge| {
+        let edges = solids.edges.into_iter().filter_map(|edge| {
             let ends = if is_divided {
                 let [inside, _] = parts_of_segment(edge.ends, &seen_by);
                 inside.first().copied()?
             } else {
                 edge.ends
             };
-            let ends = ends.map(|at| self.places.drawn_from_world(space, at));
+            let ends = ends.map(|at| self.drawn_from_world(space, at));
             Some(Edge3 { ends, ..edge })
         });
         (facets.collect(), edges.collect())
@@ -137,7 +121,7 @@ impl<'a> SpacePictures<'a> {
             PictureSpace::Model | PictureSpace::World => {
                 around(&mut corners.chain([[0.0; 3]]), 0.8, [28.0, 20.0])
             }
-            PictureSpace::View | PictureSpace::Clip if self.places.is_parallel() => {
+            PictureSpace::View | PictureSpace::Clip if self.is_parallel() => {
                 around(&mut corners.chain(unit), 0.9, ANGLES)
             }
             PictureSpace::View | PictureSpace::Clip => {
@@ -145,7 +129,7 @@ impl<'a> SpacePictures<'a> {
             }
             PictureSpace::Ndc => around(&mut unit.into_iter(), 1.1, [30.0, 18.0]),
             PictureSpace::Screen => {
-                let [width, height] = self.places.half_screen();
+                let [width, height] = self.half_screen();
                 let frame = [[-width, -height, 0.0], [width, height, 0.0]];
                 around(&mut frame.into_iter(), 1.2, [0.0, 0.0])
             }

@@ -1,9 +1,7 @@
 //! Where places of the world, and vertices of the object in focus, are drawn in each space.
 
-use crate::geom::{Camera, Sight};
-
 use super::{
-    super::{super::Object, Scenery},
+    super::{super::Object, Scenery, prelude::*},
     picture_space::PictureSpace,
 };
 
