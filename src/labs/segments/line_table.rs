@@ -90,9 +90,7 @@ fn plane_row<const N: usize, B: LineLook<N>>(
     let is_current = shown.in_hand() == Some(plane);
     let [numbers_role, r_role] = match shown.event.filter(|_| is_current) {
         Some(LineEvent::Row { .. }) => [Role::Signal, Role::Ink],
-        Some(LineEvent::Enter { .. } | LineEvent::Leave { .. } | LineEvent::Interval { .. }) => {
-            [Role::Ink, Role::Signal]
-        }
+        Some(Enter { .. } | Leave { .. } | Interval { .. }) => [Role::Ink, Role::Signal],
         _ => [Role::Ink; 2],
     };
     let bounds = shown.input.bounds();

@@ -52,16 +52,8 @@ impl ChangeOf for SpaceChange {
                 let [_, target, _] = scene.camera.places();
                 scene.add_object(Object::new(model.clone(), target, [0.0; 3], 1.0)?)?;
             }
-            &Self::Turn(turn_deg) => {
-                let old = scene.focused();
-                let turned = Object::new(old.model().clone(), old.at(), turn_deg, old.size())?;
-                scene.set_object(scene.focus(), turned);
-            }
-            &Self::Size(size) => {
-                let old = scene.focused();
-                let sized = Object::new(old.model().clone(), old.at(), old.turn_deg(), size)?;
-                scene.set_object(scene.focus(), sized);
-            }
+            &Self::Turn(turn_deg) => reshape(scene, turn_deg, scene.focused().size())?,
+            &Self::Size(size) => reshape(scene, scene.focused().turn_deg(), size)?,
             &Self::Street { count, seed } => scene.set_objects(street(count, seed))?,
         }
         Ok(None)
@@ -72,18 +64,21 @@ impl ChangeOf for SpaceChange {
     }
 }
 
+fn reshape(scene: &mut Scene, turn_deg: [f64; 3], size: f64) -> Result<(), Diagnostic> {
+    let old = scene.focused();
+    let object = Object::new(old.model().clone(), old.at(), turn_deg, size)?;
+    scene.set_object(scene.focus(), object);
+    Ok(())
+}
+
 fn set_number(scene: &mut Scene, number: CameraNumber, value: f64) -> Result<(), Diagnostic> {
-    let camera = &scene.camera;
-    let [near, far] = camera.depths();
-    scene.camera = match number {
-        CameraNumber::Opening => camera.opened(match camera.opening() {
-            Opening::FovY(_) => Opening::FovY(value),
-            Opening::Height(_) => Opening::Height(value),
-        }),
-        CameraNumber::Aspect => camera.shaped(value),
-        CameraNumber::Near => camera.deep([value, far]),
-        CameraNumber::Far => camera.deep([near, value]),
-    }?;
+    scene.camera = scene.camera.with(|it| match (number, it.opening) {
+        (CameraNumber::Opening, Opening::FovY(_)) => it.opening = Opening::FovY(value),
+        (CameraNumber::Opening, Opening::Height(_)) => it.opening = Opening::Height(value),
+        (CameraNumber::Aspect, _) => it.aspect = value,
+        (CameraNumber::Near, _) => it.depths[0] = value,
+        (CameraNumber::Far, _) => it.depths[1] = value,
+    })?;
     Ok(())
 }
 
@@ -101,7 +96,7 @@ fn set_parallel(scene: &mut Scene, is_parallel: bool) -> Result<(), Diagnostic> 
         }
         as_it_is => as_it_is,
     };
-    scene.camera = camera.opened(opening)?;
+    scene.camera = camera.with(|it| it.opening = opening)?;
     Ok(())
 }
 

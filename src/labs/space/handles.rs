@@ -116,19 +116,22 @@ impl Draggable for Scene {
 
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
         let (camera, places) = (self.camera, self.places());
-        let [position, target, up] = camera.places();
-        let [near, far] = camera.depths();
         let [_, height, depth] = camera.camera().view_from_world().point(to);
         let [i, corner] = handle.idx();
         match handle.kind().id {
-            "camera" => self.camera = camera.placed([to, target, up])?,
-            "target" => self.camera = camera.placed([position, to, up])?,
-            "near" => self.camera = camera.deep([-depth, far])?,
-            "far" => self.camera = camera.deep([near, -depth])?,
+            "camera" => self.camera = camera.with(|it| it.places[0] = to)?,
+            "target" => self.camera = camera.with(|it| it.places[1] = to)?,
+            "near" => self.camera = camera.with(|it| it.depths[0] = -depth)?,
+            "far" => self.camera = camera.with(|it| it.depths[1] = -depth)?,
             "top" => {
-                self.camera = camera.opened(match camera.opening() {
-                    Opening::FovY(_) => Opening::FovY(2.0 * libm::atan2(height, far).to_degrees()),
-                    Opening::Height(_) => Opening::Height(2.0 * height),
+                self.camera = camera.with(|it| {
+                    let [_, far] = it.depths;
+                    it.opening = match it.opening {
+                        Opening::FovY(_) => {
+                            Opening::FovY(2.0 * libm::atan2(height, far).to_degrees())
+                        }
+                        Opening::Height(_) => Opening::Height(2.0 * height),
+                    };
                 })?;
             }
             "point" => self.set_places(Places {

@@ -23,7 +23,7 @@ pub use raster_plan::{RasterPlan, Tones};
 pub use scene::{MAX_OBJECTS, Method, MethodInfo, Part, Scene, SceneError, SpaceLab};
 pub use street::street;
 pub use subject::{Places, Subject};
-pub use taught_camera::{Opening, TaughtCamera};
+pub use taught_camera::{CameraNumbers, Opening, TaughtCamera};
 
 pub(in crate::labs) use demo::SpaceTelling;
 

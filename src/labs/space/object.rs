@@ -46,9 +46,7 @@ impl Model {
             Self::Mesh(named) => &named.mesh,
         }
     }
-}
 
-impl Model {
     /// Is it a mesh of one face, whose corners are all its vertices?
     pub fn is_triangle(&self) -> bool {
         match self {

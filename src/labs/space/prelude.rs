@@ -6,6 +6,7 @@ pub(in crate::labs) use crate::labs::{
         Scene, SpaceTelling, Subject,
         stage::{
             FaceLook, Fate, Scenery, face_link, object_link, plane_at_work, side_link, side_name,
+            side_named,
         },
     },
 };

@@ -10,6 +10,15 @@ pub enum Opening {
     Height(f64),
 }
 
+/// What a camera is made of; see [`TaughtCamera::new`].
+#[derive(Debug)]
+pub struct CameraNumbers {
+    pub places: [[f64; 3]; 3],
+    pub opening: Opening,
+    pub aspect: f64,
+    pub depths: [f64; 2],
+}
+
 /// A camera, and the numbers that it was made of: always valid.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TaughtCamera {
@@ -64,35 +73,24 @@ impl TaughtCamera {
         [camera.position(), camera.target(), camera.up()]
     }
 
-    /// Elsewhere.
+    /// The same but for some of its numbers.
     ///
     /// # Errors
     /// As for [`TaughtCamera::new`].
-    pub fn placed(&self, places: [[f64; 3]; 3]) -> Result<Self, SpaceError> {
-        Self::new(places, self.opening, self.aspect, self.depths())
-    }
-
-    /// Open as wide as this.
-    ///
-    /// # Errors
-    /// As for [`TaughtCamera::new`].
-    pub fn opened(&self, opening: Opening) -> Result<Self, SpaceError> {
-        Self::new(self.places(), opening, self.aspect, self.depths())
-    }
-
-    /// Of this shape.
-    ///
-    /// # Errors
-    /// As for [`TaughtCamera::new`].
-    pub fn shaped(&self, aspect: f64) -> Result<Self, SpaceError> {
-        Self::new(self.places(), self.opening, aspect, self.depths())
-    }
-
-    /// With its planes at these distances.
-    ///
-    /// # Errors
-    /// As for [`TaughtCamera::new`].
-    pub fn deep(&self, depths: [f64; 2]) -> Result<Self, SpaceError> {
-        Self::new(self.places(), self.opening, self.aspect, depths)
+    pub fn with(&self, change: impl FnOnce(&mut CameraNumbers)) -> Result<Self, SpaceError> {
+        let mut numbers = CameraNumbers {
+            places: self.places(),
+            opening: self.opening,
+            aspect: self.aspect,
+            depths: self.depths(),
+        };
+        change(&mut numbers);
+        let CameraNumbers {
+            places,
+            opening,
+            aspect,
+            depths,
+        } = numbers;
+        Self::new(places, opening, aspect, depths)
     }
 }

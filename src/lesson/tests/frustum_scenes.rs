@@ -273,7 +273,7 @@ prop_compose! {
         scene.beside = [compare].into_iter().filter(|&it| it != method).collect();
         let [a, b, _] = corners;
         scene.set_places(Places { point, segment: [b, a], triangle: corners }).ok()?;
-        scene.frozen = if is_frozen { Some(camera.placed([target, position, up]).ok()?) } else { None };
+        scene.frozen = if is_frozen { Some(camera.with(|it| it.places = [target, position, up]).ok()?) } else { None };
         scene.look_at(Part::Object, picks[0].index(scene.objects().len())).ok()?;
         let n_faces = scene.focused().model().mesh().faces().len();
         scene.look_at(Part::Face, picks[1].index(n_faces)).ok()?;

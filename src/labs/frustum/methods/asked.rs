@@ -43,7 +43,8 @@ pub fn place(at: [f64; 3]) -> Value {
     Value::Formula(Formula::default().place(at))
 }
 
-pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64, label: Formula) -> Vec<Mark3> {
+pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64) -> Vec<Mark3> {
+    let label = sym("d").equals(d);
     if d == 0.0 {
         let on = Mark3::new(Role::Signal, Shape3::Dot(at));
         return vec![on.labelled(Value::Formula(label)).strong()];
@@ -134,8 +135,7 @@ impl Asked<'_> {
             return Vec::new();
         };
         let mut marks = plane_at_work(camera, VolumeSide::ALL[plane_idx]);
-        let label = sym("d").equals(distance);
-        marks.extend(perpendicular(&plane, at, distance, label));
+        marks.extend(perpendicular(&plane, at, distance));
         marks
     }
 

@@ -17,10 +17,10 @@ use crate::{
 use super::{
     super::{
         part::{Fate, Outcome, segment_verdict},
-        stage::{cube_view, face_at_work},
+        stage::{axis_equation, cube_view, face_at_work},
     },
     line::{
-        SpaceLine, face_equation,
+        SpaceLine,
         marks::{segment_marks, shadow},
     },
 };
@@ -105,7 +105,7 @@ impl CodeLook<3> for Input {
     }
 
     fn side(side: VolumeSide) -> Named {
-        Named::from(side_name(side)).linked(side_link(side))
+        side_named(side)
     }
 
     fn column(side: VolumeSide) -> Value {
@@ -125,12 +125,24 @@ impl CodeLook<3> for Input {
         beyond.iter().rev().nth(nth).map(|&side| side_name(side))
     }
 
+    /// `x = −2 < −1` beyond a face, `−1 ≤ y = 0 ≤ 1` between both.
     fn position(&self, axis: usize, at: [f64; 3], code: SideCode) -> Formula {
-        position(at, code, &self.bounds, AXES[axis])
+        let [low, high] = AXES[axis];
+        let [least, most] = AXES[axis].map(|side| self.bounds.border(side));
+        let symbol = ["x = ", "y = ", "z = "][axis];
+        let coordinate = |formula: Formula| formula.sym(symbol).num(at[axis]);
+        if code.has(low) {
+            coordinate(Formula::default()).sym(" < ").num(least)
+        } else if code.has(high) {
+            coordinate(Formula::default()).sym(" > ").num(most)
+        } else {
+            let from = Formula::default().num(least).sym(" ≤ ");
+            coordinate(from).sym(" ≤ ").num(most)
+        }
     }
 
     fn border(&self, side: VolumeSide) -> Formula {
-        face_equation(&self.bounds, side)
+        axis_equation(side, self.bounds.border(side))
     }
 
     fn crossing_formulas(&self, side: VolumeSide, at: [f64; 3]) -> Vec<Formula> {
@@ -147,29 +159,6 @@ impl CodeLook<3> for Input {
 
     fn drawing(shown: &Shown<'_>, scenery: Option<&Scenery>) -> Option<View> {
         Some(cube_view(scenery?.scene(), marks(shown)))
-    }
-}
-
-/// `x = −2 < −1` beyond a face, `−1 ≤ y = 0 ≤ 1` between both.
-fn position(
-    at: [f64; 3],
-    code: SideCode,
-    bounds: &AlignedBox,
-    [low, high]: [VolumeSide; 2],
-) -> Formula {
-    let (symbol, value) = (["x = ", "y = ", "z = "][low.axis()], at[low.axis()]);
-    let coordinate = |formula: Formula| formula.sym(symbol).num(value);
-    if code.has(low) {
-        coordinate(Formula::default())
-            .sym(" < ")
-            .num(bounds.border(low))
-    } else if code.has(high) {
-        coordinate(Formula::default())
-            .sym(" > ")
-            .num(bounds.border(high))
-    } else {
-        let from = Formula::default().num(bounds.border(low)).sym(" ≤ ");
-        coordinate(from).sym(" ≤ ").num(bounds.border(high))
     }
 }
 

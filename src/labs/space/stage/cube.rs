@@ -71,12 +71,14 @@ fn cube() -> Vec<Mark3> {
     marks
 }
 
+/// `x = −1`
+pub fn axis_equation(side: VolumeSide, at: f64) -> Formula {
+    let axis = ["x", "y", "z"][side.axis()];
+    sym(axis).sym(" = ").num(at)
+}
+
 pub fn face_at_work(side: VolumeSide) -> Vec<Mark3> {
     let height = if side.is_high() { 1.0 } else { -1.0 };
-    let equation = Formula::default()
-        .sym(["x", "y", "z"][side.axis()])
-        .sym(" = ")
-        .num(height);
     let corners = outline(side, REACH);
     let mut marks = vec![
         Mark3::new(Role::Signal, Shape3::Wash(corners.clone())),
@@ -87,6 +89,8 @@ pub fn face_at_work(side: VolumeSide) -> Vec<Mark3> {
             .linked(side_link(side)),
     ];
     let corner = corners[if side.is_high() { 2 } else { 3 }];
-    marks.push(Mark3::new(Role::Signal, Shape3::Label(corner)).labelled(equation));
+    marks.push(
+        Mark3::new(Role::Signal, Shape3::Label(corner)).labelled(axis_equation(side, height)),
+    );
     marks
 }

@@ -21,6 +21,11 @@ pub const fn side_link(side: VolumeSide) -> Link {
     Link::nth("side", side as usize)
 }
 
+/// In a sentence.
+pub fn side_named(side: VolumeSide) -> Named {
+    Named::from(side_name(side)).linked(side_link(side))
+}
+
 fn outline(camera: &Camera, side: VolumeSide) -> Vec<[f64; 3]> {
     let corners = camera.corners_in_world();
     let has = |i: usize| (i >> side.axis() & 1 == 1) == side.is_high();

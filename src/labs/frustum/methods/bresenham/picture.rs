@@ -84,11 +84,7 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
             marks.push(Mark3::new(role, Shape3::Segment([a, b])));
         }
         for (at, image) in kept.into_iter().zip(images) {
-            let from = match drawn.camera.volume().sight() {
-                Sight::Perspective => Some(drawn.camera.position()),
-                Sight::Parallel => image,
-            };
-            let lines = from.filter(|_| is_now);
+            let lines = seen_from(drawn, image).filter(|_| is_now);
             let lines = lines.map(|from| Mark3::new(role, Shape3::Segment([from, at])).fine());
             marks.extend(lines);
         }
@@ -99,13 +95,18 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
 fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
     let at = drawn.ends[end.idx()];
     let image = image(drawn, at);
-    let from = match drawn.camera.volume().sight() {
-        Sight::Perspective => drawn.camera.position(),
-        Sight::Parallel => image.unwrap_or(at),
-    };
+    let from = seen_from(drawn, image).unwrap_or(at);
     let sight = Mark3::new(Role::Signal, Shape3::Segment([from, at])).fine();
     let image = image.map(|at| Mark3::new(Role::Signal, Shape3::Dot(at)));
     std::iter::once(sight).chain(image).collect()
+}
+
+/// Where a line of sight begins: at the eye, or of a parallel camera at the image.
+fn seen_from(drawn: &DrawnSegment, image: Option<[f64; 3]>) -> Option<[f64; 3]> {
+    match drawn.camera.volume().sight() {
+        Sight::Perspective => Some(drawn.camera.position()),
+        Sight::Parallel => image,
+    }
 }
 
 fn image(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {

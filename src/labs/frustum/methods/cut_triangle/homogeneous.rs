@@ -153,10 +153,7 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
                 let sides = SideCode::WRITTEN.into_iter().filter(|&side| or.has(side));
                 sides.count().into()
             }
-            ("side", _) => {
-                let side = side(past)?;
-                Named::from(side_name(side)).linked(side_link(side))
-            }
+            ("side", _) => side_named(side(past)?),
             ("bound", _) => name(bound_symbol(side(past)?)).into(),
             ("code(V₀)", _) => code(0)?,
             ("code(V₁)", _) => code(1)?,

@@ -2,7 +2,7 @@
 
 use crate::{algo::volume::clipped, labs::frustum::prelude::*};
 
-use super::super::asked::{distance_formula, perpendicular, place, plane_link, plane_name};
+use super::super::asked::{distance_formula, place, plane_link, plane_name};
 
 /// `V₀`: vertices of lists are numbered from 0, as the triangle's corners are.
 pub fn vertex_symbol(idx: usize) -> String {
@@ -129,11 +129,6 @@ pub fn plane_mark(scenery: &Scenery, plane_idx: usize) -> Vec<Mark3> {
     side.map_or_else(Vec::new, |&side| {
         plane_at_work(scenery.scene().culler(), side)
     })
-}
-
-pub fn distance_mark(plane: &Plane, at: [f64; 3], d: f64) -> Vec<Mark3> {
-    let label = sym("d").equals(d);
-    perpendicular(plane, at, d, label)
 }
 
 /// A vertex of the list: hollow where it is outside, small where it has not been looked at.

@@ -3,10 +3,11 @@
 use crate::{algo::volume::IntersectionPolygonEvent as Event, labs::frustum::prelude::*};
 
 use super::{
+    super::asked::perpendicular,
     clip_space::on_screen,
     marks::{
-        cut, cut_edge, cut_symbol, distance_mark, given, kept, lost, places, plane_mark, vertex,
-        vertex_symbol, with_texel,
+        cut, cut_edge, cut_symbol, given, kept, lost, places, plane_mark, vertex, vertex_symbol,
+        with_texel,
     },
     parts::{Parts, of_polygon},
     stages::stages,
@@ -114,7 +115,7 @@ fn at_work_marks<L: Variant<OnePolygon>>(
     };
     let asked = step.event().and_then(|event| asked_vertex(&event));
     if let Some((v, d)) = asked.zip(d) {
-        marks.extend(distance_mark(plane, v.at, d));
+        marks.extend(perpendicular(plane, v.at, d));
     }
     marks
 }

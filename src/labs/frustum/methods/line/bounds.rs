@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     super::{
-        super::stage::{cube_view, face_at_work},
+        super::stage::{axis_equation, cube_view, face_at_work},
         asked::{plane_link, plane_name, sum_formula},
     },
     marks::{interval_marks, points_table, shadow},
@@ -24,15 +24,6 @@ use super::{
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const SUBSCRIPTS: [&str; 2] = ["₁", "₂"];
-
-pub fn face_equation(bounds: &AlignedBox, side: VolumeSide) -> Formula {
-    let formula = sym(AXES[side.axis()]).sym(" = ");
-    formula.num(bounds.border(side))
-}
-
-fn side(side: VolumeSide) -> Named {
-    Named::from(side_name(side)).linked(side_link(side))
-}
 
 const fn keys(opening: &'static str) -> LineKeys {
     LineKeys {
@@ -72,7 +63,7 @@ impl LineLook<3> for AlignedBox {
     const SIGN: f64 = 1.0;
 
     fn plane(plane: VolumeSide, _: Option<&Scenery>) -> Named {
-        side(plane)
+        side_named(plane)
     }
 
     fn numbers(&self, _: &[[f64; 3]; 2], row: &SeenRow<3, Self>) -> [f64; 2] {
@@ -115,7 +106,7 @@ impl LineLook<3> for AlignedBox {
     }
 
     fn border(&self, side: VolumeSide, _: Option<&Scenery>) -> Value {
-        Value::Formula(face_equation(self, side))
+        Value::Formula(axis_equation(side, self.border(side)))
     }
 
     fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
@@ -231,7 +222,7 @@ impl LineLook<4> for ClipSpace {
     const SHOWS_PLANES: bool = false;
 
     fn plane(plane: VolumeSide, _: Option<&Scenery>) -> Named {
-        side(plane)
+        side_named(plane)
     }
 
     fn numbers(&self, ends: &[[f64; 4]; 2], row: &SeenRow<4, Self>) -> [f64; 2] {

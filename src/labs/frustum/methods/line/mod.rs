@@ -13,7 +13,7 @@ use crate::{
 
 use super::super::part::segment_verdict;
 
-pub use bounds::{SpaceLine, face_equation};
+pub use bounds::SpaceLine;
 
 impl<const N: usize> Answer for VisibleLine<N> {
     fn json(&self) -> Json {

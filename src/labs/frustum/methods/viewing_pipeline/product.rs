@@ -6,7 +6,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::super::asked::place;
+use super::super::{super::stage::PictureSpace, asked::place};
 use super::{
     formulas::{BEHIND, DIVIDE_FLAT, SCREEN, TO_W, before, is_within, sum},
     reached,
@@ -58,17 +58,13 @@ fn matrix(at: &At<'_, ViewingPipeline>, into: PipelineSpace) -> MatrixProduct {
             link: Some(row_link(i)),
         }
     });
-    let (from, name_key) = match into {
-        PipelineSpace::World => ("space-model", "space-world"),
-        PipelineSpace::View => ("space-world", "space-view"),
-        PipelineSpace::Clip => ("space-view", "space-clip"),
-    };
+    let [from, to] = [0, 1].map(|i| PictureSpace::ALL[into as usize + i].name_key());
     MatrixProduct {
         name: name(ARROWS[into as usize]),
         notes: vec![note(at, into)],
         from: Value::Term(from),
         operator: None,
-        into: Some(Value::Term(name_key)),
+        into: Some(Value::Term(to)),
         rows: rows.collect(),
     }
 }
