@@ -13,12 +13,12 @@ use crate::{
             BresenhamInput, LineToPixels, LineToPixelsInput, ViewingPipeline, ViewingPipelineInput,
         },
         volume::{
-            ClipSpace, ClipVertex, CohenSutherland3d, CohenSutherland3dInput, HomogeneousLine,
-            HomogeneousTriangle, IntersectionPolygon, LiangBarsky3d, LineInput, PlaneAtATime,
-            PlaneLine, SpaceVertex, TrianglePlanes, VisibleLine,
+            ClipSpace, ClipVertex, CohenSutherland3d, HomogeneousLine, HomogeneousTriangle,
+            IntersectionPolygon, LiangBarsky3d, LineInput, PlaneAtATime, PlaneLine, SpaceVertex,
+            TrianglePlanes, VisibleLine,
         },
     },
-    geom::{Matrix, Plane},
+    geom::{AlignedBox, Matrix, Plane},
     input::{CAMERA, Dim, FRUSTUM, Fault, Field, SIZE, Shape},
     labs::plane_symbol,
     text::{Formula, Message, Value},
@@ -138,6 +138,11 @@ impl Solve for BackFace {
 
 const IN_BOX: [Field; 2] = [SOLID_BOX.required(), SEGMENT.required()];
 
+fn read_in_box(fields: &Fields<'_>) -> Result<LineInput<3, AlignedBox>, Refusal> {
+    let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
+    Ok(LineInput { bounds, ends })
+}
+
 const IS_VISIBLE: Field = Field::required("visible", &Shape::Bool);
 const VISIBLE: [Field; 2] = [
     IS_VISIBLE,
@@ -161,20 +166,14 @@ fn visible<const N: usize>(output: &VisibleLine<N>) -> Message {
 impl Solve for CohenSutherland3d {
     const FIELDS: &'static [Field] = &IN_BOX;
     const OUTPUT: &'static [Field] = &VISIBLE;
-    const READ: Reading<Self> = |fields| {
-        let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
-        Ok(CohenSutherland3dInput { bounds, ends })
-    };
+    const READ: Reading<Self> = read_in_box;
     const VERDICT: Verdict<Self> = visible;
 }
 
 impl Solve for LiangBarsky3d {
     const FIELDS: &'static [Field] = &IN_BOX;
     const OUTPUT: &'static [Field] = &VISIBLE;
-    const READ: Reading<Self> = |fields| {
-        let (bounds, ends) = (fields.need(&SOLID_BOX)?, fields.need(&SEGMENT)?);
-        Ok(LineInput { bounds, ends })
-    };
+    const READ: Reading<Self> = read_in_box;
     const VERDICT: Verdict<Self> = visible;
 }
 

@@ -7,13 +7,10 @@ use crate::{
     algo::{
         cull::SphereBatch,
         surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows},
-        volume::{ClipVertex, HomogeneousTriangle},
     },
-    geom::{Matrix, Plane},
-    trace::silent,
+    geom::Matrix,
+    labs::{frustum::prelude::*, space::Object},
 };
-
-use crate::labs::space::{Object, Scene};
 
 const SIZE: [u32; 2] = [320, 200];
 

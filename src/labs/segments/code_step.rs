@@ -1,15 +1,14 @@
 //! Clipping by codes, told: in the plane and in space the same steps, said in each one's own words.
 
 use crate::{
-    algo::{
-        parameter::End,
-        segment::{CodeClip, CodeEvent, Coded, VisibleLine},
-    },
+    algo::segment::{CodeClip, CodeEvent, Coded},
     figure::{BitRow, Bits},
-    labs::{interval::value_of, prelude::*},
 };
 
-use super::ends::{ENDS, end_named, is_point, left_in, place};
+use super::{
+    ends::{ENDS, end_named, is_point, left_in, place},
+    prelude::*,
+};
 
 const CODE_SYMBOLS: [&str; 2] = ["code₁", "code₂"];
 

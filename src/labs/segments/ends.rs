@@ -1,6 +1,6 @@
 //! What is said of a segment's ends.
 
-use crate::{algo::parameter::End, labs::prelude::*};
+use super::prelude::*;
 
 pub const ENDS: &[&str] = &["P₁ = {P₁}", "P₂ = {P₂}"];
 

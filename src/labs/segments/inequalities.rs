@@ -2,24 +2,15 @@
 //! one's own words.
 
 use crate::{
-    algo::{
-        parameter::End,
-        segment::{Given, LineClip, LineEvent, LineRules, RowNumbers},
-    },
-    figure::{
-        Side,
-        Tick::{self},
-    },
-    labs::{
-        interval::{difference, direction, quotient_formula, value_of},
-        prelude::*,
-    },
+    figure::Tick,
+    labs::interval::{difference, quotient_formula},
 };
 
 use super::{
     ends::{end_named, is_point, left_in, place},
     line_step::{LineLook, LineStep, LineVariant, ratio},
     line_table::{row_values, rows_table},
+    prelude::*,
 };
 
 const AXIS_VIEW: &str = "axis";

@@ -2,19 +2,14 @@
 //! bounds: how its planes, its numbers and its crossings are called, written and drawn.
 
 use crate::{
-    algo::{
-        parameter::{End, Ratio},
-        segment::{
-            Bounds, EventOf, Given, LineClip, LineEvent, LineRules, RowNumbers, VisibleLine,
-        },
-    },
-    figure::Side,
+    algo::segment::{Bounds, EventOf},
     labs::{
         crossing_formulas::Weights,
         interval::{ShownCrossing, ShownInterval, quotient},
-        prelude::*,
     },
 };
+
+use super::prelude::*;
 
 #[derive(Debug)]
 pub struct LineKeys {

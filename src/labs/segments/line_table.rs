@@ -1,14 +1,9 @@
 //! The rows of a clipper by inequalities: two numbers of each plane, where the line crosses it, and what is left after it.
 
-use crate::{
-    algo::segment::{Given, LineEvent},
-    labs::{
-        interval::{direction, value_of},
-        prelude::*,
-    },
+use super::{
+    line_step::{LineLook, LineStep, ratio},
+    prelude::*,
 };
-
-use super::line_step::{LineLook, LineStep, ratio};
 
 /// The numbers of every plane, or of those that have been asked.
 pub fn row_values<const N: usize, B: LineLook<N>>(

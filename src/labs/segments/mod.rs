@@ -6,6 +6,7 @@ mod ends;
 pub mod inequalities;
 mod line_step;
 mod line_table;
+mod prelude;
 
 pub use code_step::CodeStep;
 pub use ends::{ENDS, end_named, left_in};

@@ -1,21 +1,15 @@
 //! A triangle before the divide, shown.
 
-use crate::{
-    algo::{
-        ring::{EdgeTest, Known},
-        volume::ClipPolygon,
-    },
-    labs::frustum::prelude::*,
+use crate::algo::{
+    ring::{EdgeTest, Known},
+    volume::ClipPolygon,
 };
 
 use super::{
-    LISTS_VIEW,
-    agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows},
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
     homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
-    marks::vertex_symbol,
-    parts::in_clip_space,
-    variant::{Homogeneous, Variant, homogeneous},
+    prelude::*,
+    variant::homogeneous,
 };
 
 type Shown<L> = HomogeneousTriangle<Uv, L>;

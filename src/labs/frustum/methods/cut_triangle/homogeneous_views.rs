@@ -1,16 +1,11 @@
 //! Codes, lists and pictures of a triangle before the divide.
 
-use crate::{
-    figure::{BitRow, Bits},
-    labs::frustum::prelude::*,
-};
+use crate::figure::{BitRow, Bits};
 
 use super::{
     clip_space::{Event, Vertex, bound_symbol, in_world, on_screen, point},
     list_view::{marker, row},
-    marks::{given, kept, plane_mark, vertex_symbol},
-    parts::Parts,
-    variant::{Homogeneous, Variant},
+    prelude::*,
 };
 
 pub const BITS_VIEW: &str = "codes";

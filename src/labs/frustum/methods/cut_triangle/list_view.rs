@@ -1,16 +1,8 @@
 //! The list in, with every distance from the plane at work, and the list out.
 
-use crate::{
-    algo::volume::IntersectionPolygonEvent as Event,
-    figure::{ItemMarker, ListLink},
-    labs::frustum::prelude::*,
-};
+use crate::algo::volume::IntersectionPolygonEvent as Event;
 
-use super::{
-    super::asked::place,
-    marks::{cut_symbol, vertex_symbol},
-    parts::Parts,
-};
+use super::prelude::*;
 
 /// Between which vertices of the list in an entry of the list out lies; twice the same one for a vertex that was kept.
 type Origin = [usize; 2];

@@ -63,7 +63,7 @@ pub fn of_plane(
     })
 }
 
-pub struct Cut {
+pub struct CutPoint {
     pub nth: usize,
     pub idx: [usize; 2],
     /// How far inside they lie.
@@ -71,7 +71,7 @@ pub struct Cut {
     pub at: SpaceVertex,
 }
 
-impl Cut {
+impl CutPoint {
     pub fn named(&self, name_of: &str) -> Option<Named> {
         let symbol = cut_symbol(self.nth);
         Some(match name_of {

@@ -11,6 +11,7 @@ mod one_polygon;
 mod one_polygon_marks;
 mod parts;
 mod pieces_view;
+mod prelude;
 mod stages;
 mod variant;
 

@@ -1,21 +1,11 @@
 //! A triangle against planes, triangle by triangle, shown.
 
-use crate::{
-    algo::volume::PlaneAtATimeEvent as Event, figure::Tick::Cut as Cuts, labs::frustum::prelude::*,
-};
+use crate::algo::volume::PlaneAtATimeEvent as Event;
 
 use super::{
-    super::asked::place,
-    LISTS_VIEW, PLANES_VIEW,
-    agreement::is_alone,
-    marks::{
-        Cut, cut, cut_edge, cut_symbol, given, kept, lost, names, of_plane, places, plane_mark,
-        triangle_symbol, vertex, vertex_symbol,
-    },
-    parts::of_triangles,
     pieces_view::{Pieces, pieces, triangle_link},
-    stages::{Progress, small, stages, tally},
-    variant::{self, OneByOne, Variant, one_by_one},
+    prelude::*,
+    variant::one_by_one,
 };
 
 /// Of more triangles only the one that is asked has its name in the picture.
@@ -44,7 +34,7 @@ const fn asked(line: usize, key: &'static str, option: &'static str) -> Row {
 }
 
 const fn cross(line: usize) -> Row {
-    Row::new(Cuts, line, "ip-cross").so(&["{t of d}", "{place of cut}"])
+    Row::new(Cut, line, "ip-cross").so(&["{t of d}", "{place of cut}"])
 }
 
 fn count(inside: [bool; 3]) -> usize {
@@ -128,9 +118,7 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
         let lists = Body::Lists(pieces(&now, step.event()));
         views.push(View::new(LISTS_VIEW, lists));
         if let Some(scenery) = scenery.filter(|scenery| is_alone(scenery)) {
-            let (stages, progress) = (stages::<Self>(own), progress(&step, &now));
-            let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
-            views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
+            views.push(small_view::<Self>(own, progress(&step, &now), scenery));
         }
         views
     }
@@ -151,9 +139,8 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
             sections.push(list(now.next, "′"));
         }
         if at.scenery.is_some() {
-            let others = stages::<IntersectionPolygon<Right>>(own);
-            let stages = [&others[..], &stages::<Self>(own)];
-            sections.push(tally(stages, progress(&at.step, &now).n_done));
+            let n_done = progress(&at.step, &now).n_done;
+            sections.push(tally::<IntersectionPolygon, Self>(own, n_done));
         }
         sections
     }
@@ -187,7 +174,7 @@ fn of_triangle(now: &Pieces<'_>, event: Event, name_of: &str) -> Option<Named> {
             names(triangle.iter().filter_map(symbol)).into()
         }
         (_, Event::Cross { idx, at, .. }) => {
-            let cut = Cut {
+            let cut = CutPoint {
                 nth: now.crossings.len().checked_sub(1)?,
                 idx,
                 distances: idx.map(|i| asked.map_or(0.0, |asked| asked.distances[i])),

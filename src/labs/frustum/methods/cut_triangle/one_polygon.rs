@@ -5,23 +5,14 @@ use crate::{
         ring::{EdgeTest, Known, Rule},
         volume::{CutTriangles, IntersectionPolygonEvent as Event},
     },
-    figure::Tick::Cut as Cuts,
-    labs::{
-        frustum::prelude::*,
-        rings::{is_crossed, rules},
-    },
+    labs::rings::{is_crossed, rules},
 };
 
 use super::{
-    super::asked::place,
-    LISTS_VIEW, PLANES_VIEW,
-    agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows},
     list_view::lists,
-    marks::{Cut, cut_symbol, distance, names, of_plane, parameter, vertex_symbol},
     one_polygon_marks::{checkered, checkered_on_screen, fan, marks, parts, plane_idx, rings},
-    parts::of_polygon,
-    stages::{Progress, small, stages, tally},
-    variant::{self, OnePolygon, Variant, polygon},
+    prelude::*,
+    variant::polygon,
 };
 
 type Shown<L> = IntersectionPolygon<L>;
@@ -107,7 +98,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
             test("ip-out-in").keeps("P");
         comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => test("ip-touch").keeps("P");
         cuts: Event::Cross { .. } =>
-            Row::new(Cuts, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
+            Row::new(Cut, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
         puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
         puts: Event::Output { .. } => output(polygon::INSIDE);
         pass_empty: Event::Pass { n_vertices: 0, .. } => pass("ip-pass-empty");
@@ -169,9 +160,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         }
         let has_more = |scenery: &&Scenery| !L::IS_TEXTURED && is_alone(scenery);
         if let Some(scenery) = scenery.filter(has_more) {
-            let (stages, progress) = (stages::<Self>(own), progress(&step));
-            let row = small(&own.triangle, &own.planes, &stages, progress, scenery);
-            views.push(View::new(PLANES_VIEW, Body::Multiples(row)));
+            views.push(small_view::<Self>(own, progress(&step), scenery));
         }
         views.extend(agreement_view(scenery, || {
             let left = silent::<Self>(own);
@@ -188,9 +177,8 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         let first = at.section(&Self::WATCH[0]);
         let mut sections = vec![first, section(list, ""), section(output, "′")];
         if at.scenery.is_some() {
-            let (own, others) = (at.step.input, stages::<PlaneAtATime<Right>>(at.step.input));
-            let stages = [&stages::<Self>(own)[..], &others];
-            sections.push(tally(stages, progress(&at.step).n_done));
+            let n_done = progress(&at.step).n_done;
+            sections.push(tally::<Self, PlaneAtATime>(at.step.input, n_done));
         }
         sections
     }
@@ -234,7 +222,7 @@ fn of_vertex<L: Variant<OnePolygon>>(
         (_, Event::Cross(Crossing { at, .. })) => {
             let EdgeTest { idx, distances, .. } = asked.test?;
             let nth = n_cuts - 1;
-            let cut = Cut {
+            let cut = CutPoint {
                 nth,
                 idx,
                 distances,

@@ -1,18 +1,8 @@
 //! The drawing of a triangle that is cut as one polygon, with a checkered texture where it has one.
 
-use crate::{algo::volume::IntersectionPolygonEvent as Event, labs::frustum::prelude::*};
+use crate::algo::volume::IntersectionPolygonEvent as Event;
 
-use super::{
-    super::asked::perpendicular,
-    clip_space::on_screen,
-    marks::{
-        cut, cut_edge, cut_symbol, given, kept, lost, places, plane_mark, vertex, vertex_symbol,
-        with_texel,
-    },
-    parts::{Parts, of_polygon},
-    stages::stages,
-    variant::{OnePolygon, Variant},
-};
+use super::{clip_space::on_screen, prelude::*, stages::stages};
 
 pub fn rings<'a, L: Variant<OnePolygon>>(
     step: &Step<'a, IntersectionPolygon<L>>,

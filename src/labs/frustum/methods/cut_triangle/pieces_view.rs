@@ -2,13 +2,10 @@
 
 use std::ops::Range;
 
-use crate::{
-    algo::volume::PlaneAtATimeEvent as Event,
-    figure::{ItemMarker, ListLink},
-    labs::frustum::prelude::*,
-};
+use crate::algo::volume::PlaneAtATimeEvent as Event;
 
-use super::{list_view::row, marks::triangle_symbol};
+use super::list_view::row;
+use super::prelude::*;
 
 pub struct AskedTriangle {
     pub triangle_idx: usize,
@@ -92,8 +89,9 @@ pub fn pieces(now: &Pieces<'_>, event: Option<Event>) -> Lists {
         [now.list, now.next]
     };
     let (n_in, n_out) = (list_in.len(), list_out.len());
-    let (dot, legend) = (Some(ItemMarker::Dot), Vec::new());
+    let dot = Some(ItemMarker::Dot);
     let link = |i: usize| Some(triangle_link(i));
+    let legend = Vec::new();
     if now.is_done {
         let entry = |i| row(triangle_symbol(i), Role::Accepted, dot, link(i));
         let left = ListColumn::about(Value::Term("tri-list-left"), n_in, None, entry);

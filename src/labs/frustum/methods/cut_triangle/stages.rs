@@ -12,6 +12,7 @@ use crate::{
 };
 
 use super::super::asked::{plane_link, plane_name};
+use super::PLANES_VIEW;
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stage {
@@ -93,9 +94,12 @@ impl<L: VolumeRules> ByPlanes for PlaneAtATime<L> {
     }
 }
 
-pub fn tally(stages: [&[Stage]; 2], n_planes: usize) -> WatchSection {
-    let names = ["tally-one-polygon", "tally-one-by-one"];
-    let row = |(stages, name_key): (&[Stage], &'static str)| {
+/// What both methods have come to after so many planes, each by rules of its own.
+pub fn tally<Polygon: ByPlanes, Triangles: ByPlanes>(
+    own: &TrianglePlanes,
+    n_planes: usize,
+) -> WatchSection {
+    let row = |name_key: &'static str, stages: &[Stage]| {
         let last = n_planes.min(stages.len()).checked_sub(1);
         let counts = match last {
             Some(last) => [stages[last].n_triangles, stages[last].n_crossings],
@@ -105,8 +109,11 @@ pub fn tally(stages: [&[Stage]; 2], n_planes: usize) -> WatchSection {
         WatchRow::table(Value::Term(name_key), cells.into())
     };
     let header = ["tally-triangles", "tally-crossings"].map(Value::Term);
-    let rows = stages.into_iter().zip(names).map(row);
-    WatchSection::titled(header.into(), rows.collect())
+    let rows = vec![
+        row("tally-one-polygon", &stages::<Polygon>(own)),
+        row("tally-one-by-one", &stages::<Triangles>(own)),
+    ];
+    WatchSection::titled(header.into(), rows)
 }
 
 const TO_COME: f32 = 0.42;
@@ -167,13 +174,12 @@ impl Progress {
 }
 
 /// One drawing a plane. What is still to come is pale; before the first step nothing is told of it.
-pub fn small(
-    triangle: &[SpaceVertex; 3],
-    planes: &[Plane],
-    stages: &[Stage],
+pub fn small_view<M: ByPlanes>(
+    own: &TrianglePlanes,
     progress: Progress,
     scenery: &Scenery,
-) -> Multiples {
+) -> View {
+    let (TrianglePlanes { planes, triangle }, stages) = (own, stages::<M>(own));
     let sheet = Sheet::of(triangle, scenery);
     let given = sheet.ring(triangle);
     let has_begun = progress.plane_idx.is_some() || progress.n_done > 0;
@@ -204,13 +210,14 @@ pub fn small(
     let bound = |least: f64, pick: fn(f64, f64) -> f64| {
         [0, 1].map(|i| given.iter().map(|p| p[i]).fold(least, pick))
     };
-    Multiples {
+    let row = Multiples {
         drawings: (0..planes.len()).map(drawing).collect(),
         bounds: [
             bound(f64::INFINITY, f64::min),
             bound(-f64::INFINITY, f64::max),
         ],
-    }
+    };
+    View::new(PLANES_VIEW, Body::Multiples(row))
 }
 
 fn stage_marks(

@@ -1,13 +1,8 @@
 //! The step that decided what became of a segment, or of one of its ends.
 
 use crate::{
-    algo::{
-        parameter::End,
-        segment::{Given, LineClip, LineEvent as Event, LineRules},
-    },
-    geom::VolumeSide,
-    labs::segments::LineLook,
-    trace::Recording,
+    algo::segment::{Given, LineClip, LineEvent as Event, LineRules},
+    labs::frustum::prelude::*,
 };
 
 use super::super::super::part::{Fate, Outcome};
