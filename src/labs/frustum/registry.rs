@@ -1,16 +1,15 @@
-//! The lab and its methods. To add one: a file in `algo::cull` or `algo::volume`, its [`SpaceDemo`] in `methods/` beside
+//! The lab and its methods. To add one: a file in `algo::cull` or `algo::volume`, its [`SpaceTelling`] in `methods/` beside
 //! the others, one line below.
 
 use crate::{
     algo::{
         cull::{
-            BackFace, BoxCull, Funnel, PointPlanes, SphereCull,
+            BoxCull, Funnel, PointPlanes, SphereCull,
             faulty::{AroundOrigin, Clockwise, ConstantView, OneAngle, TurnsSign},
         },
         pipeline::{LineToPixels, ViewingPipeline},
         volume::{
-            CohenSutherland3d, HomogeneousLine, HomogeneousTriangle, IntersectionPolygon,
-            LiangBarsky3d, PlaneAtATime, PlaneLine,
+            CohenSutherland3d, HomogeneousLine, LiangBarsky3d, PlaneLine,
             faulty::{
                 AllSides, DividedLine, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture,
                 MissesEdge,
@@ -20,10 +19,8 @@ use crate::{
     geom::{Orbit, Solid},
     labs::{
         Lab, MethodEntry,
-        space::{
-            Method, MethodInfo, Model, Object, Opening, Scene, SpaceLab, SpaceTelling,
-            TaughtCamera, demo,
-        },
+        frustum::prelude::*,
+        space::{Method, MethodInfo, Model, Object, Opening, SpaceLab, TaughtCamera, demo},
     },
 };
 

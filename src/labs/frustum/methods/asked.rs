@@ -126,10 +126,6 @@ impl Asked<'_> {
         answers.map(named).collect()
     }
 
-    pub const fn fate(&self) -> Fate {
-        fate_of(self.class)
-    }
-
     pub fn marks(&self, camera: &Camera, at: [f64; 3], distance: f64) -> Vec<Mark3> {
         let Some((plane_idx, plane)) = self.current_idx().zip(self.current) else {
             return Vec::new();

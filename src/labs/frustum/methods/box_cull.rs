@@ -5,7 +5,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::asked::{Asked, both, place, says};
+use super::asked::{Asked, both, fate_of, place, says};
 
 const CORNERS_VIEW: &str = "corners";
 
@@ -84,8 +84,8 @@ impl Telling for BoxCull {
                 let side = VolumeSide::ALL[plane_idx];
                 marks.extend(plane_at_work(scenery.scene().culler(), side));
             }
-            let in_vain = at.step.held.false_positive;
-            let fate = if in_vain { Fate::Culled } else { asked.fate() };
+            let in_vain = at.step.held.false_positive.then_some(Fate::Culled);
+            let fate = in_vain.unwrap_or(fate_of(asked.class));
             views.extend(both(scenery, fate, marks));
         }
         let table = corner_table(at, &asked);

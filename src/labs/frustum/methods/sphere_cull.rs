@@ -9,7 +9,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::asked::{Asked, both, distance_formula, place, says};
+use super::asked::{Asked, both, distance_formula, fate_of, place, says};
 
 const GAUGES_VIEW: &str = "distances";
 
@@ -79,7 +79,7 @@ impl Telling for SphereCull {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
             let marks = asked.marks(scenery.scene().culler());
-            views.extend(both(scenery, asked.planes.fate(), marks));
+            views.extend(both(scenery, fate_of(asked.planes.class), marks));
         }
         views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
         views

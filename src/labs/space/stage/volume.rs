@@ -39,18 +39,14 @@ fn outline(camera: &Camera, side: VolumeSide) -> Vec<[f64; 3]> {
 /// Edges and ends of the volume, and its lines of sight.
 pub fn volume(camera: &Camera) -> Vec<Mark3> {
     let corners = camera.corners_in_world();
-    let mut marks: Vec<Mark3> = [VolumeSide::Near, VolumeSide::Far]
-        .into_iter()
-        .flat_map(|side| {
-            let outline = outline(camera, side);
-            [
-                Mark3::new(Role::Accent, Shape3::Wash(outline.clone())),
-                Mark3::new(Role::Accent, Shape3::Outline(outline))
-                    .fine()
-                    .linked(side_link(side)),
-            ]
-        })
-        .collect();
+    let mut marks = Vec::new();
+    for side in [VolumeSide::Near, VolumeSide::Far] {
+        let outline = outline(camera, side);
+        let wash = Shape3::Wash(outline.clone());
+        marks.push(Mark3::new(Role::Accent, wash));
+        let outline = Mark3::new(Role::Accent, Shape3::Outline(outline));
+        marks.push(outline.fine().linked(side_link(side)));
+    }
     for i in 0..4 {
         let edge = Shape3::Segment([corners[i], corners[i + 4]]);
         marks.push(Mark3::new(Role::Accent, edge).fine());

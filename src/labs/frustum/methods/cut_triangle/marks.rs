@@ -132,30 +132,26 @@ pub fn plane_mark(scenery: &Scenery, plane_idx: usize) -> Vec<Mark3> {
 }
 
 /// A vertex of the list: hollow where it is outside, small where it has not been looked at.
-pub fn vertex(idx: usize, at: [f64; 3], inside: Option<bool>) -> Mark3 {
+pub fn vertex(idx: usize, v: &SpaceVertex, inside: Option<bool>) -> Mark3 {
     let (role, shape) = match inside {
-        Some(true) => (Role::Accent, Shape3::Dot(at)),
-        Some(false) => (Role::Discarded, Shape3::Ring(at)),
-        None => (Role::Soft, Shape3::Dot(at)),
+        Some(true) => (Role::Accent, Shape3::Dot(v.at)),
+        Some(false) => (Role::Discarded, Shape3::Ring(v.at)),
+        None => (Role::Soft, Shape3::Dot(v.at)),
     };
-    Mark3::new(role, shape).labelled(name(vertex_symbol(idx)))
+    Mark3::new(role, shape).labelled(label(vertex_symbol(idx), v.uv))
 }
 
-pub fn cut(idx: usize, at: [f64; 3]) -> Mark3 {
-    Mark3::new(Role::Signal, Shape3::Dot(at))
-        .labelled(name(cut_symbol(idx)))
-        .strong()
+pub fn cut(idx: usize, v: &SpaceVertex) -> Mark3 {
+    let mark = Mark3::new(Role::Signal, Shape3::Dot(v.at));
+    let mark = mark.labelled(label(cut_symbol(idx), v.uv));
+    // With its place in the texture the label is long enough.
+    if v.uv.is_none() { mark.strong() } else { mark }
 }
 
-pub fn cut_edge(cuts: &[[f64; 3]]) -> Option<Mark3> {
-    let ends: [[f64; 3]; 2] = cuts.try_into().ok()?;
-    Some(Mark3::new(Role::Signal, Shape3::Segment(ends)))
-}
-
-/// `V₂: uv = (1, 1/4)` where it has a place in the texture.
-pub fn with_texel(mark: Mark3, symbol: &str, uv: Option<[f64; 2]>) -> Mark3 {
+/// `V₂ (1, 1/4)` where it has a place in the texture.
+fn label(symbol: String, uv: Option<[f64; 2]>) -> Value {
     match uv {
-        Some(uv) => mark.labelled(Value::Formula(sym(format!("{symbol} ")).point(uv))),
-        None => mark,
+        Some(uv) => Value::Formula(sym(symbol + " ").point(uv)),
+        None => name(symbol),
     }
 }

@@ -227,17 +227,13 @@ fn marks<L: Variant<OneByOne>>(
     if let Some(asked) = asked {
         let triangle = &now.list[asked.triangle_idx];
         for (i, v) in triangle.iter().enumerate() {
-            let mark = vertex(i, v.at, Some(asked.inside[i]));
-            marks.push(parts.linked(mark, v));
+            marks.push(parts.linked(vertex(i, v, Some(asked.inside[i])), v));
         }
         let new = now.origins.iter().zip(now.next);
         let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
         let outline = |piece| Mark3::new(Role::Accent, Shape3::Outline(places(piece)));
         marks.extend(new.map(|(_, piece)| outline(piece)));
-        let cuts: Vec<[f64; 3]> = now.crossings.iter().map(|(_, c)| c.at.at).collect();
-        marks.extend(cut_edge(&cuts));
-        let crossings = now.crossings.iter().enumerate();
-        marks.extend(crossings.map(|(i, (_, c))| parts.linked(cut(i, c.at.at), &c.at)));
+        marks.extend(parts.cuts_of(&now.crossings));
     }
     marks
 }

@@ -60,21 +60,14 @@ pub fn marks<L: Variant<OnePolygon>>(
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
     }
     if plane_idx.is_some() {
-        let crossings = &rings.turn.crossings;
-        let cuts = || crossings.iter().map(|(_, crossing)| &crossing.at);
-        marks.extend(cut_edge(&cuts().map(|v| v.at).collect::<Vec<_>>()));
-        marks.extend(cuts().enumerate().map(|(i, v)| {
-            let mark = with_texel(cut(i, v.at), &cut_symbol(i), v.uv);
-            parts.linked(mark, v)
-        }));
+        marks.extend(parts.cuts_of(&rings.turn.crossings));
     }
     for (i, v) in list.iter().enumerate() {
         let inside = match plane_idx {
             Some(_) => rings.turn.sides.get(i).map(|&(_, inside)| inside),
             None => Some(true),
         };
-        let mark = with_texel(vertex(i, v.at, inside), &vertex_symbol(i), v.uv);
-        marks.push(parts.linked(mark, v));
+        marks.push(parts.linked(vertex(i, v, inside), v));
     }
     marks
 }

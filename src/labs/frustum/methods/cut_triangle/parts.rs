@@ -14,7 +14,7 @@ use crate::{
 use super::{
     super::super::part::{Fate, Outcome, crossing_verdict, part_verdict, region},
     clip_space::{Uv, Vertex},
-    marks::{edge_link, vertex_symbol},
+    marks::{cut, edge_link, vertex_symbol},
 };
 
 #[derive(Clone, Copy)]
@@ -151,6 +151,18 @@ impl<V: Copy + PartialEq> Parts<V> {
         let plane = &region(scene, subject)[cut.plane_idx];
         let distances = cut.ends.map(|end| signed_distance(plane, in_world(&end)));
         Some(crossing_verdict(cut.step, cut.plane_idx, distances, run))
+    }
+}
+
+impl Parts<SpaceVertex> {
+    /// The points of a cut, and the edge between two.
+    pub fn cuts_of(&self, crossings: &[([usize; 2], Crossing<SpaceVertex>)]) -> Vec<Mark3> {
+        let cuts = || crossings.iter().map(|(_, crossing)| &crossing.at);
+        let ends = cuts().map(|v| v.at).collect::<Vec<_>>().try_into().ok();
+        let edge = ends.map(|ends| Mark3::new(Role::Signal, Shape3::Segment(ends)));
+        let points = cuts().enumerate();
+        let points = points.map(|(i, v)| self.linked(cut(i, v), v));
+        edge.into_iter().chain(points).collect()
     }
 }
 

@@ -59,11 +59,7 @@ impl PictureSpace {
 
     /// The space that a matrix leads into.
     pub const fn reached(into: PipelineSpace) -> Self {
-        match into {
-            PipelineSpace::World => Self::World,
-            PipelineSpace::View => Self::View,
-            PipelineSpace::Clip => Self::Clip,
-        }
+        Self::ALL[into as usize + 1]
     }
 }
 
