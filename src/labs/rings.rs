@@ -2,7 +2,7 @@
 //! at, and where the edges cross.
 
 use crate::{
-    algo::ring::{Crossing, EdgeTest, Happening, Lists, Ring, RingEvent, Rule},
+    algo::ring::{Crossing, EdgeTest, Happening, Known, Lists, Ring, RingEvent, Rule},
     text::Value,
 };
 
@@ -139,9 +139,18 @@ impl<'a, V: Copy + PartialEq> RingStep<'a, V> {
 
 /// The vertex that an event asks on which side it lies.
 pub fn asked_vertex<V: Copy>(event: &impl RingEvent<V>) -> Option<V> {
+    asked_now(event).map(|known| known.at)
+}
+
+/// The same, and what that has found.
+pub fn asked_now<V: Copy>(event: &impl RingEvent<V>) -> Option<Known<V>> {
     match event.happening()? {
-        Happening::First(first) => Some(first.at),
-        Happening::Test(test) => Some(test.ends[1]),
+        Happening::First(first) => Some(first),
+        Happening::Test(test) => Some(Known {
+            at: test.ends[1],
+            distance: test.distances[1],
+            inside: test.rule.ends_inside(),
+        }),
         Happening::Cross(_) | Happening::Output(_) => None,
     }
 }

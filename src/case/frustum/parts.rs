@@ -117,31 +117,23 @@ fn segment_told<const N: usize>(got: &Got) -> Vec<Given> {
 }
 
 /// With or without an area.
-pub const TRIANGLE: Part<[[f64; 3]; 3]> = Part::new(
-    "triangle",
-    &Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(3)]),
-    |got| Ok(got.matrix()),
-)
-.told(triangle_told::<3>);
+pub const TRIANGLE: Part<[[f64; 3]; 3]> = rows("triangle").told(triangle_told::<3>);
 
-pub const CLIP_TRIANGLE: Part<[[f64; 4]; 3]> = Part::new(
-    "triangle",
-    &Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(4)]),
-    |got| Ok(got.matrix()),
-)
-.told(triangle_told::<4>);
+pub const CLIP_TRIANGLE: Part<[[f64; 4]; 3]> = rows("triangle").told(triangle_told::<4>);
 
 fn triangle_told<const N: usize>(got: &Got) -> Vec<Given> {
     let names = ["V₀ = (", "V₁ = (", "V₂ = ("];
     named("object-triangle", names, got.matrix::<3, N>())
 }
 
-pub const UV: Part<[[f64; 2]; 3]> = Part::new(
-    "uv",
-    &Shape::Numbers(&[Dim::Exactly(3), Dim::Exactly(2)]),
-    |got| Ok(got.matrix()),
-)
-.told(|got| Given::only("object-triangle-uv", got.matrix::<3, 2>().map(Value::Point)));
+/// So many rows of so many numbers, taken as they are.
+const fn rows<const R: usize, const N: usize>(name: &'static str) -> Part<[[f64; N]; R]> {
+    let shape = const { &Shape::Numbers(&[Dim::Exactly(R), Dim::Exactly(N)]) };
+    Part::new(name, shape, |got| Ok(got.matrix()))
+}
+
+pub const UV: Part<[[f64; 2]; 3]> = rows("uv")
+    .told(|got| Given::only("object-triangle-uv", got.matrix::<3, 2>().map(Value::Point)));
 
 /// Four rows of four, for column vectors.
 pub const MODEL: Part<Matrix> = Part::new(

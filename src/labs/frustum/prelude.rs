@@ -17,7 +17,7 @@ pub(super) use crate::{
     figure::{Gauge, Gauges},
     geom::{AlignedBox, Camera, Plane, Sight, VolumeSide},
     labs::{
-        rings::{RingStep, asked_vertex},
+        rings::{RingStep, asked_now},
         segments::{LineLook, LineStep, LineVariant},
         space::prelude::*,
     },

@@ -47,6 +47,9 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
 
 pub static LAB: &Lab = &FRUSTUM.lab;
 
+/// A triangle in clip space, where its texture is a part of the scene.
+type Triangle<L = Right> = HomogeneousTriangle<Option<[f64; 2]>, L>;
+
 const fn told<M: SpaceTelling>() -> MethodEntry<MethodInfo> {
     demo::told::<M, M>(&FRUSTUM)
 }
@@ -73,7 +76,7 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<IntersectionPolygon>(),
     told::<IntersectionPolygon<WithTexture>>(),
     told::<IntersectionPolygon<EvenOnScreen>>(),
-    told::<HomogeneousTriangle<Option<[f64; 2]>>>(),
+    told::<Triangle>(),
     told::<ViewingPipeline>(),
     told::<LineToPixels>(),
     wrong::<Funnel<OneAngle>, Funnel>(),
@@ -86,12 +89,8 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     wrong::<IntersectionPolygon<DropsOnPlane>, IntersectionPolygon>(),
     wrong::<IntersectionPolygon<KeepsPlaceInTexture>, IntersectionPolygon>(),
     wrong::<IntersectionPolygon<EdgeByEdge>, IntersectionPolygon>(),
-    wrong::<HomogeneousTriangle<Option<[f64; 2]>, AllSides>, HomogeneousTriangle<Option<[f64; 2]>>>(
-    ),
-    wrong::<
-        HomogeneousTriangle<Option<[f64; 2]>, DividesFirst>,
-        HomogeneousTriangle<Option<[f64; 2]>>,
-    >(),
+    wrong::<Triangle<AllSides>, Triangle>(),
+    wrong::<Triangle<DividesFirst>, Triangle>(),
 ];
 
 /// # Panics

@@ -115,10 +115,11 @@ where
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         let shown = LineStep::of(&at.step);
-        whole(&shown, name)
-            .or_else(|| of_plane(&shown, at, name))
-            .or_else(|| of_interval(&shown, at, name))
-            .or_else(|| of_end(&shown, at, name))
+        shown
+            .whole(name)
+            .or_else(|| shown.of_plane(at.scenery, name))
+            .or_else(|| shown.of_interval(at.scenery, name))
+            .or_else(|| shown.of_end(at.scenery, name))
     }
 
     fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
@@ -157,142 +158,132 @@ where
     }
 }
 
-fn whole<const N: usize, B: LineLook<N>>(shown: &LineStep<'_, N, B>, of: &str) -> Option<Named> {
-    let end = |end: End, at: &[f64; N]| Named::from(place(at)).linked(end_link(end));
-    let delta = |i: usize| Named::maybe(shown.delta.map(|delta| delta[i]));
-    let given = shown.input.ends();
-    Some(match of {
-        "given P₁" => place(&given[0]).into(),
-        "given P₂" => place(&given[1]).into(),
-        "P₁" => end(End::P1, &shown.ends[0]),
-        "P₂" => end(End::P2, &shown.ends[1]),
-        "P₁′" => end(End::P1, shown.put[0].as_ref()?),
-        "P₂′" => end(End::P2, shown.put[1].as_ref()?),
-        "Δ" => place(shown.delta.as_ref()?).into(),
-        "Δx" => delta(0),
-        "Δy" => delta(1),
-        "x" | "y" | "z" => {
-            let axis = ["x", "y", "z"].iter().position(|it| *it == of)?;
-            let Some(LineEvent::Delta { delta }) = shown.event else {
-                return None;
-            };
-            let difference = sym(format!("Δ{of} = ")).num(*given[1].get(axis)?);
-            let difference = difference.sym(" − ").operand(*given[0].get(axis)?);
-            difference.equals(*delta.get(axis)?).into()
-        }
-        "w₁" => (*given[0].last()?).into(),
-        "w₂" => (*given[1].last()?).into(),
-        "planes" => shown.input.bounds().planes().count().into(),
-        _ => return None,
-    })
-}
-
-fn of_plane<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
-    shown: &LineStep<'_, N, B>,
-    at: &At<'_, LineClip<N, B, L>>,
-    of: &str,
-) -> Option<Named> {
-    let plane = match shown.event? {
-        LineEvent::Put { plane, .. } => plane?,
-        _ => shown.in_hand()?,
-    };
-    let row = shown.row_of(plane)?;
-    Some(match (of, shown.event?) {
-        ("edge" | "plane" | "rejects", _) => B::plane(plane, at.scenery),
-        ("k", _) => shown.rows.len().into(),
-        ("direction", _) => Value::Term(direction(row.p())).into(),
-        ("of q", _) => name(B::PARALLEL).into(),
-        ("q", LineEvent::Parallel { q, .. }) => q.into(),
-        ("1st" | "2nd" | "3rd" | "4th", event) => {
-            let nth = ["1st", "2nd", "3rd", "4th"];
-            let nth = nth.iter().position(|it| *it == of)?;
-            let formulas = match event {
-                LineEvent::Row { .. } => {
-                    let bounds = shown.input.bounds();
-                    bounds.row_formulas(&shown.ends, row)
-                }
-                LineEvent::Put { end, at, .. } => B::put_formulas(shown, end, plane, at),
-                _ => return None,
-            };
-            formulas.into_iter().nth(nth)?.into()
-        }
-        ("bound" | "r = q/p" | "u = max(u, r)", event) => {
-            let (side, r, new) = match event {
-                LineEvent::Enter { r, u_min, .. } => (Side::Entering, r, u_min),
-                LineEvent::Leave { r, u_max, .. } => (Side::Leaving, r, u_max),
-                _ => return None,
-            };
-            let (before, quotient) = (LineStep::before(&at.step), ratio(row, r));
-            let before = before.interval(at.scenery);
-            match of {
-                "bound" => name(before.bound_symbol(side)).into(),
-                "r = q/p" => {
-                    let terms = B::QUOTIENT.map(difference);
-                    quotient_formula(B::SYMBOLS[1], terms, quotient).into()
-                }
-                _ => before.bound_formula(side, r, quotient, new).into(),
+impl<const N: usize, B: LineLook<N>> LineStep<'_, N, B> {
+    fn whole(&self, of: &str) -> Option<Named> {
+        let end = |end: End, at: &[f64; N]| Named::from(place(at)).linked(end_link(end));
+        let delta = |i: usize| Named::maybe(self.delta.map(|delta| delta[i]));
+        let given = self.input.ends();
+        Some(match of {
+            "given P₁" => place(&given[0]).into(),
+            "given P₂" => place(&given[1]).into(),
+            "P₁" => end(End::P1, &self.ends[0]),
+            "P₂" => end(End::P2, &self.ends[1]),
+            "P₁′" => end(End::P1, self.put[0].as_ref()?),
+            "P₂′" => end(End::P2, self.put[1].as_ref()?),
+            "Δ" => place(self.delta.as_ref()?).into(),
+            "Δx" => delta(0),
+            "Δy" => delta(1),
+            "x" | "y" | "z" => {
+                let axis = ["x", "y", "z"].iter().position(|it| *it == of)?;
+                let Some(LineEvent::Delta { delta }) = self.event else {
+                    return None;
+                };
+                let difference = sym(format!("Δ{of} = ")).num(*given[1].get(axis)?);
+                let difference = difference.sym(" − ").operand(*given[0].get(axis)?);
+                difference.equals(*delta.get(axis)?).into()
             }
-        }
-        _ => return None,
-    })
-}
+            "w₁" => (*given[0].last()?).into(),
+            "w₂" => (*given[1].last()?).into(),
+            "planes" => self.input.bounds().planes().count().into(),
+            _ => return None,
+        })
+    }
 
-fn of_interval<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
-    shown: &LineStep<'_, N, B>,
-    at: &At<'_, LineClip<N, B, L>>,
-    of: &str,
-) -> Option<Named> {
-    let interval = shown.interval(at.scenery);
-    let crossed = |end: End| {
-        let plane = shown.set_by[end.idx()].filter(|_| interval.is_crossed_over())?;
-        Some(B::plane(plane, at.scenery))
-    };
-    Some(match of {
-        "min" => name(interval.bound_symbol(Side::Entering)).into(),
-        "max" => name(interval.bound_symbol(Side::Leaving)).into(),
-        "u_min" => interval.written(shown.bounds[0]).into(),
-        "u_max" => interval.written(shown.bounds[1]).into(),
-        "enters" => crossed(End::P1)?,
-        "leaves" => crossed(End::P2)?,
-        _ => return None,
-    })
-}
+    fn of_plane(&self, scenery: Option<&B::Scenery>, of: &str) -> Option<Named> {
+        let plane = match self.event? {
+            LineEvent::Put { plane, .. } => plane?,
+            _ => self.in_hand()?,
+        };
+        let row = self.row_of(plane)?;
+        Some(match (of, self.event?) {
+            ("edge" | "plane" | "rejects", _) => B::plane(plane, scenery),
+            ("k", _) => self.rows.len().into(),
+            ("direction", _) => Value::Term(direction(row.p())).into(),
+            ("of q", _) => name(B::PARALLEL).into(),
+            ("q", LineEvent::Parallel { q, .. }) => q.into(),
+            ("1st" | "2nd" | "3rd" | "4th", event) => {
+                let nth = ["1st", "2nd", "3rd", "4th"];
+                let nth = nth.iter().position(|it| *it == of)?;
+                let formulas = match event {
+                    LineEvent::Row { .. } => {
+                        let bounds = self.input.bounds();
+                        bounds.row_formulas(&self.ends, row)
+                    }
+                    LineEvent::Put { end, at, .. } => B::put_formulas(self, end, plane, at),
+                    _ => return None,
+                };
+                formulas.into_iter().nth(nth)?.into()
+            }
+            ("bound" | "r = q/p" | "u = max(u, r)", event) => {
+                let (side, r, new) = match event {
+                    LineEvent::Enter { r, u_min, .. } => (Side::Entering, r, u_min),
+                    LineEvent::Leave { r, u_max, .. } => (Side::Leaving, r, u_max),
+                    _ => return None,
+                };
+                let (before, quotient) = (self.before(), ratio(row, r));
+                let before = before.interval(scenery);
+                match of {
+                    "bound" => name(before.bound_symbol(side)).into(),
+                    "r = q/p" => {
+                        let terms = B::QUOTIENT.map(difference);
+                        quotient_formula(B::SYMBOLS[1], terms, quotient).into()
+                    }
+                    _ => before.bound_formula(side, r, quotient, new).into(),
+                }
+            }
+            _ => return None,
+        })
+    }
 
-fn of_end<const N: usize, B: LineLook<N>, L: LineRules + LineVariant<N, B>>(
-    shown: &LineStep<'_, N, B>,
-    at: &At<'_, LineClip<N, B, L>>,
-    of: &str,
-) -> Option<Named> {
-    Some(match (of, shown.event?) {
-        ("end", LineEvent::Put { end, .. }) => end_named(end),
-        (
-            "end",
-            LineEvent::Depths {
-                behind: [true, _], ..
-            },
-        ) => end_named(End::P1),
-        ("end", LineEvent::Depths { .. }) => end_named(End::P2),
-        ("at", LineEvent::Put { at, .. }) => place(&at).into(),
-        ("symbol", _) => name(B::SYMBOLS[0]).into(),
-        ("u" | "t", LineEvent::Put { u, plane, .. }) => {
-            let row = plane.and_then(|plane| shown.row_of(plane));
-            let row = row.filter(|_| N > 2);
-            let written = || shown.interval(at.scenery).written(u);
-            let written = row.map_or_else(written, |row| value_of(ratio(row, u)));
-            written.into()
-        }
-        ("border", LineEvent::Put { plane, .. }) => {
-            let bounds = shown.input.bounds();
-            bounds.border(plane?, at.scenery).into()
-        }
-        ("P₁′/w" | "P₂′/w", LineEvent::Accept { ends }) if N == 4 => {
-            let (w, place) = ends[usize::from(of == "P₂′/w")].split_last()?;
-            let image: Vec<f64> = place.iter().map(|x| x / w).collect();
-            let symbols = ["P₁′ / w = ", "P₂′ / w = "];
-            let formula = sym(symbols[usize::from(of == "P₂′/w")]);
-            let formula = formula.sym("(").list(&image).sym(")");
-            Some(formula).filter(|_| *w > 0.0)?.into()
-        }
-        _ => return left_in(shown.verdict.flatten(), of),
-    })
+    fn of_interval(&self, scenery: Option<&B::Scenery>, of: &str) -> Option<Named> {
+        let interval = self.interval(scenery);
+        let crossed = |end: End| {
+            let plane = self.set_by[end.idx()].filter(|_| interval.is_crossed_over())?;
+            Some(B::plane(plane, scenery))
+        };
+        Some(match of {
+            "min" => name(interval.bound_symbol(Side::Entering)).into(),
+            "max" => name(interval.bound_symbol(Side::Leaving)).into(),
+            "u_min" => interval.written(self.bounds[0]).into(),
+            "u_max" => interval.written(self.bounds[1]).into(),
+            "enters" => crossed(End::P1)?,
+            "leaves" => crossed(End::P2)?,
+            _ => return None,
+        })
+    }
+
+    fn of_end(&self, scenery: Option<&B::Scenery>, of: &str) -> Option<Named> {
+        Some(match (of, self.event?) {
+            ("end", LineEvent::Put { end, .. }) => end_named(end),
+            (
+                "end",
+                LineEvent::Depths {
+                    behind: [true, _], ..
+                },
+            ) => end_named(End::P1),
+            ("end", LineEvent::Depths { .. }) => end_named(End::P2),
+            ("at", LineEvent::Put { at, .. }) => place(&at).into(),
+            ("symbol", _) => name(B::SYMBOLS[0]).into(),
+            ("u" | "t", LineEvent::Put { u, plane, .. }) => {
+                let row = plane.and_then(|plane| self.row_of(plane));
+                let row = row.filter(|_| N > 2);
+                let written = || self.interval(scenery).written(u);
+                let written = row.map_or_else(written, |row| value_of(ratio(row, u)));
+                written.into()
+            }
+            ("border", LineEvent::Put { plane, .. }) => {
+                let bounds = self.input.bounds();
+                bounds.border(plane?, scenery).into()
+            }
+            ("P₁′/w" | "P₂′/w", LineEvent::Accept { ends }) if N == 4 => {
+                let (w, place) = ends[usize::from(of == "P₂′/w")].split_last()?;
+                let image: Vec<f64> = place.iter().map(|x| x / w).collect();
+                let symbols = ["P₁′ / w = ", "P₂′ / w = "];
+                let formula = sym(symbols[usize::from(of == "P₂′/w")]);
+                let formula = formula.sym("(").list(&image).sym(")");
+                Some(formula).filter(|_| *w > 0.0)?.into()
+            }
+            _ => return left_in(self.verdict.flatten(), of),
+        })
+    }
 }

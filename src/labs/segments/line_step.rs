@@ -131,6 +131,7 @@ impl<const N: usize, B: Bounds<N>> SeenRow<N, B> {
 
 pub struct LineStep<'a, const N: usize, B: LineLook<N>> {
     pub input: &'a B::Input,
+    past: &'a [EventOf<N, B>],
     pub event: Option<EventOf<N, B>>,
     pub is_divided: bool,
     /// What is clipped: as given, but by wrong rules.
@@ -146,19 +147,21 @@ pub struct LineStep<'a, const N: usize, B: LineLook<N>> {
 
 impl<'a, const N: usize, B: LineLook<N>> LineStep<'a, N, B> {
     pub fn of<L: LineRules>(step: &Step<'a, LineClip<N, B, L>>) -> Self {
-        Self::after::<L>(step.input, step.past)
+        Self::after(step.input, step.past, L::DIVIDES_FIRST)
     }
 
-    pub fn before<L: LineRules>(step: &Step<'a, LineClip<N, B, L>>) -> Self {
-        let past = step.past.split_last().map_or(&[][..], |(_, before)| before);
-        Self::after::<L>(step.input, past)
+    /// The step before this one.
+    pub fn before(&self) -> Self {
+        let past = self.past.split_last().map_or(&[][..], |(_, before)| before);
+        Self::after(self.input, past, self.is_divided)
     }
 
-    fn after<L: LineRules>(input: &'a B::Input, past: &[EventOf<N, B>]) -> Self {
+    fn after(input: &'a B::Input, past: &'a [EventOf<N, B>], is_divided: bool) -> Self {
         let mut shown = Self {
+            past,
             input,
             event: past.last().copied(),
-            is_divided: L::DIVIDES_FIRST,
+            is_divided,
             ends: input.ends(),
             delta: None,
             rows: Vec::new(),

@@ -139,11 +139,8 @@ impl<'a> AskedSphere<'a> {
     /// `d = n·c + D = … = −3.4 < −r = −1.01`.
     fn distance(&self) -> Option<Formula> {
         let (d, (_, class)) = self.distances.last().zip(self.planes.answers.last())?;
-        let (plane, c, r) = (
-            self.planes.current?,
-            self.sphere.center(),
-            self.sphere.radius(),
-        );
+        let plane = self.planes.current?;
+        let (c, r) = (self.sphere.center(), self.sphere.radius());
         let d = distance_formula(["d", "c"], &plane, c, *d);
         Some(match (class, self.turns_sign) {
             (Outside, false) => d.sym(" < −r").equals(-r),

@@ -53,10 +53,8 @@ fn cube() -> Vec<Mark3> {
         marks.push(Mark3::new(Role::Accent, edge).fine());
     }
     for axis in 0..3 {
-        for corner in outline(
-            [VolumeSide::Left, VolumeSide::Bottom, VolumeSide::Near][axis],
-            1.0,
-        ) {
+        let side = [VolumeSide::Left, VolumeSide::Bottom, VolumeSide::Near][axis];
+        for corner in outline(side, 1.0) {
             for sign in [-1.0, 1.0] {
                 let mut ends = [corner; 2];
                 (ends[0][axis], ends[1][axis]) = (sign, sign * REACH);

@@ -124,12 +124,11 @@ impl Solids {
                 role,
             };
             if fate == Fate::Cut {
-                let [inside, outside] = parts_of_segment(ends, planes);
-                let inside = inside.into_iter();
-                self.edges.extend(inside.map(|ends| drawn(ends, Role::Ink)));
-                let outside = outside.into_iter();
-                self.edges
-                    .extend(outside.map(|ends| drawn(ends, Role::Discarded)));
+                let parts = parts_of_segment(ends, planes).into_iter();
+                for (parts, role) in parts.zip([Role::Ink, Role::Discarded]) {
+                    let edges = parts.into_iter().map(|ends| drawn(ends, role));
+                    self.edges.extend(edges);
+                }
             } else {
                 self.edges.push(drawn(ends, fate.edge_role()));
             }

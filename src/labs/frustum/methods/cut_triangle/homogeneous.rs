@@ -218,15 +218,12 @@ fn of_vertex<L: Variant<Homogeneous>>(
         ("vertex", _) => name(vertex_symbol(asked.place())).into(),
         ("P", _) => {
             let parts = in_clip_space(*at.step.input, at.step.past);
-            let link = parts.link(&asked_vertex(&event)?)?;
+            let link = parts.link(&asked_now(&event)?.at)?;
             Named::from(name(vertex_symbol(asked.place()))).linked(link)
         }
         ("bound of P", _) => {
-            let d = match event {
-                Event::First(first) => first.distance,
-                _ => asked.test?.distances[1],
-            };
-            bound(side(at.step.past)?, asked_vertex(&event)?.at, d).into()
+            let known = asked_now(&event)?;
+            bound(side(at.step.past)?, known.at.at, known.distance).into()
         }
         ("t of I", Event::Cross(Crossing { t, .. })) => (t.num / t.den).into(),
         ("at", Event::Cross(Crossing { at, .. })) => point(at.at).into(),

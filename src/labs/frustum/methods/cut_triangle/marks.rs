@@ -63,36 +63,29 @@ pub fn of_plane(
     })
 }
 
-pub struct CutPoint {
-    pub nth: usize,
-    pub idx: [usize; 2],
-    /// How far inside they lie.
-    pub distances: [f64; 2],
-    pub at: SpaceVertex,
-}
-
-impl CutPoint {
-    pub fn named(&self, name_of: &str) -> Option<Named> {
-        let symbol = cut_symbol(self.nth);
-        Some(match name_of {
-            "from" => name(vertex_symbol(self.idx[0])).into(),
-            "to" => name(vertex_symbol(self.idx[1])).into(),
-            "cut" => name(symbol).into(),
-            "t of d" => parameter("t", self.idx, self.distances).into(),
-            "place of cut" => match self.at.uv {
-                Some(uv) => {
-                    let [s, p] = self.idx.map(|i| format!("uv{}", subscript(i)));
-                    let formula = format!("uv({symbol}) = {s} + t·({p} − {s}) = ");
-                    sym(formula).point(uv).into()
-                }
-                None => {
-                    let formula = sym(format!("{symbol} = "));
-                    formula.place(self.at.at).into()
-                }
-            },
-            _ => return None,
-        })
-    }
+/// What is said of a cut between two vertices, which lie so far inside.
+pub fn named_cut(
+    name_of: &str,
+    nth: usize,
+    (idx, distances): ([usize; 2], [f64; 2]),
+    at: &SpaceVertex,
+) -> Option<Named> {
+    let symbol = cut_symbol(nth);
+    Some(match name_of {
+        "from" => name(vertex_symbol(idx[0])).into(),
+        "to" => name(vertex_symbol(idx[1])).into(),
+        "cut" => name(symbol).into(),
+        "t of d" => parameter("t", idx, distances).into(),
+        "place of cut" => match at.uv {
+            Some(uv) => {
+                let [s, p] = idx.map(|i| format!("uv{}", subscript(i)));
+                let formula = format!("uv({symbol}) = {s} + t·({p} − {s}) = ");
+                sym(formula).point(uv).into()
+            }
+            None => sym(format!("{symbol} = ")).place(at.at).into(),
+        },
+        _ => return None,
+    })
 }
 
 pub fn places(ring: &[SpaceVertex]) -> Vec<[f64; 3]> {

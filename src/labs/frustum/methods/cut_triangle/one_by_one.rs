@@ -174,13 +174,9 @@ fn of_triangle(now: &Pieces<'_>, event: Event, name_of: &str) -> Option<Named> {
             names(triangle.iter().filter_map(symbol)).into()
         }
         (_, Event::Cross { idx, at, .. }) => {
-            let cut = CutPoint {
-                nth: now.crossings.len().checked_sub(1)?,
-                idx,
-                distances: idx.map(|i| asked.map_or(0.0, |asked| asked.distances[i])),
-                at,
-            };
-            cut.named(name_of)?
+            let nth = now.crossings.len().checked_sub(1)?;
+            let distances = idx.map(|i| asked.map_or(0.0, |asked| asked.distances[i]));
+            named_cut(name_of, nth, (idx, distances), &at)?
         }
         _ => return None,
     })

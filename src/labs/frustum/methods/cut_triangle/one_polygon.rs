@@ -203,17 +203,13 @@ fn of_vertex<L: Variant<OnePolygon>>(
         ("vertex", _) => name(vertex_symbol(asked.place())).into(),
         ("at", Event::Output { at }) => place(at.at).into(),
         ("P", _) => {
-            let vertex = asked_vertex(&event)?;
-            let named = Named::from(name(vertex_symbol(asked.place())));
-            named.linked(parts(&at.step).link(&vertex)?)
+            let link = parts(&at.step).link(&asked_now(&event)?.at)?;
+            Named::from(name(vertex_symbol(asked.place()))).linked(link)
         }
         ("distance", _) => {
             let plane = at.step.input.planes.get(plane_idx(&at.step)?)?;
-            let d = match event {
-                Event::First(first) => first.distance,
-                _ => asked.test?.distances[1],
-            };
-            distance(plane, asked.place(), asked_vertex(&event)?.at, d).into()
+            let known = asked_now(&event)?;
+            distance(plane, asked.place(), known.at.at, known.distance).into()
         }
         ("cut", Event::Test { .. }) => name(cut_symbol(n_cuts)).into(),
         ("t of C₁", Event::Pass { .. }) => of_cut(0)?.into(),
@@ -221,14 +217,7 @@ fn of_vertex<L: Variant<OnePolygon>>(
         ("t of C₃", Event::Pass { .. }) => of_cut(2)?.into(),
         (_, Event::Cross(Crossing { at, .. })) => {
             let EdgeTest { idx, distances, .. } = asked.test?;
-            let nth = n_cuts - 1;
-            let cut = CutPoint {
-                nth,
-                idx,
-                distances,
-                at,
-            };
-            cut.named(name_of)?
+            named_cut(name_of, n_cuts - 1, (idx, distances), &at)?
         }
         _ => return None,
     })

@@ -83,22 +83,8 @@ fn at_work_marks<L: Variant<OnePolygon>>(
     } else {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
     }
-    let d = match step.event() {
-        Some(Event::First(first)) => Some(first.distance),
-        Some(Event::Test(test)) => Some(test.distances[1]),
-        Some(
-            Event::Plane { .. }
-            | Event::Cross(_)
-            | Event::Output { .. }
-            | Event::Pass { .. }
-            | Event::Fan { .. }
-            | Event::Done { .. },
-        )
-        | None => None,
-    };
-    let asked = step.event().and_then(|event| asked_vertex(&event));
-    if let Some((v, d)) = asked.zip(d) {
-        marks.extend(perpendicular(plane, v.at, d));
+    if let Some(asked) = step.event().and_then(|event| asked_now(&event)) {
+        marks.extend(perpendicular(plane, asked.at.at, asked.distance));
     }
     marks
 }

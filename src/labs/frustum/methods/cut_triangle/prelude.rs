@@ -4,7 +4,7 @@ pub(super) use super::super::asked::{perpendicular, place};
 pub(super) use super::LISTS_VIEW;
 pub(super) use super::agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows};
 pub(super) use super::marks::{
-    CutPoint, cut_symbol, distance, given, kept, lost, names, of_plane, parameter, places,
+    cut_symbol, distance, given, kept, lost, named_cut, names, of_plane, parameter, places,
     plane_mark, triangle_symbol, vertex, vertex_symbol,
 };
 pub(super) use super::parts::{Parts, in_clip_space, of_polygon, of_triangles};

@@ -73,13 +73,9 @@ pub fn vertex_marks(
         .current
         .is_none_or(|i| i + 1 == space.n_coordinates());
     let at = places.place(space);
-    let shape = if is_there {
-        Shape3::Dot(at)
-    } else {
-        Shape3::Ring(at)
-    };
+    let shape = if is_there { Shape3::Dot } else { Shape3::Ring };
     if places.is_drawn(space) {
-        let mark = Mark3::new(role, shape);
+        let mark = Mark3::new(role, shape(at));
         marks.push(if vertex.is_large {
             mark.labelled(name("P")).strong()
         } else {

@@ -66,13 +66,11 @@ impl SpacePlaces<'_> {
         let mut solids = Solids::default();
         let planes = self.scenery.planes();
         let look = |_| FaceLook::Whole;
-        if space == PictureSpace::Model {
-            let own = Object::new(object.model().clone(), [0.0; 3], [0.0; 3], 1.0);
-            let own = own.as_ref().unwrap_or(object);
-            solids.object(own, |_| link, Fate::Kept, planes, look);
-        } else {
-            solids.object(object, |_| link, Fate::Kept, planes, look);
-        }
+        let is_own = space == PictureSpace::Model;
+        let own = is_own.then(|| Object::new(object.model().clone(), [0.0; 3], [0.0; 3], 1.0));
+        let own = own.and_then(Result::ok);
+        let object = own.as_ref().unwrap_or(object);
+        solids.object(object, |_| link, Fate::Kept, planes, look);
         let is_divided = matches!(space, PictureSpace::Ndc | PictureSpace::Screen);
         let seen_by = self.camera.planes_in_world();
         let facets = solids.facets.into_iter().map(|mut facet| {
