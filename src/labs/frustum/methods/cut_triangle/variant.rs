@@ -11,60 +11,49 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-pub mod polygon {
-    pub const EACH: usize = 0;
-    pub const DISTANCE: usize = 1;
-    pub const INSIDE: usize = 2;
-    pub const CROSS: usize = 3;
-    pub const PASS: usize = 4;
-    pub const FAN: usize = 5;
-}
+use homogeneous::LINES as HOMOGENEOUS;
+use one_by_one::LINES as ONE_BY_ONE;
+use polygon::LINES as ONE_POLYGON;
 
-pub const ONE_POLYGON: [CodeLine; 6] = [
-    code_line(0, "code-ip-each", "words-ip-each"),
-    code_line(1, "code-ip-distance", "words-ip-distance"),
-    code_line(1, "code-ip-inside", "words-ip-inside"),
-    code_line(1, "code-ip-cross", "words-ip-cross"),
-    code_line(1, "code-ip-pass", "words-ip-pass"),
-    code_line(0, "code-ip-fan", "words-ip-fan"),
-];
+pub mod polygon {
+    use crate::labs::prelude::*;
+
+    pseudocode! {
+        EACH: 0, "code-ip-each", "words-ip-each";
+        DISTANCE: 1, "code-ip-distance", "words-ip-distance";
+        INSIDE: 1, "code-ip-inside", "words-ip-inside";
+        CROSS: 1, "code-ip-cross", "words-ip-cross";
+        PASS: 1, "code-ip-pass", "words-ip-pass";
+        FAN: 0, "code-ip-fan", "words-ip-fan";
+    }
+}
 
 pub mod one_by_one {
-    pub const EACH: usize = 0;
-    pub const THREE: usize = 2;
-    pub const TWO: usize = 3;
-    pub const ONE: usize = 4;
-    pub const NONE: usize = 5;
-    pub const PASS: usize = 6;
-}
+    use crate::labs::prelude::*;
 
-pub const ONE_BY_ONE: [CodeLine; 7] = [
-    code_line(0, "code-pat-each", "words-pat-each"),
-    code_line(1, "code-pat-triangle", "words-pat-triangle"),
-    code_line(2, "code-pat-three", "words-pat-three"),
-    code_line(2, "code-pat-two", "words-pat-two"),
-    code_line(2, "code-pat-one", "words-pat-one"),
-    code_line(2, "code-pat-none", "words-pat-none"),
-    code_line(1, "code-pat-pass", "words-pat-pass"),
-];
+    pseudocode! {
+        EACH: 0, "code-pat-each", "words-pat-each";
+        TRIANGLE: 1, "code-pat-triangle", "words-pat-triangle";
+        THREE: 2, "code-pat-three", "words-pat-three";
+        TWO: 2, "code-pat-two", "words-pat-two";
+        ONE: 2, "code-pat-one", "words-pat-one";
+        NONE: 2, "code-pat-none", "words-pat-none";
+        PASS: 1, "code-pat-pass", "words-pat-pass";
+    }
+}
 
 pub mod homogeneous {
-    pub const CODES: usize = 0;
-    pub const DECIDE: usize = 1;
-    pub const EACH: usize = 2;
-    pub const BOUND: usize = 3;
-    pub const CROSS: usize = 4;
-    pub const FAN: usize = 5;
-}
+    use crate::labs::prelude::*;
 
-pub const HOMOGENEOUS: [CodeLine; 6] = [
-    code_line(0, "code-ht-codes", "words-ht-codes"),
-    code_line(0, "code-ht-decide", "words-ht-decide"),
-    code_line(0, "code-ht-each", "words-ht-each"),
-    code_line(1, "code-ht-bound", "words-ht-bound"),
-    code_line(1, "code-ht-cross", "words-ht-cross"),
-    code_line(0, "code-ht-fan", "words-ht-fan"),
-];
+    pseudocode! {
+        CODES: 0, "code-ht-codes", "words-ht-codes";
+        DECIDE: 0, "code-ht-decide", "words-ht-decide";
+        EACH: 0, "code-ht-each", "words-ht-each";
+        BOUND: 1, "code-ht-bound", "words-ht-bound";
+        CROSS: 1, "code-ht-cross", "words-ht-cross";
+        FAN: 0, "code-ht-fan", "words-ht-fan";
+    }
+}
 
 pub struct OneByOne;
 pub struct OnePolygon;
