@@ -36,12 +36,7 @@ fn every_size_language_and_theme_is_drawn() {
     for size in others.map(Vec2::from).into_iter().chain([SIZE]) {
         for lang in Lang::ALL {
             for theme in ThemeKind::ALL {
-                let settings = Settings {
-                    lang,
-                    theme,
-                    ..Settings::default()
-                };
-                let mut bench = Bench::set(settings, size);
+                let mut bench = Bench::seen(lang, theme, size);
                 for key in keys {
                     bench.key(key);
                     let n_shapes = bench.frame(0.3, Vec::new());

@@ -67,11 +67,16 @@ impl Bench {
     }
 
     fn course(size: Vec2) -> Self {
-        Self::set(Settings::default(), size)
+        Self::seen(Lang::En, ThemeKind::Light, size)
     }
 
-    /// With the course, and these settings.
-    fn set(settings: Settings, size: Vec2) -> Self {
+    /// The course in this language and theme.
+    fn seen(lang: Lang, theme: ThemeKind, size: Vec2) -> Self {
+        let settings = Settings {
+            lang,
+            theme,
+            ..Settings::default()
+        };
         Self::with(App::new(Course::embedded(), settings), size)
     }
 

@@ -10,12 +10,7 @@ const INSPECTOR: Vec2 = vec2(264.0, 600.0);
 
 /// Opens each step of the course in turn.
 fn each_step(lang: Lang, theme: ThemeKind, mut what: impl FnMut(&mut Bench, &str)) {
-    let settings = Settings {
-        lang,
-        theme,
-        ..Settings::default()
-    };
-    let mut bench = Bench::set(settings, SIZE);
+    let mut bench = Bench::seen(lang, theme, SIZE);
     let lessons = bench.app.bookmark.course.lessons.iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {

@@ -3,11 +3,7 @@
 use super::*;
 
 fn dark() -> Bench {
-    let settings = Settings {
-        theme: ThemeKind::Dark,
-        ..Settings::default()
-    };
-    Bench::set(settings, SIZE)
+    Bench::seen(Lang::En, ThemeKind::Dark, SIZE)
 }
 
 #[test]
