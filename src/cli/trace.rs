@@ -104,17 +104,14 @@ fn sum_up(tally: Tally, refusals: &[String], lang: Lang) -> Outcome {
     for sentence in refusals {
         say_text(sentence);
     }
-    if tally.refused > MAX_NAMED {
-        let more = tally.refused - MAX_NAMED;
-        say(
-            lang,
-            &Message::new("trace-more-refused").with("count", more),
-        );
+    let unnamed = tally.refused.saturating_sub(MAX_NAMED);
+    let counts = [
+        ("trace-more-refused", unnamed),
+        ("cli-refused", tally.refused),
+    ];
+    for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+        say(lang, &Message::new(key).with("count", count));
     }
-    say(
-        lang,
-        &Message::new("cli-refused").with("count", tally.refused),
-    );
     Outcome::Refused
 }
 

@@ -30,7 +30,7 @@ impl Solids {
             return Vec::new();
         };
         let face = |facet: &Facet| {
-            let corners = in_view(&optics, facet);
+            let corners = optics.all_from_world(&facet.corners);
             let is_before = corners.iter().all(|at| at.z < -optics.near);
             let outline = corners.iter().map(|&at| optics.picture_from_view(at));
             let is_seen = is_before && normal(&corners).dot(optics.toward_eye(corners[0])) > 0.0;
@@ -43,19 +43,12 @@ impl Solids {
     pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
         let optics = Optics::of(&self.lens)?;
         let distances = self.facets.iter().filter_map(|facet| {
-            let corners = in_view(&optics, facet);
+            let corners = optics.all_from_world(&facet.corners);
             Some((distance(&corners, &optics, at)?, facet))
         });
         let (_, nearest) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
         nearest.link
     }
-}
-
-fn in_view(optics: &Optics, facet: &Facet) -> Vec<DVec3> {
-    let corners = facet.corners.iter();
-    corners
-        .map(|&at| optics.view_from_world(at.into()))
-        .collect()
 }
 
 fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {

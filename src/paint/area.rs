@@ -67,8 +67,7 @@ fn triangles<O: Iterator<Item = Pos2>>(outlines: impl IntoIterator<Item = O>) ->
     done.map_or_else(|_| Triangles::new(), |()| buffers)
 }
 
-#[derive(Clone, Default)]
-struct Kept(Vec<(u64, Arc<Triangles>)>);
+type Kept = Vec<(u64, Arc<Triangles>)>;
 
 pub fn filled_large(
     ctx: &Context,
@@ -82,9 +81,9 @@ pub fn filled_large(
     let id = Id::unique("large areas");
     let hash = hash_of(outlines);
     let mut kept: Kept = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
-    let found = kept.0.iter().position(|(known, _)| *known == hash);
+    let found = kept.iter().position(|(known, _)| *known == hash);
     let area = match found {
-        Some(i) => kept.0.remove(i),
+        Some(i) => kept.remove(i),
         None if ctx.input(|input| input.pointer.any_down()) => return Shape::Noop,
         None => {
             let outlines = outlines.iter().map(|o| o.iter().map(|&p| unit.shrunk(p)));
@@ -93,9 +92,9 @@ pub fn filled_large(
     };
     let shape = mesh(&area.1, colour, |at| viewport.to_screen(unit.world(at)));
     // The least lately drawn comes first, and goes first.
-    kept.0.push(area);
-    let surplus = kept.0.len().saturating_sub(MOST_KEPT);
-    kept.0.drain(..surplus);
+    kept.push(area);
+    let surplus = kept.len().saturating_sub(MOST_KEPT);
+    kept.drain(..surplus);
     ctx.data_mut(|data| data.insert_temp(id, kept));
     shape
 }
@@ -153,15 +152,6 @@ mod tests {
 
     use super::*;
 
-    const VIEWPORT: Viewport = Viewport {
-        rect: Rect {
-            min: Pos2::ZERO,
-            max: pos2(200.0, 200.0),
-        },
-        centre: [0.0; 2],
-        scale: 10.0,
-    };
-
     fn area(shape: &Shape) -> f32 {
         let Shape::Mesh(mesh) = shape else {
             return 0.0;
@@ -190,18 +180,12 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_made_of_nothing() {
-        for outlines in [vec![], vec![vec![]], vec![vec![pos2(f32::NAN, 0.0)]]] {
-            assert_eq!(area(&filled(&outlines, Color32::RED)), 0.0);
-        }
-    }
-
-    #[test]
     fn an_area_is_cut_once_and_found_again() {
         let ctx = Context::default();
         let square = vec![vec![[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]];
-        let draw =
-            |outlines: &[Vec<[f64; 2]>]| filled_large(&ctx, &VIEWPORT, outlines, Color32::RED);
+        let draw = |outlines: &[Vec<[f64; 2]>]| {
+            filled_large(&ctx, &Viewport::SQUARE, outlines, Color32::RED)
+        };
         let Shape::Mesh(mesh) = draw(&square) else {
             panic!("a square is filled");
         };
@@ -210,7 +194,7 @@ mod tests {
         let expected = Rect::from_min_max(pos2(100.0, 60.0), pos2(140.0, 100.0));
         assert_eq!(bounds, expected);
         let kept = || ctx.data(|data| data.get_temp::<Kept>(Id::unique("large areas")));
-        let n_kept = || kept().unwrap().0.len();
+        let n_kept = || kept().unwrap().len();
         let _ = draw(&square);
         assert_eq!(n_kept(), 1);
         for i in 0..20 {
@@ -220,7 +204,10 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_cannot_be_drawn_are_not() {
+    fn nothing_is_made_of_nothing_and_numbers_that_cannot_be_drawn_are_not() {
+        for outlines in [vec![], vec![vec![]], vec![vec![pos2(f32::NAN, 0.0)]]] {
+            assert_eq!(area(&filled(&outlines, Color32::RED)), 0.0);
+        }
         let ctx = Context::default();
         for outlines in [
             vec![],
@@ -229,7 +216,7 @@ mod tests {
             vec![vec![[1e308, -1e308], [-1e308, 1e308], [1e308, 1e308]]],
             vec![vec![[5.0, 5.0]; 3]],
         ] {
-            let _ = filled_large(&ctx, &VIEWPORT, &outlines, Color32::RED);
+            let _ = filled_large(&ctx, &Viewport::SQUARE, &outlines, Color32::RED);
         }
     }
 }

@@ -105,18 +105,13 @@ fn stop_short(theme: &Theme, pieces: &mut [LayeredPart<'_>]) {
 
 #[cfg(test)]
 mod tests {
-    use egui::{Rect, pos2};
+    use egui::pos2;
 
     use super::*;
     use crate::{figure::Shape, paint::ThemeKind};
 
     #[test]
     fn markers_lie_over_strokes_and_arrows_stop_short_of_them() {
-        let viewport = Viewport {
-            rect: Rect::from_min_size(Pos2::ZERO, egui::vec2(200.0, 200.0)),
-            centre: [0.0; 2],
-            scale: 10.0,
-        };
         let marks = [
             Mark::new(Role::Ink, Shape::Ring([5.0, 0.0])),
             Mark::new(Role::Signal, Shape::Arrow([[0.0, 0.0], [5.0, 0.0]])),
@@ -124,7 +119,7 @@ mod tests {
             Mark::new(Role::Signal, Shape::HalfPlane([[0.0, 0.0], [1.0, 0.0]])),
         ];
         let theme = Theme::of(ThemeKind::Light);
-        let pieces = pieces(&viewport, theme, &marks, None);
+        let pieces = pieces(&Viewport::SQUARE, theme, &marks, None);
         let layers: Vec<Layer> = pieces.iter().map(|piece| piece.layer).collect();
         let lines = [Layer::Wash, Layer::Stroke, Layer::Stroke];
         assert_eq!(layers, [&lines[..], &[Layer::Head, Layer::Marker]].concat());

@@ -58,8 +58,7 @@ struct Place {
     part: [[f64; 2]; 2],
 }
 
-#[derive(Clone, Default)]
-struct Kept(Vec<Drawn>);
+type Kept = Vec<Drawn>;
 
 pub fn solids(
     ctx: &Context,
@@ -75,12 +74,10 @@ pub fn solids(
     let mut kept: Kept = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
     let frame = ctx.cumulative_frame_nr();
     // What has not been asked for since the last frame is not on the screen any more.
-    kept.0.retain(|drawn| drawn.frame + 1 >= frame);
-    let found = kept
-        .0
-        .iter()
-        .position(|it| it.asked.place.rect == place.rect);
-    let before = found.map(|found| kept.0.swap_remove(found));
+    kept.retain(|drawn| drawn.frame + 1 >= frame);
+    let mut places = kept.iter().map(|it| it.asked.place.rect);
+    let found = places.position(|rect| rect == place.rect);
+    let before = found.map(|found| kept.swap_remove(found));
     let is_moving = ctx.input(|input| input.pointer.any_down());
     let is_lit = |lit: &Link| solids.facets.iter().any(|facet| facet.link == Some(*lit));
     let asked = Asked {
@@ -98,7 +95,7 @@ pub fn solids(
         ctx.request_repaint();
     }
     let shape = drawn.shape();
-    kept.0.push(drawn);
+    kept.push(drawn);
     ctx.data_mut(|data| data.insert_temp(id, kept));
     shape
 }

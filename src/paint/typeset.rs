@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2};
 
-use crate::text::{Catalog, Piece, Value};
+use crate::text::Piece;
 
 use row::SetRow;
 use script::{Script, break_rows};
@@ -22,16 +22,6 @@ pub struct Typeset {
 }
 
 impl Typeset {
-    pub fn value(
-        painter: &Painter,
-        catalog: &Catalog,
-        value: &Value,
-        font: FontId,
-        colour: Color32,
-    ) -> Self {
-        Self::line(painter, &[Span::value(catalog, value, font, colour)])
-    }
-
     pub fn text(painter: &Painter, text: impl AsRef<str>, font: FontId, colour: Color32) -> Self {
         Self::line(painter, &[Span::text(text.as_ref(), font, colour)])
     }

@@ -16,6 +16,16 @@ const MARGIN: f64 = 0.14;
 /// In points: a label has room over the outermost line, also of a small drawing, of which it is a quarter at most.
 const LEAST_MARGIN_PTS: f64 = 26.0;
 
+#[cfg(test)]
+impl Viewport {
+    /// A stage of 200 points a side, with 20 units of the world on it.
+    pub const SQUARE: Self = Self {
+        rect: Rect::from_min_max(Pos2::ZERO, Pos2::new(200.0, 200.0)),
+        centre: [0.0; 2],
+        scale: 10.0,
+    };
+}
+
 impl Viewport {
     pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
         let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));

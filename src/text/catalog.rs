@@ -16,14 +16,7 @@ use super::piece::Piece;
 
 macro_rules! ftl {
     ($lang:literal, $area:literal) => {
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/assets/messages/",
-            $lang,
-            "/",
-            $area,
-            ".ftl"
-        ))
+        include_str!(concat!("../../assets/messages/", $lang, "/", $area, ".ftl"))
     };
 }
 

@@ -60,8 +60,6 @@ pub enum Token {
     Sym(Cow<'static, str>),
     Number(f64),
     Operand(f64),
-    /// A number that is divided: in parentheses when it is shown as a fraction, as `3/4 / 2` is no way to write.
-    Dividend(f64),
     /// A number that divides: in parentheses when it is negative or shown as a fraction.
     Divisor(f64),
     /// The quotient `num/den`, shown as a reduced fraction where that is exact and short.
@@ -97,7 +95,7 @@ macro_rules! tokens {
 }
 
 impl Formula {
-    tokens!(num: Number(f64), operand: Operand(f64), dividend: Dividend(f64), divisor: Divisor(f64));
+    tokens!(num: Number(f64), operand: Operand(f64), divisor: Divisor(f64));
     tokens!(equals: Equals(f64), point: Point([f64; 2]), term: Term(&'static str));
 
     /// An empty one whose numbers will be decimals, also where they have short fractions.

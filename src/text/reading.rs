@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_people_write_is_read() {
+    fn what_people_write_is_read_and_what_is_no_number_is_not() {
         for (text, expected) in [
             ("1", vec![1.0]),
             ("−1.5, 1/4", vec![-1.5, 0.25]),
@@ -45,20 +45,14 @@ mod tests {
             ("1,5; 2", vec![1.5, 2.0]),
             ("3 / 4 -0.5", vec![0.75, -0.5]),
             ("1e-3 , .5", vec![0.001, 0.5]),
-            ("（1", vec![]),
+            ("", vec![]),
         ] {
-            let expected = Some(expected).filter(|numbers| !numbers.is_empty());
-            assert_eq!(read_numbers(text), expected, "{text}");
+            assert_eq!(read_numbers(text), Some(expected), "{text}");
         }
-    }
-
-    #[test]
-    fn what_is_no_number_is_not_read() {
         for text in [
-            "x", "1/0", "1//2", "/2", "inf", "nan, 1", "1/", "0/0", "--1", "1e999",
+            "（1", "x", "1/0", "1//2", "/2", "inf", "nan, 1", "1/", "0/0", "--1", "1e999",
         ] {
             assert_eq!(read_numbers(text), None, "{text}");
         }
-        assert_eq!(read_numbers(""), Some(vec![]));
     }
 }

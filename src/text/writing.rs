@@ -101,11 +101,9 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
             Token::Sym(_) | Token::Term(_) => {}
             // A number that has no fraction.
             Token::Decimals => numbers.push(Quantity::Number(std::f64::consts::PI)),
-            Token::Number(x)
-            | Token::Operand(x)
-            | Token::Dividend(x)
-            | Token::Divisor(x)
-            | Token::Equals(x) => numbers.push(Quantity::Number(*x)),
+            Token::Number(x) | Token::Operand(x) | Token::Divisor(x) | Token::Equals(x) => {
+                numbers.push(Quantity::Number(*x))
+            }
             Token::Ratio { num, den } | Token::EqualsRatio { num, den } => {
                 numbers.push(Quantity::Ratio(*num, *den));
             }
@@ -145,7 +143,6 @@ impl Writer<'_> {
             Token::Decimals => Vec::new(),
             Token::Number(x) => self.number(Quantity::Number(*x)),
             Token::Operand(x) => self.parenthesised(*x, *x < 0.0),
-            Token::Dividend(x) => self.parenthesised(*x, self.is_fraction(*x)),
             Token::Divisor(x) => self.parenthesised(*x, *x < 0.0 || self.is_fraction(*x)),
             Token::Ratio { num, den } => self.number(Quantity::Ratio(*num, *den)),
             Token::Over { num, den } if self.is_within_quotient => {
@@ -276,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_formula_shows_its_arithmetic() {
-        let divided = |num, den| Formula::default().dividend(num).sym(" / ").divisor(den);
+        let divided = |num, den| Formula::default().operand(num).sym(" / ").divisor(den);
         let t = sym("t = q/p = (").num(-1.0).sym(" − ").operand(-2.0);
         let stacked = Formula::default().over(num(-1.0).sym(" − ").operand(-2.0), num(-4.0));
         let mixed = Formula::default().term("edge-left").sym(": ");
@@ -286,9 +283,9 @@ mod tests {
                 t.sym(") / ").operand(4.0).equals(0.25),
                 "t = q/p = (−1 − (−2)) / 4 = 1/4",
             ),
-            (Lang::En, divided(0.75, 1.5), "(3/4) / (3/2)"),
+            (Lang::En, divided(0.75, 1.5), "3/4 / (3/2)"),
             (Lang::En, divided(-0.5, 0.25), "(−1/2) / (1/4)"),
-            (Lang::En, divided(-1.0, -4.0), "−1 / (−4)"),
+            (Lang::En, divided(-1.0, -4.0), "(−1) / (−4)"),
             (
                 Lang::En,
                 stacked.sym(", ").over(sym("q"), num(0.75)),

@@ -55,24 +55,19 @@ fn distance(part: &Part<'_>, at: Pos2) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use egui::{Rect, pos2, vec2};
+    use egui::pos2;
 
     use super::*;
     use crate::figure::Role;
 
     #[test]
     fn the_topmost_mark_within_reach_is_found() {
-        let viewport = Viewport {
-            rect: Rect::from_min_size(Pos2::ZERO, vec2(200.0, 200.0)),
-            centre: [0.0; 2],
-            scale: 10.0,
-        };
         let marks = [
             Mark::new(Role::Accent, Shape::Dot([0.0, 0.0])).linked("point"),
             Mark::new(Role::Ink, Shape::Segment([[-5.0, 0.0], [5.0, 0.0]])).linked("line"),
             Mark::new(Role::Ink, Shape::Dot([2.0, 0.0])),
         ];
-        let at = |x, y| link_at(&viewport, &marks, pos2(x, y));
+        let at = |x, y| link_at(&Viewport::SQUARE, &marks, pos2(x, y));
         assert_eq!(at(103.0, 101.0), Some(Link::to("point")));
         assert_eq!(at(130.0, 95.0), Some(Link::to("line")));
         assert_eq!(at(130.0, 60.0), None);

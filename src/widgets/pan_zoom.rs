@@ -67,16 +67,16 @@ mod tests {
     use super::*;
 
     const RECT: Rect = Rect::from_min_max(Pos2::ZERO, pos2(400.0, 300.0));
+    const VIEW: PanZoom = PanZoom {
+        centre: [1.0, 2.0],
+        scale: 10.0,
+    };
 
     #[test]
     fn zooming_keeps_the_point_under_the_pointer() {
-        let view = PanZoom {
-            centre: [1.0, 2.0],
-            scale: 10.0,
-        };
         let pointer = pos2(350.0, 40.0);
-        let before = view.on(RECT).to_world(pointer);
-        let after = view.zoomed(RECT, 1.5, pointer).on(RECT).to_world(pointer);
+        let before = VIEW.on(RECT).to_world(pointer);
+        let after = VIEW.zoomed(RECT, 1.5, pointer).on(RECT).to_world(pointer);
         assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-9);
     }
 
@@ -97,12 +97,8 @@ mod tests {
 
     #[test]
     fn panning_moves_the_world_with_the_pointer() {
-        let view = PanZoom {
-            centre: [0.0; 2],
-            scale: 10.0,
-        };
-        let moved = view.panned(vec2(20.0, 10.0));
-        let found = moved.on(RECT).to_screen([0.0; 2]);
+        let moved = VIEW.panned(vec2(20.0, 10.0));
+        let found = moved.on(RECT).to_screen(VIEW.centre);
         assert_eq!(found, RECT.center() + vec2(20.0, 10.0));
     }
 }

@@ -221,7 +221,8 @@ impl<'a> Table<'a> {
 
     fn set(&self, ui: &Ui, value: &Value, colour: Color32) -> Typeset {
         let font = self.mono.clone();
-        Typeset::value(ui.painter(), self.look.catalog, value, font, colour)
+        let span = Span::value(self.look.catalog, value, font, colour);
+        Typeset::line(ui.painter(), &[span])
     }
 
     fn header(&self, ui: &mut Ui, section: &WatchSection, columns: &[f32]) {
@@ -281,7 +282,8 @@ impl<'a> Table<'a> {
         }
         if let Some(note) = &row.note {
             let (catalog, small) = (self.look.catalog, self.small.clone());
-            let note = Typeset::value(ui.painter(), catalog, note, small, theme.soft);
+            let note = Span::value(catalog, note, small, theme.soft);
+            let note = Typeset::line(ui.painter(), &[note]);
             // Where there is no room it is left out, as it only explains.
             if rect.right() - note.size().x >= end + 8.0 {
                 note.paint(ui.painter(), rect.right_center(), Align2::RIGHT_CENTER);

@@ -70,16 +70,6 @@ impl Grid {
         found.begin(self.n_facets);
         for row in self.cells(a[1].min(b[1]), a[1].max(b[1])) {
             // The part of the segment in this row.
-            let low = if row == 0 {
-                f64::NEG_INFINITY
-            } else {
-                self.edge(row)
-            };
-            let high = if row + 1 == self.n {
-                f64::INFINITY
-            } else {
-                self.edge(row + 1)
-            };
             let at = |y: f64| {
                 let t = ((y - a[1]) / (b[1] - a[1])).clamp(0.0, 1.0);
                 a[0] + t * (b[0] - a[0])
@@ -87,7 +77,7 @@ impl Grid {
             let [from, to] = if a[1] == b[1] {
                 [a[0], b[0]]
             } else {
-                [at(low), at(high)]
+                [row, row + 1].map(|row| at(self.edge(row)))
             };
             for column in self.cells(from.min(to), from.max(to)) {
                 let cell = row * self.n + column;
@@ -123,7 +113,11 @@ impl Grid {
     }
 
     fn edge(&self, row: usize) -> f64 {
-        row as f64 / self.n as f64 * 2.0 * REACH - REACH
+        match row {
+            0 => f64::NEG_INFINITY,
+            row if row == self.n => f64::INFINITY,
+            row => row as f64 / self.n as f64 * 2.0 * REACH - REACH,
+        }
     }
 }
 

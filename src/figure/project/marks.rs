@@ -24,10 +24,7 @@ impl Seen {
         let Shape3::Wash(corners) = &mark.shape else {
             return None;
         };
-        let view = corners.iter();
-        let view: Vec<_> = view
-            .map(|&at| self.optics.view_from_world(at.into()))
-            .collect();
+        let view = self.optics.all_from_world(corners);
         // What is just in front of the eye has no place on the picture.
         let kept = cut_at(&view, -self.optics.near * (1.0 + 1e-9));
         let corners: Vec<[f64; 2]> = kept.into_iter().map(|at| self.on_picture(at)).collect();

@@ -165,7 +165,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
         let text = match anchor {
             // A region's label beside the region would say what is not true.
             Anchor::Inside(region) => setter.set_in(region.size(), label, mark.role),
-            _ => Some(setter.set(label, mark.role)),
+            _ => Some(setter.set_at(1.0, label, mark.role)),
         };
         let Some(text) = text else { continue };
         let rank = rank(label, &anchor, mark.role);

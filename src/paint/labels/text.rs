@@ -33,10 +33,6 @@ pub struct Text {
 }
 
 impl Setter<'_> {
-    pub fn set(&self, label: &Label, role: Role) -> Text {
-        self.set_at(1.0, label, role)
-    }
-
     pub fn set_in(&self, room: Vec2, label: &Label, role: Role) -> Option<Text> {
         let mut sizes = SHRUNK
             .into_iter()
@@ -47,7 +43,7 @@ impl Setter<'_> {
         })
     }
 
-    fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
+    pub fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
         let Look { theme, catalog } = self.look;
         let plain = catalog.value(&label.text);
         let (mut font, colour) = (font(label, self.scale), text_colour(theme, role));

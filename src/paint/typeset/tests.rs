@@ -2,7 +2,7 @@ use egui::{Color32, FontFamily, FontId, epaint::text::PlacedRow, vec2};
 
 use crate::{
     paint::{Headless, ThemeKind, fonts::semibold},
-    text::{Formula, Lang, Message, Piece},
+    text::{Catalog, Formula, Lang, Message, Value},
 };
 
 use super::*;

@@ -46,13 +46,8 @@ impl OnSlate for ClipperRow {
         for (nth, idx) in plan.shown.clone().enumerate() {
             let is_at_work = self.at_work == Some(idx);
             let place = plan.place(nth);
-            draw_box(
-                slate,
-                &plan,
-                place,
-                (&self.clippers[idx], is_at_work, size),
-                links,
-            );
+            let clipper = (&self.clippers[idx], is_at_work, size);
+            draw_box(slate, &plan, place, clipper, links);
         }
         travellers(slate, &plan, self);
     }

@@ -55,16 +55,7 @@ impl OnSlate for Raster {
             pixels.draw_scale(slate, ends);
         }
         for mark in points {
-            match mark.shape {
-                RasterShape::Cross([x, y]) if pixels.is_written(slate, [x, y]) => {
-                    let at = pixels.place([x + ASIDE[0], y + ASIDE[1]]);
-                    let ink = colour(slate.theme(), mark.role);
-                    draw_cross(slate, at, ASIDE_ARM * pixels.width, ink);
-                }
-                RasterShape::Cross(_) | RasterShape::Dot(_) | RasterShape::Line(_) => {
-                    pixels.draw_over(slate, mark);
-                }
-            }
+            pixels.draw_over(slate, mark);
         }
     }
 
@@ -226,6 +217,10 @@ impl<'r> Pixels<'r> {
                 slate
                     .painter
                     .circle(self.place(at), slate.pts(4.0), ink, rim);
+            }
+            RasterShape::Cross([x, y]) if self.is_written(slate, [x, y]) => {
+                let at = self.place([x + ASIDE[0], y + ASIDE[1]]);
+                draw_cross(slate, at, ASIDE_ARM * self.width, ink);
             }
             RasterShape::Cross(at) => draw_cross(slate, self.place(at), slate.pts(ARM), ink),
         }

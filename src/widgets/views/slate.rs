@@ -134,9 +134,8 @@ impl<'a> Slate<'a> {
     }
 
     pub fn width(&self, value: &Value, face: Face, size: f32) -> f32 {
-        self.value(value, (face, size, Color32::PLACEHOLDER))
-            .size()
-            .x
+        let style = (face, size, Color32::PLACEHOLDER);
+        self.value(value, style).size().x
     }
 
     pub fn sentence(&self, message: &Message, width: f32, (face, size, colour): Style) -> Typeset {

@@ -110,43 +110,30 @@ fn spoken(look: Look<'_>, shown: &Space) -> String {
     }
 }
 
-/// Over a camera's picture or in the corner of what an eye sees, on a ground: it is read on whatever is drawn there.
-struct Title {
-    words: Typeset,
-    at: Pos2,
-    align: Align2,
-    ground: Rect,
-}
-
-impl Title {
-    fn new(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Self> {
-        let slate = Slate::new(ui.painter(), look);
-        let style = (Face::Strong, TITLE_PTS, look.theme.ink);
-        let words = slate.value(shown.title.as_ref()?, style);
-        let gap = slate.pts(5.0);
-        let (at, align) = if Lens::from(shown.seer).aspect().is_some() {
-            (rect.left_top() - vec2(0.0, gap), Align2::LEFT_BOTTOM)
-        } else {
-            (rect.left_top() + vec2(0.0, 2.0 * gap), Align2::LEFT_TOP)
-        };
-        let ground = align.anchor_size(at, words.size()).expand(2.0);
-        Some(Self {
-            words,
-            at,
-            align,
-            ground: ground.with_min_x(at.x),
-        })
-    }
+/// Over a camera's picture or in the corner of what an eye sees, on a ground: it is read on whatever is drawn there. The
+/// words, their upper left corner, and the ground.
+fn titled(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<(Typeset, Pos2, Rect)> {
+    let slate = Slate::new(ui.painter(), look);
+    let style = (Face::Strong, TITLE_PTS, look.theme.ink);
+    let words = slate.value(shown.title.as_ref()?, style);
+    let gap = slate.pts(5.0);
+    let (down, align) = match Lens::from(shown.seer).aspect() {
+        Some(_) => (-gap, Align2::LEFT_BOTTOM),
+        None => (2.0 * gap, Align2::LEFT_TOP),
+    };
+    let place = align.anchor_size(rect.left_top() + vec2(0.0, down), words.size());
+    let ground = place.expand(2.0).with_min_x(place.left());
+    Some((words, place.min, ground))
 }
 
 pub fn title_ground(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) -> Option<Rect> {
-    Some(Title::new(ui, look, rect, shown)?.ground)
+    titled(ui, look, rect, shown).map(|(.., ground)| ground)
 }
 
 pub fn title(ui: &Ui, look: Look<'_>, rect: Rect, shown: &Space) {
-    if let Some(title) = Title::new(ui, look, rect, shown) {
+    if let Some((words, corner, ground)) = titled(ui, look, rect, shown) {
         let painter = ui.painter();
-        painter.rect_filled(title.ground, 0.0, look.theme.background);
-        title.words.paint(painter, title.at, title.align);
+        painter.rect_filled(ground, 0.0, look.theme.background);
+        words.paint(painter, corner, Align2::LEFT_TOP);
     }
 }
