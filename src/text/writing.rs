@@ -102,7 +102,7 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
             // A number that has no fraction.
             Token::Decimals => numbers.push(Quantity::Number(std::f64::consts::PI)),
             Token::Number(x) | Token::Operand(x) | Token::Divisor(x) | Token::Equals(x) => {
-                numbers.push(Quantity::Number(*x))
+                numbers.push(Quantity::Number(*x));
             }
             Token::Ratio { num, den } | Token::EqualsRatio { num, den } => {
                 numbers.push(Quantity::Ratio(*num, *den));
