@@ -17,6 +17,7 @@ mod ear_clipping;
 mod line_exactness;
 mod messages;
 mod moments;
+mod newcomer;
 mod polygon_exactness;
 mod questions;
 mod shared;

@@ -186,7 +186,7 @@ fn english() -> Keys {
 }
 
 /// The messages of one file with their variables, in order and with repetitions.
-fn messages(source: &'static str) -> Vec<(String, BTreeSet<String>)> {
+pub fn messages(source: &'static str) -> Vec<(String, BTreeSet<String>)> {
     let (Ok(resource) | Err((resource, _))) = parser::parse(source);
     resource
         .body

@@ -22,7 +22,7 @@ pub struct CodeLine {
     pub words: &'static str,
 }
 
-pub(super) const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
+pub const fn code_line(depth: usize, code: &'static str, words: &'static str) -> CodeLine {
     CodeLine { depth, code, words }
 }
 

@@ -1,6 +1,6 @@
 //! The words of every file that tells a method: what is drawn, what is said, and the table of its steps.
 
-pub(in crate::labs) use crate::{
+pub use crate::{
     figure::{
         Body, Cell, Link, ListColumn, ListRow, Lists, Mark, Mark3, Pixel, Raster, RasterMark,
         RasterShape, Role, Run, Shape, Shape3, Table, TableNote, TableRow,
@@ -11,12 +11,14 @@ pub(in crate::labs) use crate::{
     trace::{Recording, Step, silent},
 };
 
-pub(in crate::labs) use super::{
+pub use super::{
     Answer, CodeLine, Verdict,
-    card::{MethodCard, but_for, code_line, mistakes, pseudocode},
+    card::{MethodCard, code_line},
     recorded::Recorded,
     telling::{AnswerAsItIs, At, Named, Row, Telling, Watched, table},
     words::{
         end_link, end_name, end_name_now, equal_to, name, numbered, subscript, sum_of, sym, times,
     },
 };
+
+pub(in crate::labs) use super::card::{but_for, mistakes, pseudocode};

@@ -17,8 +17,7 @@ use crate::{
 
 use super::{CodeLine, MethodCard};
 
-pub(crate) use row::table;
-pub use row::{Options, Question, Row};
+pub use row::{Options, Question, Row, table};
 
 /// An answer that can be written down: the fields of `output`.
 pub trait Answer {

@@ -3,7 +3,7 @@
 mod culling;
 mod methods;
 mod part;
-mod prelude;
+pub mod prelude;
 mod registry;
 mod verdict;
 

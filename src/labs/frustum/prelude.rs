@@ -1,4 +1,6 @@
-//! The words of every method of this lab.
+//! The words of every method of this lab, public so that one can be written outside of the house.
+
+pub use crate::labs::space::prelude::*;
 
 pub(super) use crate::{
     algo::{
@@ -19,7 +21,6 @@ pub(super) use crate::{
     labs::{
         rings::{RingStep, asked_now},
         segments::{LineLook, LineStep, LineVariant},
-        space::prelude::*,
     },
 };
 pub(super) use glam::DVec3;

@@ -25,6 +25,6 @@ pub use street::street;
 pub use subject::{Places, Subject};
 pub use taught_camera::{CameraNumbers, Opening, TaughtCamera};
 
-pub(in crate::labs) use demo::SpaceTelling;
+pub use demo::SpaceTelling;
 
 pub(in crate::labs) use pixel::{pixel_verdict, raster_verdict};

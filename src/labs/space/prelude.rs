@@ -1,6 +1,6 @@
 //! The words of every method that works on a scene in space.
 
-pub(in crate::labs) use crate::labs::{
+pub use crate::labs::{
     prelude::*,
     space::{
         Scene, SpaceTelling, Subject,

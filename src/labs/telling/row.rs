@@ -114,6 +114,8 @@ impl Row {
 ///     last: Event::Done if step.held.class == Outside => Row::new(Reject, 4, "planes-done-outside");
 /// }
 /// ```
+#[doc(hidden)]
+#[macro_export]
 macro_rules! table {
     (|$event:ident, $step:ident| $($name:ident: $pattern:pat $(if $guard:expr)? => $row:expr;)+) => {
         const ROWS: &'static [$crate::labs::telling::Row] = &[$($row),+];
@@ -133,4 +135,4 @@ macro_rules! table {
     };
 }
 
-pub(crate) use table;
+pub use table;
