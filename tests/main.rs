@@ -12,6 +12,7 @@
 mod architecture;
 mod captions;
 mod case;
+mod course;
 mod diagnostics;
 mod ear_clipping;
 mod line_exactness;

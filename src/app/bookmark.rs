@@ -45,7 +45,7 @@ impl Bookmark {
     }
 
     pub fn title(&self, lang: Lang) -> Option<&str> {
-        self.lesson()?.step_title(&self.step()?.id, lang)
+        self.lesson()?.title_of(&self.step()?.id, lang)
     }
 
     /// Opens a step, where there is one with these indices.

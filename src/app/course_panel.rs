@@ -35,8 +35,7 @@ pub fn show(app: &App, ui: &mut Ui) {
     foot(app, ui, lesson);
     padded(ui, |ui| steps(app, ui, lesson));
     let [lesson_idx, step_idx] = app.bookmark.at;
-    let text = lesson.text(app.settings.lang);
-    let Some(step) = text.steps.get(step_idx) else {
+    let Some(step) = lesson.step_text(step_idx, app.settings.lang) else {
         return;
     };
     let id = Id::unique(("lesson text", lesson_idx, step_idx));
@@ -83,11 +82,7 @@ fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
     let [lesson_idx, _] = app.bookmark.at;
     let heading = Row {
         number: "",
-        title: &format!(
-            "{} · {}",
-            lesson_idx + 1,
-            lesson.text(app.settings.lang).title
-        ),
+        title: &format!("{} · {}", lesson_idx + 1, lesson.title(app.settings.lang)),
         is_open: true,
         is_changed: has_changes(app, lesson_idx, lesson),
     };
@@ -153,7 +148,7 @@ fn lessons(app: &App, ui: &mut Ui) {
     for (i, lesson) in app.bookmark.course.lessons.iter().enumerate() {
         let row_of = Row {
             number: &(i + 1).to_string(),
-            title: &lesson.text(app.settings.lang).title,
+            title: lesson.title(app.settings.lang),
             is_open: i == open,
             is_changed: has_changes(app, i, lesson),
         };
@@ -321,11 +316,10 @@ fn changed(app: &App, ui: &mut Ui) {
 
 fn discs(app: &App, ui: &mut Ui, lesson: &Lesson, room: f32) {
     let [lesson_idx, open] = app.bookmark.at;
-    let titles = &lesson.text(app.settings.lang).steps;
     for i in 0..lesson.steps.len() {
         let step = Row {
             number: &(i + 1).to_string(),
-            title: titles.get(i).map_or("", |step| &step.title),
+            title: lesson.step_title(i, app.settings.lang).unwrap_or_default(),
             is_open: i == open,
             is_changed: is_changed(app, lesson_idx, i),
         };

@@ -15,7 +15,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         ui.label(soft(look, "free-about"));
         ui.add_space(8.0);
         if let Some(lesson) = app.bookmark.lesson() {
-            let title = lesson.text(app.settings.lang).title.clone();
+            let title = lesson.title(app.settings.lang).to_owned();
             let back = Message::new("free-back").with("lesson", title);
             let back = look.catalog.message(&back);
             let back = Button::new(RichText::new(back).color(look.theme.accent)).frame(false);
@@ -46,16 +46,19 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
 
 /// The scenes of a lesson, each once, under the title of the step that shows it first.
 fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson)) {
-    let text = lesson.text(app.settings.lang);
-    let title = format!("{} · {}", i + 1, text.title);
+    let lang = app.settings.lang;
+    let title = format!("{} · {}", i + 1, lesson.title(lang));
     menu_button(ui, title, |ui| {
         let mut shown = Vec::new();
-        for (step, title) in lesson.steps.iter().zip(&text.steps) {
+        for (i, step) in lesson.steps.iter().enumerate() {
             if shown.contains(&&step.scene) {
                 continue;
             }
             shown.push(&step.scene);
-            if ui.button(&title.title).clicked() {
+            if ui
+                .button(lesson.step_title(i, lang).unwrap_or_default())
+                .clicked()
+            {
                 app.push(Command::Edit(Edit::Replace((*step.scene).clone()), None));
                 app.push(Command::FIRST);
                 ui.close();

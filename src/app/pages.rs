@@ -95,7 +95,7 @@ impl App {
     pub(super) fn has_answer(&self) -> bool {
         let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());
-        let text = step.and_then(|lesson| lesson.text(self.settings.lang).steps.get(step_idx));
+        let text = step.and_then(|lesson| lesson.step_text(step_idx, self.settings.lang));
         let mut blocks = text.iter().flat_map(|step| &step.body);
         blocks.any(|block| matches!(block, Block::Answer(_)))
     }

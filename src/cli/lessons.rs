@@ -113,7 +113,9 @@ Examples:
   clipscope check                          the embedded course
   clipscope check my-course/01-outcodes    one lesson
   clipscope check my-course                every lesson of a folder
-  clipscope check scene.toml               a scene file";
+  clipscope check scene.toml               a scene file
+  clipscope check 05-intervals --names     what its text can refer to
+  clipscope check 05-intervals --filled    its text as it is read";
 
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -121,9 +123,48 @@ pub(super) struct Args {
     /// Lesson folders, folders of lessons, scene files, or lessons of the embedded course by name
     #[arg(value_name = "LESSON")]
     lessons: Vec<PathBuf>,
-    /// Language of messages
+    /// Print the texts as they are read, with the numbers of their runs in place of references
+    #[arg(long)]
+    filled: bool,
+    /// Print what the text of each step can refer to, with its value there
+    #[arg(long, conflicts_with = "filled")]
+    names: bool,
+    /// Language of messages, and of the texts that are printed
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     lang: Lang,
+}
+
+/// The texts of lessons with references filled in, one after the other.
+fn filled(paths: &[PathBuf], lessons: &[Lesson], lang: Lang) -> String {
+    let folders = paths.iter().map(Folder::new);
+    let sources: Vec<Folder> = folders.collect();
+    let read = |lesson: &Lesson| {
+        let path = format!("{}/{lang}.md", lesson.id);
+        let found = sources.iter().find_map(|folder| folder.read(&path).ok());
+        let bytes = found.or_else(|| Embedded.read(&path).ok())?;
+        let source = String::from_utf8(bytes).ok()?;
+        Some(lesson.filled(source.trim_start_matches('\u{feff}'), lang))
+    };
+    lessons.iter().filter_map(read).collect()
+}
+
+/// What the texts of lessons can refer to, step by step.
+fn names(lessons: &[Lesson], catalog: &Catalog) -> String {
+    let steps = lessons
+        .iter()
+        .flat_map(|lesson| lesson.steps.iter().map(move |step| (lesson, step)));
+    let said = steps.map(|(lesson, step)| {
+        let named = lesson.names(step, catalog).into_iter();
+        let named = named.map(|(name, value)| format!("  {name} = {value}\n"));
+        format!(
+            "{}/{} @ {}\n{}",
+            lesson.id,
+            step.id,
+            step.moment,
+            named.collect::<String>()
+        )
+    });
+    said.collect()
 }
 
 pub(super) fn check(args: &Args) -> Outcome {
@@ -134,6 +175,12 @@ pub(super) fn check(args: &Args) -> Outcome {
         ("cli-checked-scenes", chosen.scenes.len()),
     ];
     let mut sum = String::new();
+    if args.filled {
+        sum += &filled(&args.lessons, &chosen.lessons, args.lang);
+    }
+    if args.names {
+        sum += &names(&chosen.lessons, Catalog::of(args.lang));
+    }
     for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
         sum += &Catalog::of(args.lang).message(&Message::new(key).with("count", count));
         sum += "\n";

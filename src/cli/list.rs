@@ -63,14 +63,15 @@ pub(super) fn list(args: &Args) -> Outcome {
 fn as_text(lessons: &[Lesson], catalog: &Catalog) -> String {
     let mut lines = vec![catalog.term("list-lessons")];
     for lesson in lessons {
-        let text = lesson.text(catalog.lang());
-        lines.push(format!("  {:<28}{}", lesson.id, text.title));
-        for (step, words) in lesson.steps.iter().zip(&text.steps) {
+        let lang = catalog.lang();
+        lines.push(format!("  {:<28}{}", lesson.id, lesson.title(lang)));
+        for (i, step) in lesson.steps.iter().enumerate() {
+            let title = lesson.step_title(i, lang).unwrap_or_default();
             let figure = step.figure.as_ref().map_or_else(String::new, |figure| {
                 let message = Message::new("list-figure").with("name", figure.clone());
                 format!("  [{}]", catalog.message(&message))
             });
-            lines.push(format!("    {:<26}{}{figure}", step.id, words.title));
+            lines.push(format!("    {:<26}{}{figure}", step.id, title));
         }
     }
     lines.extend([String::new(), catalog.term("list-algorithms")]);
@@ -107,18 +108,18 @@ fn as_json(lessons: &[Lesson], catalog: &Catalog) -> Json {
 }
 
 fn lesson_json(lesson: &Lesson, catalog: &Catalog) -> Json {
-    let text = lesson.text(catalog.lang());
-    let steps = lesson.steps.iter().zip(&text.steps).map(|(step, words)| {
+    let lang = catalog.lang();
+    let steps = lesson.steps.iter().enumerate().map(|(i, step)| {
         json!({
             "id": step.id,
-            "title": words.title,
+            "title": lesson.step_title(i, lang),
             "moment": step.moment.to_string(),
             "figure": step.figure,
         })
     });
     json!({
         "id": lesson.id,
-        "title": text.title,
+        "title": lesson.title(lang),
         "lab": lesson.lab,
         "source": lesson.source,
         "steps": steps.collect::<Vec<_>>(),

@@ -89,7 +89,7 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
 impl Job<'_> {
     pub fn title(&self, lang: Lang) -> Option<&str> {
         match self.source {
-            Source::Step(lesson, step) => lesson.step_title(&step.id, lang),
+            Source::Step(lesson, step) => lesson.title_of(&step.id, lang),
             Source::File(_) => None,
         }
     }

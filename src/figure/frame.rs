@@ -90,6 +90,25 @@ pub trait Shown {
     fn options(&self) -> Option<Choice> {
         None
     }
+
+    /// The value of a name; none where it is not alive.
+    fn named(&self, _name: &str) -> Option<Value> {
+        None
+    }
+
+    fn listed(&self, _list: &str) -> Vec<Value> {
+        Vec::new()
+    }
+
+    /// All names that the method knows, alive or not.
+    fn names(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    /// All lists that the method knows.
+    fn lists(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

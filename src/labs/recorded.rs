@@ -7,11 +7,11 @@ use serde_json::Value as Json;
 use crate::{
     figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
     labs::Answer,
-    text::Message,
+    text::{Message, Value},
     trace::{Counts, Method, Recording},
 };
 
-use super::telling::{At, Row, Telling};
+use super::telling::{At, Row, Telling, known_lists, known_names};
 
 pub struct Recorded<M: Telling> {
     recording: Recording<M>,
@@ -80,6 +80,23 @@ impl<M: Telling> Shown for ShownStep<'_, M> {
 
     fn options(&self) -> Option<Choice> {
         self.at.options()
+    }
+
+    fn named(&self, name: &str) -> Option<Value> {
+        self.at.value(name)
+    }
+
+    fn listed(&self, list: &str) -> Vec<Value> {
+        let entries = M::listed(&self.at, list).into_iter();
+        entries.filter_map(|entry| entry.value).collect()
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        known_names::<M>()
+    }
+
+    fn lists(&self) -> Vec<&'static str> {
+        known_lists::<M>()
     }
 }
 

@@ -297,6 +297,39 @@ impl<M: Telling> At<'_, M> {
     }
 }
 
+/// All names that a method's sentences, formulas and watch table take, each once.
+pub fn known_names<M: Telling>() -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for row in M::ROWS.iter().chain([&M::OPENING]) {
+        names.extend_from_slice(Catalog::variables(row.key));
+        names.extend(row.so.iter().flat_map(|template| template::names(template)));
+    }
+    for watched in M::WATCH {
+        if let Watched::Names(of) | Watched::Seen(of, _) = watched {
+            names.extend_from_slice(of);
+        }
+    }
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+/// All lists of a method's watch table and of its questions, each once.
+pub fn known_lists<M: Telling>() -> Vec<&'static str> {
+    let watched = M::WATCH.iter().filter_map(|watched| match watched {
+        Watched::List(of) | Watched::ListSeen(of, _) => Some(*of),
+        Watched::Names(_) | Watched::Seen(..) => None,
+    });
+    let asked = M::ROWS.iter().filter_map(|row| match row.answers?.options {
+        Options::Of { list, .. } => Some(list),
+        Options::Rows => None,
+    });
+    let mut lists: Vec<&str> = watched.chain(asked).collect();
+    lists.sort_unstable();
+    lists.dedup();
+    lists
+}
+
 /// What stands for a name that is not alive: no sentence may hold it, and a test walks every step for that.
 fn missing(name: &str) -> Value {
     Value::Name(format!("⟦{name}⟧"))

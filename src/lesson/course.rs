@@ -2,7 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::{markdown::Block, prelude::*, step::LessonStep};
+use crate::text::Catalog;
+
+use super::{
+    markdown::StepText,
+    prelude::*,
+    reference::{Runs, Scenes, WrittenText},
+    step::LessonStep,
+};
 
 /// Lessons in the order of their folders' names.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -20,27 +27,55 @@ pub struct Lesson {
     /// Author and year of what it teaches.
     pub source: String,
     pub steps: Vec<LessonStep>,
-    pub(super) english: LessonText,
-    pub(super) translations: BTreeMap<Lang, LessonText>,
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct LessonText {
-    pub title: String,
-    /// One for each step, in their order.
-    pub steps: Vec<StepText>,
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct StepText {
-    pub title: String,
-    pub body: Vec<Block>,
+    /// By name: those of its steps, and those that only its text speaks of.
+    pub(super) scenes: Scenes,
+    pub(super) english: WrittenText,
+    pub(super) translations: BTreeMap<Lang, WrittenText>,
 }
 
 impl Lesson {
-    /// The text in this language, or in English where there is none.
-    pub fn text(&self, lang: Lang) -> &LessonText {
-        self.translations.get(&lang).unwrap_or(&self.english)
+    pub fn title(&self, lang: Lang) -> &str {
+        &self.written(lang).0.title
+    }
+
+    /// A step's text in this language, or in English where there is none, with the numbers of its runs. These are recorded when
+    /// the text is first asked for.
+    pub fn step_text(&self, step_idx: usize, lang: Lang) -> Option<&StepText> {
+        let (text, lang) = self.written(lang);
+        let written = text.steps.get(step_idx)?;
+        Some(written.filled(self.steps.get(step_idx)?, &self.scenes, lang))
+    }
+
+    pub fn step_title(&self, step_idx: usize, lang: Lang) -> Option<&str> {
+        let (text, lang) = self.written(lang);
+        let written = text.steps.get(step_idx)?;
+        Some(written.title(self.steps.get(step_idx)?, &self.scenes, lang))
+    }
+
+    /// The text in this language, or in English where there is none, as it was written.
+    fn written(&self, lang: Lang) -> (&WrittenText, Lang) {
+        let own = self.translations.get(&lang);
+        own.map_or((&self.english, Lang::En), |text| (text, lang))
+    }
+
+    /// The text of its file in a language, with what a reader sees in place of each reference.
+    pub fn filled(&self, source: &str, lang: Lang) -> String {
+        let runs = Runs::new(&self.scenes);
+        let (text, lang) = self.written(lang);
+        let steps = text.steps.iter().zip(&self.steps);
+        let said = steps.flat_map(|(written, step)| written.said(step, &runs, lang));
+        let mut said: Vec<_> = said.collect();
+        said.sort_by_key(|(span, _)| span.start);
+        let mut filled = source.to_owned();
+        for (span, value) in said.into_iter().rev() {
+            filled.replace_range(span, &value);
+        }
+        filled
+    }
+
+    /// What the text of a step can name: each name with what stands for it there.
+    pub fn names(&self, step: &LessonStep, catalog: &Catalog) -> Vec<(String, String)> {
+        Runs::new(&self.scenes).names(step, catalog)
     }
 
     pub fn speaks(&self, lang: Lang) -> bool {
@@ -51,9 +86,8 @@ impl Lesson {
         self.steps.iter().position(|step| step.id == id)
     }
 
-    pub fn step_title(&self, id: &str, lang: Lang) -> Option<&str> {
-        let step = self.text(lang).steps.get(self.step_index(id)?)?;
-        Some(&step.title)
+    pub fn title_of(&self, id: &str, lang: Lang) -> Option<&str> {
+        self.step_title(self.step_index(id)?, lang)
     }
 }
 

@@ -10,8 +10,10 @@ use crate::{
 };
 
 use super::{
-    course::{Lesson, LessonText},
+    course::Lesson,
+    likeness,
     prelude::*,
+    reference::{Scenes, WrittenText},
     scene_file::{SceneFormat, SceneFormats},
     step::{CodeView, LessonStep, Stop, moment, never_comes},
     toml_errors::with_toml,
@@ -26,17 +28,28 @@ pub(super) struct Skeleton {
     /// The steps' ids, in order; `None` where one of them is not known for sure.
     pub ids: Option<Vec<String>>,
     /// `None` where there is a mistake.
-    lesson: Option<(&'static str, String, Vec<LessonStep>)>,
+    pub body: Option<Body>,
+    /// The scenes that no step shows, each with what is to be said of it where no text speaks of it either.
+    pub unshown: Vec<(String, Problem)>,
+}
+
+/// What a lesson shows.
+pub(super) struct Body {
+    lab: &'static str,
+    source: String,
+    pub steps: Vec<LessonStep>,
+    pub scenes: Scenes,
 }
 
 impl Skeleton {
-    pub fn into_lesson(self, id: &str, mut texts: BTreeMap<Lang, LessonText>) -> Option<Lesson> {
-        let (lab, source, steps) = self.lesson?;
+    pub fn into_lesson(self, id: &str, mut texts: BTreeMap<Lang, WrittenText>) -> Option<Lesson> {
+        let body = self.body?;
         Some(Lesson {
             id: id.to_owned(),
-            lab,
-            source,
-            steps,
+            lab: body.lab,
+            source: body.source,
+            steps: body.steps,
+            scenes: body.scenes,
             english: texts.remove(&Lang::En)?,
             translations: texts,
         })
@@ -72,13 +85,37 @@ pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Op
             current: Current::None,
         };
         let (ids, steps) = reader.read(&fields);
-        for scene in reader.scenes.values().filter(|scene| !scene.is_used) {
-            sink.warning(scene.span.clone(), Message::new("problem-unused-scene"));
-        }
+        let unshown = reader.scenes.iter().filter(|(_, scene)| !scene.is_used);
+        let unshown = unshown.map(|(name, scene)| {
+            let place = Some(sink.source.place(scene.span.clone()));
+            let what = Message::new("problem-unused-scene").into();
+            let (file, severity) = (sink.source.file.clone(), Severity::Warning);
+            (
+                name.clone(),
+                Problem {
+                    file,
+                    place,
+                    severity,
+                    what,
+                },
+            )
+        });
+        let unshown = unshown.collect();
         let complete = sink.n_errors() == 0;
+        let named = reader.scenes.into_iter();
+        let scenes = named.filter_map(|(name, named)| Some((name, named.scene?)));
+        let body = || {
+            Some(Body {
+                lab: format?.lab.id,
+                source: source?.to_owned(),
+                steps: steps?,
+                scenes: scenes.collect(),
+            })
+        };
         Some(Skeleton {
             ids,
-            lesson: (|| Some((format?.lab.id, source?.to_owned(), steps?)))().filter(|_| complete),
+            unshown,
+            body: body().filter(|_| complete),
         })
     })
 }
@@ -100,9 +137,11 @@ fn scenes(
 ) -> BTreeMap<String, NamedScene> {
     let mut room = format.map_or(0, |format| format.room);
     let named = fields.get("scenes").and_then(Node::named);
+    let all = fields.get("scenes").and_then(Node::table);
     let read = |(key, node): (&Spanned<DeString<'_>>, Node<'_>)| {
-        let scene = format.and_then(|format| {
-            let fields = node.fields(format.fields)?;
+        let scene = format.zip(all).and_then(|(format, all)| {
+            let table = likeness::fields(all, key.get_ref(), node)?;
+            let fields = TomlFields::new(&table, node.span(), format.fields, node.sink);
             (format.read)(&fields, &mut room)
         });
         let recorded = scene.as_ref().filter(|_| moments == Moments::Now);

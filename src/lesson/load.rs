@@ -7,6 +7,7 @@ use super::{
     files::{Embedded, Files, LESSON_FILE, MAX_LESSONS},
     lesson_file::{self, Moments, Reading, Skeleton},
     prelude::*,
+    reference::Runs,
     scene_file::SceneFormats,
     sections,
 };
@@ -89,8 +90,12 @@ fn load_lesson(
     all_problems: &mut Vec<Problem>,
 ) -> Option<Lesson> {
     let mut problems = Vec::new();
-    let skeleton = lesson_toml(files, reading, id, names, &mut problems);
+    let mut skeleton = lesson_toml(files, reading, id, names, &mut problems);
     let ids = skeleton.as_ref().and_then(|it| it.ids.as_deref());
+    let body = skeleton.as_ref().and_then(|it| it.body.as_ref());
+    let body = body.filter(|_| reading.moments == Moments::Now);
+    let runs = body.map(|body| Runs::new(&body.scenes));
+    let checked = body.zip(runs.as_ref());
     let mut texts = BTreeMap::new();
     for name in names.iter().filter(|name| is_text(name)) {
         let path = format!("{id}/{name}");
@@ -100,9 +105,22 @@ fn load_lesson(
             continue;
         };
         let text = read(files, &path, None, &mut problems, |sink| {
-            sections::read(ids, sink)
+            let text = sections::read(ids, sink)?;
+            if let Some((body, runs)) = checked {
+                for (written, step) in text.steps.iter().zip(&body.steps) {
+                    written.check(step, runs, sink);
+                }
+            }
+            (sink.n_errors() == 0).then_some(text)
         });
         texts.extend(text.map(|text| (lang, text)));
+    }
+    if let Some(skeleton) = &mut skeleton {
+        let english = texts.get(&Lang::En);
+        let speaks_of = |name: &str| english.is_some_and(|text| text.speaks_of(name));
+        let unused = std::mem::take(&mut skeleton.unshown).into_iter();
+        let unused = unused.filter(|(name, _)| !speaks_of(name));
+        problems.extend(unused.map(|(_, problem)| problem));
     }
     for lang in Lang::ALL {
         let name = format!("{lang}.md");

@@ -2,7 +2,7 @@
 
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 
-use super::{prelude::*, problem::is_wide};
+use super::{prelude::*, problem::is_wide, reference::Braces};
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Block {
@@ -36,6 +36,13 @@ pub struct Inline {
     pub code: bool,
 }
 
+/// A step's text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct StepText {
+    pub title: String,
+    pub body: Vec<Block>,
+}
+
 pub(super) enum TextPart {
     /// `# …` is level 1, `## …` level 2.
     Heading {
@@ -45,9 +52,8 @@ pub(super) enum TextPart {
     Block(Block),
 }
 
-/// Reads a file; what the format has no place for is reported.
-pub(super) fn parse(sink: &Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
-    let text = &*sink.source.text;
+/// Reads a text of which the references have been taken out; what the format has no place for is reported.
+pub(super) fn parse(text: &str, sink: &Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
     let mut reader = Reader::default();
     for (event, span) in Parser::new(text).into_offset_iter() {
         reader.event(event, span, sink);
@@ -206,13 +212,14 @@ impl Reader {
     }
 
     fn push(&mut self, text: &str, code: bool) {
+        let text = &Braces::without_filler(text);
         let (strong, emphasis) = (self.strong > 0, self.emphasis > 0);
         match self.inlines.last_mut() {
             Some(last) if (last.strong, last.emphasis, last.code) == (strong, emphasis, code) => {
                 last.text.push_str(text);
             }
             _ => self.inlines.push(Inline {
-                text: text.to_owned(),
+                text: text.clone(),
                 strong,
                 emphasis,
                 code,

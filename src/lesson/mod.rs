@@ -15,12 +15,14 @@ mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod lesson_file;
+mod likeness;
 mod load;
 mod markdown;
 mod mesh_file;
 mod nearest;
 mod prelude;
 mod problem;
+mod reference;
 mod scene_file;
 mod sections;
 mod sink;
@@ -31,12 +33,12 @@ pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
 
-pub use course::{Course, Lesson, LessonText, StepText};
+pub use course::{Course, Lesson};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use load::Loaded;
-pub use markdown::{Block, BlockMarker, Inline};
+pub use markdown::{Block, BlockMarker, Inline, StepText};
 pub use mesh_file::{ObjFile, picture_of, read_mtl, read_obj, read_obj_while, read_picture};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::{
-    course::{LessonText, StepText},
-    markdown::{self, Block, TextPart},
+    markdown::{self, Block, StepText, TextPart},
     prelude::*,
+    reference::{Braces, WrittenStep, WrittenText},
 };
 
 /// One `## id: Title` and what follows it.
@@ -14,32 +14,40 @@ struct Section {
     title: String,
     body: Vec<Block>,
     span: Range<usize>,
+    /// The places of references in its title and its body.
+    references: Vec<Range<usize>>,
 }
 
 /// Reads a text; `ids` are the lesson's steps, `None` where `lesson.toml` leaves them unclear.
-pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<LessonText> {
+pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<WrittenText> {
     if sink.source.bad_byte.is_some() {
         return None;
     }
+    let braces = Braces::of(&sink.source.text);
+    if let Some(at) = braces.unclosed {
+        let expected = [Message::new("expect-reference")];
+        sink.error(at..at + 1, Message::new("problem-bad-reference"), expected);
+    }
     let mut file = Splitter::default();
-    for (part, span) in markdown::parse(sink) {
+    for (part, span) in markdown::parse(&braces.text, sink) {
         match part {
             TextPart::Heading { level: 1, title } => file.title(title.trim(), span, sink),
             TextPart::Heading { title, .. } => file.section(&title, span, sink),
             TextPart::Block(block) => file.block(block, span, sink),
         }
     }
-    let Some((title, title_span)) = file.title else {
+    let Some((title, title_span)) = file.title.take() else {
         let expected = [Message::new("expect-title")];
         sink.error(0..0, Message::new("problem-missing-title"), expected);
         return None;
     };
+    file.take_references(&braces.spans, sink);
     for section in file.sections.iter().filter(|s| s.body.is_empty()) {
         let message = Message::new("problem-empty-section").with("name", clipped(&section.id));
         sink.error(section.span.clone(), message, []);
     }
     let steps = in_order(ids?, file.sections, title_span, sink);
-    (sink.n_errors() == 0).then_some(LessonText { title, steps })
+    (sink.n_errors() == 0).then_some(WrittenText { title, steps })
 }
 
 #[derive(Default)]
@@ -76,7 +84,19 @@ impl Splitter {
             title: title.to_owned(),
             body: Vec::new(),
             span,
+            references: Vec::new(),
         });
+    }
+
+    /// Gives each section the references that stand in it; the lesson's title has none.
+    fn take_references(&mut self, spans: &[Range<usize>], sink: &Sink<'_>) {
+        for span in spans {
+            let begun = |section: &&mut Section| section.span.start <= span.start;
+            match self.sections.iter_mut().rfind(begun) {
+                Some(section) => section.references.push(span.clone()),
+                None => sink.error(span.clone(), Message::new("problem-reference-outside"), []),
+            }
+        }
     }
 
     fn block(&mut self, block: Block, span: Range<usize>, sink: &Sink<'_>) {
@@ -106,7 +126,7 @@ fn in_order(
     sections: Vec<Section>,
     title_span: Range<usize>,
     sink: &Sink<'_>,
-) -> Vec<StepText> {
+) -> Vec<WrittenStep> {
     let names: Vec<&str> = ids.iter().map(String::as_str).collect();
     let index: BTreeMap<&str, usize> = names.iter().copied().zip(0..).collect();
     let mut slots: Vec<Option<Section>> = ids.iter().map(|_| None).collect();
@@ -135,10 +155,11 @@ fn in_order(
     for (id, slot) in ids.iter().zip(slots) {
         if let Some(section) = slot {
             before = section.span;
-            steps.push(StepText {
+            let text = StepText {
                 title: section.title,
                 body: section.body,
-            });
+            };
+            steps.push(WrittenStep::new(text, &section.references, sink));
         } else {
             let message = Message::new("problem-missing-section").with("name", clipped(id));
             let heading = Message::new("expect-section").with("name", clipped(id));

@@ -119,6 +119,8 @@ impl<'s> Sink<'s> {
             let place = place.map(|place| (place.line, place.column));
             (problem.file != *file, place)
         });
+        // What a scene has from another one was said of that already.
+        found.problems.dedup();
         if found.n_more > 0 {
             let message = Message::new("problem-more").with("count", found.n_more);
             found.problems.push(Problem {

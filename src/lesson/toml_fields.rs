@@ -89,6 +89,14 @@ impl<'t> TomlFields<'t> {
 }
 
 impl<'t> Node<'t> {
+    pub const fn of(item: &'t Spanned<DeValue<'t>>, sink: &'t Sink<'t>) -> Self {
+        Self { item, sink }
+    }
+
+    pub fn table(self) -> Option<&'t DeTable<'t>> {
+        self.expecting(self.item.get_ref().as_table(), "expect-table")
+    }
+
     pub fn span(self) -> Range<usize> {
         self.item.span()
     }
@@ -129,7 +137,7 @@ impl<'t> Node<'t> {
 
     pub fn fields(self, known: &[&'static str]) -> Option<TomlFields<'t>> {
         Some(TomlFields::new(
-            self.expecting(self.item.get_ref().as_table(), "expect-table")?,
+            self.table()?,
             self.span(),
             known,
             self.sink,
@@ -139,8 +147,7 @@ impl<'t> Node<'t> {
     /// The fields of a table of which the keys are names that the author chose.
     pub fn named(self) -> Option<impl Iterator<Item = (&'t Spanned<DeString<'t>>, Self)>> {
         let Self { sink, .. } = self;
-        let table = self.expecting(self.item.get_ref().as_table(), "expect-table")?;
-        let fields = table.iter();
+        let fields = self.table()?.iter();
         Some(fields.map(move |(key, item)| (key, Node { item, sink })))
     }
 

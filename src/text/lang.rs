@@ -66,6 +66,14 @@ impl Lang {
         }
     }
 
+    /// What keeps the thousands of a large number apart; a line never ends there.
+    pub const fn thousands_separator(self) -> &'static str {
+        match self {
+            Self::En => ",",
+            Self::ZhCn | Self::Es | Self::PtBr => "\u{a0}",
+        }
+    }
+
     /// What stands between coordinates: never to be taken for a decimal separator.
     pub const fn list_separator(self) -> &'static str {
         match self {

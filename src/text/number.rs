@@ -201,6 +201,26 @@ fn scientific(lang: Lang, magnitude: f64) -> String {
     format!("{mantissa}×10{exponent}")
 }
 
+pub(super) fn rounded_to(lang: Lang, x: f64, places: usize) -> String {
+    let digits = format!("{:.places$}", x.abs());
+    let is_negative = x < 0.0 && digits.contains(|c: char| ('1'..='9').contains(&c));
+    let sign = if is_negative { MINUS } else { "" };
+    format!("{sign}{}", localized(lang, &digits))
+}
+
+pub(super) fn grouped(lang: Lang, x: f64) -> String {
+    let digits = rounded_to(lang, x, 0);
+    let mut text = String::new();
+    let n = digits.chars().count();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (n - i).is_multiple_of(3) && text.ends_with(|c: char| c.is_ascii_digit()) {
+            text.push_str(lang.thousands_separator());
+        }
+        text.push(digit);
+    }
+    text
+}
+
 fn without_trailing_zeros(decimal: &str) -> &str {
     if decimal.contains('.') {
         decimal.trim_end_matches('0').trim_end_matches('.')

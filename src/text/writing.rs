@@ -2,7 +2,7 @@
 
 use super::catalog::Catalog;
 use super::message::{Formula, Token, Value};
-use super::number::{Notation, Quantity, Written};
+use super::number::{self, Notation, Quantity, Written};
 use super::piece::Piece;
 
 impl Catalog {
@@ -54,6 +54,16 @@ impl Catalog {
     pub fn number(&self, x: f64) -> String {
         let written = Quantity::Number(x).written(self.lang(), Notation::Own);
         written.to_string()
+    }
+
+    /// With so many decimals: `0.3827` as `0.38`.
+    pub fn rounded(&self, x: f64, places: usize) -> String {
+        number::rounded_to(self.lang(), x, places)
+    }
+
+    /// A whole number with its thousands apart: `306,288`.
+    pub fn grouped(&self, x: f64) -> String {
+        number::grouped(self.lang(), x)
     }
 
     /// `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator.

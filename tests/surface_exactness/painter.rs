@@ -105,6 +105,20 @@ proptest! {
     }
 }
 
+/// All are as deep as each other, and apart on the screen: each asks all others, and the run rests at some of them.
+#[test]
+fn a_run_of_many_pairs_goes_on_from_each_of_its_rests() {
+    let small = |i: i64| {
+        let [x, y] = [3 * (i % 16) - 24, 3 * (i / 16) - 9];
+        [[x, y, -61], [x + 2, y, -60], [x, y + 2, -62]]
+    };
+    let triangles: Vec<Whole> = (0..112).map(small).collect();
+    let surfaces = surfaces(&triangles, false);
+    let recording = Recording::<Painter>::new(surfaces.clone());
+    assert!(recording.rests().len() > 4, "{}", recording.rests().len());
+    laws::check::<Painter>(&surfaces);
+}
+
 /// They pierce each other in the last of a corner that is a needle: the difference of their depths is 0.018, 0.019, 0.009 and
 /// −0.005 in the corners of the area that they share.
 #[test]

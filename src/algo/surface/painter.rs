@@ -61,6 +61,9 @@ pub struct PairTally {
     pub decided: [u64; 5],
 }
 
+/// A run rests after so many pairs, which take about a millisecond, or so many triangles that have been painted.
+const REST_EVERY: u64 = 1024;
+
 /// What happens, in order.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
@@ -165,6 +168,8 @@ pub struct PainterHeld {
     pub picture: Picture,
     /// How many pairs have been asked so far.
     pub tally: PairTally,
+    /// How many of the placed have been painted.
+    n_painted: usize,
     progress: Vec<Progress>,
     /// Those that wait, each for the next, and whom each asks next.
     waiting: Vec<(usize, usize)>,
@@ -192,6 +197,7 @@ impl<L: SurfaceRules> Method for Painter<L> {
             cycle: Vec::new(),
             picture: Picture::empty(surfaces.size()),
             tally: PairTally::default(),
+            n_painted: 0,
             progress: Vec::new(),
             waiting: Vec::new(),
         }
@@ -202,40 +208,27 @@ impl<L: SurfaceRules> Method for Painter<L> {
         held: &mut Self::Held,
         tell: &mut T,
     ) -> Told<T::Stop> {
-        for (id, corners) in surfaces.ids().zip(surfaces.triangles()) {
-            if surfaces.culls_backs() && !surfaces.shows(corners) {
-                continue;
-            }
-            let occupant = Occupant::new(surfaces, id, *corners);
-            let depths = occupant.depths();
-            let key = depths[usize::from(!L::SORTS_BY_NEAREST)];
-            held.list.push((occupant, key));
-            tell.tell(held, Event::Key { id, key, depths })?;
+        if held.progress.is_empty() {
+            sort::<L, R, T>(surfaces, held, tell)?;
+            held.progress = vec![Progress::Untouched; held.list.len()];
         }
-        held.list.sort_by(|(one, key), (other, other_key)| {
-            let by_key = R::new(*other_key).partial_cmp(&R::new(*key));
-            let by_id = other.id.cmp(&one.id);
-            by_key.unwrap_or(Ordering::Equal).then(by_id)
-        });
-        for i in 0..held.list.len() {
-            held.n_sorted = i + 1;
-            let id = held.list[i].0.id;
-            tell.tell(held, Event::Sort { id })?;
-        }
-        held.progress = vec![Progress::Untouched; held.list.len()];
+        let mut rested_at = held.tally.pairs;
         for first in 0..held.list.len() {
-            if held.progress[first] != Progress::Placed && held.cycle.is_empty() {
-                place::<L, R, T>(surfaces, held, first, tell)?;
+            if held.waiting.is_empty() && held.progress[first] == Progress::Untouched {
+                held.waiting.push((first, 0));
+                held.progress[first] = Progress::Waiting;
+            }
+            place::<L, R, T>(surfaces, held, &mut rested_at, tell)?;
+            if !held.cycle.is_empty() {
+                return tell.tell(held, Event::Done);
             }
         }
-        let n_painted = if held.cycle.is_empty() {
-            held.placed.len()
-        } else {
-            0
-        };
-        for i in 0..n_painted {
-            let id = held.placed[i];
+        while let Some(&id) = held.placed.get(held.n_painted) {
+            if (held.n_painted as u64).is_multiple_of(REST_EVERY) {
+                tell.rest(held);
+            }
             Rows::of(surfaces, id).paint(&mut held.picture, id);
+            held.n_painted += 1;
             tell.tell(held, Event::Paint { id })?;
         }
         tell.tell(held, Event::Done)
@@ -262,15 +255,47 @@ impl<L: SurfaceRules> Method for Painter<L> {
     }
 }
 
+/// The list, the largest key first.
+fn sort<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
+    surfaces: &Surfaces,
+    held: &mut PainterHeld,
+    tell: &mut T,
+) -> Told<T::Stop> {
+    for (id, corners) in surfaces.ids().zip(surfaces.triangles()) {
+        if surfaces.culls_backs() && !surfaces.shows(corners) {
+            continue;
+        }
+        let occupant = Occupant::new(surfaces, id, *corners);
+        let depths = occupant.depths();
+        let key = depths[usize::from(!L::SORTS_BY_NEAREST)];
+        held.list.push((occupant, key));
+        tell.tell(held, Event::Key { id, key, depths })?;
+    }
+    held.list.sort_by(|(one, key), (other, other_key)| {
+        let by_key = R::new(*other_key).partial_cmp(&R::new(*key));
+        let by_id = other.id.cmp(&one.id);
+        by_key.unwrap_or(Ordering::Equal).then(by_id)
+    });
+    for i in 0..held.list.len() {
+        held.n_sorted = i + 1;
+        let id = held.list[i].0.id;
+        tell.tell(held, Event::Sort { id })?;
+    }
+    Told::Continue(())
+}
+
+/// Places those that wait, and whatever must come before them, or finds a cycle.
 fn place<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
     surfaces: &Surfaces,
     held: &mut PainterHeld,
-    first: usize,
+    rested_at: &mut u64,
     tell: &mut T,
 ) -> Told<T::Stop> {
-    held.waiting.push((first, 0));
-    held.progress[first] = Progress::Waiting;
     while let Some(&(p, _)) = held.waiting.last() {
+        if held.tally.pairs - *rested_at >= REST_EVERY {
+            *rested_at = held.tally.pairs;
+            tell.rest(held);
+        }
         let objector = if L::KEYS_ONLY {
             None
         } else {

@@ -33,16 +33,7 @@ impl<M: Telling> At<'_, M> {
             let [num, den] = [num, den].map(|part| self.fill(Formula::default(), part));
             return Some(formula.over(num?, den?));
         }
-        let in_parentheses = hole.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
-        let (way, name) = match (hole.strip_prefix('='), in_parentheses) {
-            (Some(name), _) => (Way::ComesTo, name),
-            (None, Some(name)) => (Way::Operand, name),
-            (None, None) => (Way::AsItIs, hole),
-        };
-        let (sign, name) = match name.strip_prefix('−') {
-            Some(name) => (-1.0, name),
-            None => (1.0, name),
-        };
+        let (way, sign, name) = read(hole);
         formula.0.push(match (self.value(name)?, way) {
             (Value::Number(x), Way::ComesTo) => Token::Equals(sign * x),
             (Value::Number(x), Way::Operand) => Token::Operand(sign * x),
@@ -74,6 +65,31 @@ enum Way {
     AsItIs,
     Operand,
     ComesTo,
+}
+
+/// How a hole's value is written, its sign, and its name.
+fn read(hole: &str) -> (Way, f64, &str) {
+    let in_parentheses = hole.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
+    let (way, name) = match (hole.strip_prefix('='), in_parentheses) {
+        (Some(name), _) => (Way::ComesTo, name),
+        (None, Some(name)) => (Way::Operand, name),
+        (None, None) => (Way::AsItIs, hole),
+    };
+    match name.strip_prefix('−') {
+        Some(name) => (way, -1.0, name),
+        None => (way, 1.0, name),
+    }
+}
+
+/// The names of a template's holes.
+pub fn names(template: &str) -> impl Iterator<Item = &str> {
+    let holes = template
+        .split('{')
+        .skip(1)
+        .filter_map(|rest| Some(rest.split_once('}')?.0));
+    holes
+        .flat_map(|hole| hole.split(" / "))
+        .map(|part| read(part).2)
 }
 
 fn with_text(formula: Formula, text: &str) -> Formula {

@@ -3,6 +3,7 @@
 mod broken;
 mod frustum_scenes;
 mod reading;
+mod references;
 
 use std::collections::BTreeMap;
 

@@ -25,15 +25,15 @@ fn a_lesson_in_order_loads() {
     assert!(second.position() > Some(0), "the end comes after the start");
     assert_eq!(second.code, CodeView::Words);
     assert_eq!(second.locks.len(), 1);
-    let text = lesson.text(Lang::En);
-    assert_eq!(text.title, "Regions");
-    assert_eq!(text.steps[0].title, "The first step");
-    let [Block::Paragraph(question), Block::Answer(answer)] = &text.steps[0].body[..] else {
-        panic!("a question and its answer, not {:?}", text.steps[0].body);
+    let text = |step| &lesson.step_text(step, Lang::En).expect("its text").body[..];
+    assert_eq!(lesson.title(Lang::En), "Regions");
+    assert_eq!(lesson.step_title(0, Lang::En), Some("The first step"));
+    let [Block::Paragraph(question), Block::Answer(answer)] = text(0) else {
+        panic!("a question and its answer, not {:?}", text(0));
     };
     assert!(question[1].emphasis && question[1].text == "this");
     assert_eq!(answer.len(), 1);
-    assert_eq!(text.steps[1].body.len(), 2);
+    assert_eq!(text(1).len(), 2);
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn a_missing_translation_is_read_in_english() {
     assert_eq!(found(&files), ["es.md missing-language"]);
     let course = Course::check(&files).course;
     assert!(!course.lessons[0].speaks(Lang::Es));
-    assert_eq!(course.lessons[0].text(Lang::Es).title, "Regions");
+    assert_eq!(course.lessons[0].title(Lang::Es), "Regions");
     files.remove("01-a/en.md");
     let both = ["en.md missing-file", "es.md missing-language"];
     assert_eq!(found(&files), both);
@@ -94,8 +94,8 @@ fn text_is_parsed_into_blocks() {
             item(0, BlockMarker::Bullet, "r"),
         ]),
     ];
-    let text = loaded.course.lessons[0].text(Lang::En);
-    assert_eq!(text.steps[1].body, expected);
+    let text = loaded.course.lessons[0].step_text(1, Lang::En);
+    assert_eq!(text.expect("its text").body, expected);
 }
 
 fn segments_of(scene: &Scene) -> &[Segment] {

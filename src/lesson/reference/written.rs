@@ -1,0 +1,180 @@
+//! Texts with references in them: how they are kept while a file is read, and how they are filled in.
+
+use std::sync::OnceLock;
+
+use crate::{
+    lesson::{
+        LessonStep,
+        markdown::{Block, StepText},
+        prelude::*,
+    },
+    text::{Catalog, Lang, Notation, Value},
+};
+
+use super::{Form, Reference, Runs, braces::SLOT, parse::parse, resolve::Scenes};
+
+/// A reference of a text, and where it stands in its file.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Placed {
+    pub reference: Reference,
+    pub span: Range<usize>,
+}
+
+/// A step's text as it was written.
+#[derive(Clone, Debug)]
+pub struct WrittenStep {
+    text: StepText,
+    /// In the order in which they stand.
+    references: Vec<Placed>,
+    filled: OnceLock<StepText>,
+}
+
+impl PartialEq for WrittenStep {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.text, &self.references) == (&other.text, &other.references)
+    }
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub struct WrittenText {
+    pub title: String,
+    /// One for each step, in their order.
+    pub steps: Vec<WrittenStep>,
+}
+
+impl WrittenText {
+    /// Does a reference name this scene?
+    pub fn speaks_of(&self, scene: &str) -> bool {
+        let mut references = self.steps.iter().flat_map(|step| &step.references);
+        references.any(|placed| placed.reference.scene.as_deref() == Some(scene))
+    }
+}
+
+impl WrittenStep {
+    /// `spans` are the references of the text; one that cannot be read is reported.
+    pub fn new(text: StepText, spans: &[Range<usize>], sink: &Sink<'_>) -> Self {
+        let placed = spans.iter().filter_map(|span| {
+            let inner = &sink.source.text[span.start + 1..span.end - 1];
+            match parse(inner) {
+                Ok(reference) => Some(Placed {
+                    reference,
+                    span: span.clone(),
+                }),
+                Err(what) => {
+                    sink.error(span.clone(), what, []);
+                    None
+                }
+            }
+        });
+        Self {
+            text,
+            references: placed.collect(),
+            filled: OnceLock::new(),
+        }
+    }
+
+    /// Reports what does not come to anything in the text of `step`.
+    pub fn check(&self, step: &LessonStep, runs: &Runs<'_>, sink: &Sink<'_>) {
+        for Placed { reference, span } in &self.references {
+            if let Err(what) = runs.resolve(reference, step) {
+                sink.error(span.clone(), what, []);
+            }
+        }
+    }
+
+    /// The title as a reader sees it.
+    pub fn title(&self, step: &LessonStep, scenes: &Scenes, lang: Lang) -> &str {
+        if self.text.title.contains(SLOT) {
+            &self.filled(step, scenes, lang).title
+        } else {
+            &self.text.title
+        }
+    }
+
+    /// As a reader sees it.
+    pub fn filled(&self, step: &LessonStep, scenes: &Scenes, lang: Lang) -> &StepText {
+        if self.references.is_empty() {
+            return &self.text;
+        }
+        self.filled.get_or_init(|| {
+            let runs = Runs::new(scenes);
+            let values = self.references.iter();
+            let values = values.map(|placed| said(&placed.reference, step, &runs, lang));
+            let mut filler = Filler {
+                values: values.collect::<Vec<_>>().into_iter(),
+            };
+            StepText {
+                title: filler.fill(&self.text.title),
+                body: filler.blocks(&self.text.body),
+            }
+        })
+    }
+
+    /// The places of its references, and what stands there for a reader.
+    pub fn said<'a>(
+        &'a self,
+        step: &'a LessonStep,
+        runs: &'a Runs<'a>,
+        lang: Lang,
+    ) -> impl Iterator<Item = (Range<usize>, String)> + 'a {
+        let placed = self.references.iter();
+        placed.map(move |it| (it.span.clone(), said(&it.reference, step, runs, lang)))
+    }
+}
+
+/// What does not resolve is shown as what it is: a course that was checked has none.
+fn said(reference: &Reference, step: &LessonStep, runs: &Runs<'_>, lang: Lang) -> String {
+    match runs.resolve(reference, step) {
+        Ok(value) => write(&value, reference.form, Catalog::of(lang)),
+        Err(what) => format!("⟦{}⟧", what.code),
+    }
+}
+
+fn write(value: &Value, form: Form, catalog: &Catalog) -> String {
+    let number = match value {
+        Value::Number(x) => Some(*x),
+        Value::Ratio { num, den } => Some(num / den),
+        Value::Count(n) => Some(*n as f64),
+        _ => None,
+    };
+    match (form, number) {
+        (Form::Fraction, _) => catalog.value_as(value, Notation::Fractions),
+        (Form::Decimal, _) => catalog.value_as(value, Notation::Decimals),
+        (Form::Places(n), Some(x)) => catalog.rounded(x, n),
+        (Form::Grouped, Some(x)) => catalog.grouped(x),
+        (Form::Own | Form::Places(_) | Form::Grouped, _) => catalog.value(value),
+    }
+}
+
+/// Puts values into slots, one after the other.
+struct Filler {
+    values: std::vec::IntoIter<String>,
+}
+
+impl Filler {
+    fn fill(&mut self, text: &str) -> String {
+        let mut parts = text.split(SLOT);
+        let mut filled = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            filled += &self.values.next().unwrap_or_default();
+            filled += part;
+        }
+        filled
+    }
+
+    fn blocks(&mut self, blocks: &[Block]) -> Vec<Block> {
+        let mut blocks = blocks.to_vec();
+        for block in &mut blocks {
+            match block {
+                Block::Paragraph(text) | Block::ListItem { text, .. } => {
+                    for part in text {
+                        part.text = self.fill(&part.text);
+                    }
+                }
+                Block::Answer(inner) => *inner = self.blocks(inner),
+                Block::Code(_) => {}
+            }
+        }
+        blocks
+    }
+}
