@@ -58,9 +58,11 @@ pub fn sign_of_four([a, b, c, d]: [[f64; 4]; 4]) -> Ordering {
     })
 }
 
-/// The sign of a sum of at most 24 products of at most four numbers, where rounding cannot have turned it.
+/// The sign of a sum of at most 24 products of at most four numbers, where rounding cannot have turned it. `size` is the sum of the
+/// products' magnitudes.
 #[inline]
-fn certain(sum: f64, size: f64) -> Option<Ordering> {
+#[must_use]
+pub fn certain(sum: f64, size: f64) -> Option<Ordering> {
     let bound = 32.0 * f64::EPSILON * size;
     ((1e-250..1e250).contains(&size) && sum.abs() > bound)
         .then(|| sum.partial_cmp(&0.0))

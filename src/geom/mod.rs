@@ -31,7 +31,7 @@ mod window;
 
 pub use aligned_box::{AlignedBox, VolumeSide};
 pub use camera::Camera;
-pub use determinant::{sign_of_four, sign_of_three};
+pub use determinant::{certain as certain_sign, sign_of_four, sign_of_three};
 pub use error::{Axis, GeomError, SpaceError};
 pub use matrix::Matrix;
 pub use mesh::{Mesh, MeshEdge, MeshError};

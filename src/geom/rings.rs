@@ -115,9 +115,20 @@ impl Rings {
     /// Exact. Inside is what an odd number of rings run around: rings must not cross.
     #[must_use]
     pub fn locate(&self, p: Point) -> Location {
+        self.locate_by(p, |a, b| a <= b, orientation)
+    }
+
+    /// The same by another comparison and another test of sides, which are to be exact: `turn` tells on which side of the line
+    /// through the first two points the third one lies.
+    pub fn locate_by(
+        &self,
+        p: Point,
+        at_most: impl Fn(f64, f64) -> bool,
+        turn: impl Fn(Point, Point, Point) -> Ordering,
+    ) -> Location {
         let mut inside = false;
         for ring in self.iter() {
-            match locate(ring, p) {
+            match locate_by(ring, p, &at_most, &turn) {
                 Location::Border => return Location::Border,
                 Location::Inside => inside = !inside,
                 Location::Outside => {}
@@ -131,6 +142,15 @@ impl Rings {
 /// times from inside; an edge counts its lower end and not its upper one.
 #[must_use]
 pub fn locate(ring: &[Point], p: Point) -> Location {
+    locate_by(ring, p, |a, b| a <= b, orientation)
+}
+
+fn locate_by(
+    ring: &[Point],
+    p: Point,
+    at_most: impl Fn(f64, f64) -> bool,
+    turn: impl Fn(Point, Point, Point) -> Ordering,
+) -> Location {
     let mut inside = false;
     let mut from = ring.last().copied().unwrap_or_default();
     for &to in ring {
@@ -138,10 +158,10 @@ pub fn locate(ring: &[Point], p: Point) -> Location {
         if a == p {
             return Location::Border;
         }
-        let (below, above) = (a.y() <= p.y(), to.y() <= p.y());
+        let (below, above) = (at_most(a.y(), p.y()), at_most(to.y(), p.y()));
         if below != above {
             let (low, high) = if below { (a, to) } else { (to, a) };
-            match orientation(low, high, p) {
+            match turn(low, high, p) {
                 Ordering::Equal => return Location::Border,
                 Ordering::Greater => inside = !inside,
                 Ordering::Less => {}

@@ -69,8 +69,9 @@ impl Lang {
     /// What keeps the thousands of a large number apart; a line never ends there.
     pub const fn thousands_separator(self) -> &'static str {
         match self {
-            Self::En => ",",
-            Self::ZhCn | Self::Es | Self::PtBr => "\u{a0}",
+            Self::En | Self::ZhCn => ",",
+            Self::Es => "\u{a0}",
+            Self::PtBr => ".",
         }
     }
 

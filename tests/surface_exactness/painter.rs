@@ -119,6 +119,22 @@ fn a_run_of_many_pairs_goes_on_from_each_of_its_rests() {
     laws::check::<Painter>(&surfaces);
 }
 
+/// Two walls, one behind the other and apart in depth, take no determinant of a plane; two that are as deep take some.
+#[test]
+fn the_signs_that_decide_a_pair_are_counted() {
+    let wall = |z: i64| [[-9, -9, z], [9, -9, z], [0, 9, z]];
+    let leaning = [[-9, -9, -40], [9, -9, -40], [0, 9, -20]];
+    let cost = |triangles: &[Whole]| {
+        Recording::<Painter>::new(surfaces(triangles, false)).counts_at(usize::MAX)
+    };
+    // A turn of each on the screen, nine products a turn; the key and the extents are comparisons.
+    let apart = cost(&[wall(-20), wall(-40)]);
+    assert_eq!((apart.mul, apart.add), (2 * 9, 2 * 6));
+    // The eye and three corners by a plane: thirty products each.
+    let asked = cost(&[wall(-30), leaning]);
+    assert!(asked.mul >= apart.mul + 4 * 30, "{asked:?}");
+}
+
 /// They pierce each other in the last of a corner that is a needle: the difference of their depths is 0.018, 0.019, 0.009 and
 /// −0.005 in the corners of the area that they share.
 #[test]

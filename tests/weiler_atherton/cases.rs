@@ -483,3 +483,24 @@ fn a_shared_edge_is_entered_where_it_begins_or_where_it_ends() {
     assert_eq!(contacts, [V, C, S, V]);
     assert!(!labels.contains(&IntersectionLabel::Pinching), "{labels:?}");
 }
+
+/// Where nothing crosses, that too is found out by comparisons, and a vertex is looked for in the other border.
+#[test]
+fn what_finds_that_nothing_crosses_is_counted() {
+    let triangle: Outline = &[[1, 1], [3, 1], [2, 3]];
+    let far: Outline = &[[11, 1], [13, 1], [12, 3]];
+    for (name, subject) in [("inside", triangle), ("outside", far)] {
+        let simple = |outline| shapes::simple(outline).expect("simple");
+        let [subject, clip] = [subject, SQUARE].map(simple);
+        let input = WeilerAthertonInput {
+            subject: subject.into(),
+            clip,
+        };
+        let run = Recording::<WeilerAtherton>::new(input);
+        let is_found = |event: &Event| matches!(event, Event::Found { .. });
+        assert!(!run.events().iter().any(is_found), "{name}");
+        let counts = run.counts_at(usize::MAX);
+        assert!(counts.cmp > 0, "{name}: {counts:?}");
+        assert_eq!(counts.div, 0, "{name}");
+    }
+}

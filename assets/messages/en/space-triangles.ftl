@@ -60,14 +60,16 @@ ip-done = Done: { $vertices ->
     }.
 ip-done-empty = Done: { $n } triangles. Nothing with an area is left ({ $vertices } vertices, { $crossings } crossings).
 code-ip-each = for each plane (n, D):
-code-ip-distance = d ← n·V + D of each vertex
-code-ip-inside = if d ≥ 0: put out V
-code-ip-cross = where d changes sign: put out C
+code-ip-first = if d(V₀) ≥ 0: put out V₀
+code-ip-distance = for each edge S → P: d ← n·P + D
+code-ip-inside = if d ≥ 0 and P ≠ V₀: put out P
+code-ip-cross = where the sides differ: put out C
 code-ip-pass = list ← what was put out
 code-ip-fan = triangles ← fan of the list
 words-ip-each = Ask each plane in turn; its normal points inside.
-words-ip-distance = The signed distance of each vertex of the list.
-words-ip-inside = What is inside is put out; on the plane is inside.
+words-ip-first = The first vertex is put out if it is inside; on the border is inside.
+words-ip-distance = Follow the edges, the last one back to V₀: the signed distance of each end.
+words-ip-inside = Then the end is put out if it is inside; V₀ stands in the list already.
 words-ip-cross = Where an edge changes sides, its crossing is put out: t = d₁ / (d₁ − d₂).
 words-ip-pass = What was put out is the next plane’s list.
 words-ip-fan = One convex polygon is cut into triangles once, at the end.
@@ -153,15 +155,17 @@ ht-done-empty = Nothing with an area is left: { $n } vertices, { $triangles } tr
 code-ht-codes = six bits a corner: w ± x, y, z < 0
 code-ht-decide = OR = 0: keep; AND ≠ 0: reject
 code-ht-each = for each side that the OR names:
-code-ht-bound = if w ± x ≥ 0: put out V
+code-ht-first = if w ± x ≥ 0 at V₀: put out V₀
+code-ht-bound = for each edge S → P: w ± x of P
 code-ht-cross = where it changes sign: put out I
+code-ht-inside = if w ± x ≥ 0 and P ≠ V₀: put out P
 code-ht-fan = fan, then divide by w
 words-ht-codes = A bit for each side of −w ≤ x, y, z ≤ w that a corner lies beyond.
 words-ht-decide = Nothing to clip, or nothing to see.
 words-ht-each = Only sides that some corner lies beyond need be asked.
 words-ht-bound = The bound is a sum: no division, and any sign of w.
 words-ht-cross = All four coordinates are mixed by the same t.
-words-ht-fan = What is left has w > 0, and can be divided.
+words-ht-fan = What is left has w ≥ near > 0, and can be divided.
 
 ## What is wrong here?
 
@@ -173,8 +177,10 @@ faulty-all-sides-differs = Step { $step } is the first that differs: a side that
 faulty-divided-triangle-differs = Step { $step } is the first that differs: corners with w < 0 were divided before anything was clipped.
 code-faulty-missed-edge = if d₀·d₁ < 0 or d₀·d₂ < 0: cut
 words-faulty-missed-edge = It is cut where the first distance and another differ in sign.
-code-faulty-on-plane = if d > 0: put out V
-words-faulty-on-plane = What is strictly inside is put out.
+code-faulty-on-plane = if d > 0 and P ≠ V₀: put out P
+code-faulty-on-plane-first = if d(V₀) > 0: put out V₀
+words-faulty-on-plane-first = The first vertex is put out if it is strictly inside.
+words-faulty-on-plane = Then the end is put out if it is strictly inside.
 code-faulty-kept-uv = put out C, uv(C) ← uv(V)
 words-faulty-kept-uv = The crossing takes the (u, v) of the vertex that it stands for.
 code-undivided-texture = fan, fill: uv even on the screen

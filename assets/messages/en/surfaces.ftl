@@ -111,8 +111,12 @@ code-ray-pixel = for each pixel: ray o + t · r through its middle
 words-ray-pixel = For each pixel take the ray from the eye through its middle.
 code-ray-triangle = for each triangle T with plane n·p + d = 0
 words-ray-triangle = Ask every triangle.
+code-ray-parallel = if n·r = 0: no hit
+words-ray-parallel = A ray that is parallel to the plane does not meet it.
 code-ray-plane = t ← −(n·o + d) / (n·r)
-words-ray-plane = Find where the ray meets its plane; parallel or behind the eye it does not count.
+words-ray-plane = Find where the ray meets the plane.
+code-ray-range = if t < 1 or beyond far: no hit
+words-ray-range = Behind the eye, in front of the near plane and beyond the far one nothing is seen.
 code-ray-inside = if o + t · r in T: hit
 words-ray-inside = If that point lies in the triangle, it is hit.
 code-ray-nearest = picture[pixel] ← T of the smallest t
@@ -167,7 +171,7 @@ watch-asked = asked
 alg-painter = Painter’s algorithm
 alg-faulty-painter-nearest = Painter, sorted by the nearest vertex
 alg-faulty-painter-keys = Painter, sorted and nothing else asked
-code-paint-key = for each triangle T: key ← its farthest z
+code-paint-key = for each triangle T: key ← distance of its farthest vertex
 words-paint-key = The key of a triangle is the distance of its farthest vertex.
 code-paint-sort = sort by key, farthest first
 words-paint-sort = Sort the triangles, the farthest first.

@@ -63,14 +63,16 @@ ip-done = Terminado: { $vertices ->
     }.
 ip-done-empty = Terminado: { $n } triángulos. No queda nada con área ({ $vertices } vértices, { $crossings } cortes).
 code-ip-each = para cada plano (n, D):
-code-ip-distance = d ← n·V + D de cada vértice
-code-ip-inside = si d ≥ 0: emitir V
-code-ip-cross = donde d cambia de signo: emitir C
+code-ip-first = si d(V₀) ≥ 0: emitir V₀
+code-ip-distance = para cada arista S → P: d ← n·P + D
+code-ip-inside = si d ≥ 0 y P ≠ V₀: emitir P
+code-ip-cross = donde cambia el lado: emitir C
 code-ip-pass = lista ← lo que ha salido
 code-ip-fan = triángulos ← abanico de la lista
 words-ip-each = Pregunta a cada plano por turno; su normal apunta hacia dentro.
-words-ip-distance = La distancia con signo de cada vértice de la lista.
-words-ip-inside = Lo que está dentro se emite; estar en el plano cuenta como dentro.
+words-ip-first = El primer vértice se emite si está dentro; el borde cuenta como dentro.
+words-ip-distance = Sigue las aristas, la última de vuelta a V₀: la distancia con signo de cada final.
+words-ip-inside = Después se emite el final si está dentro; V₀ ya está en la lista.
 words-ip-cross = Donde una arista cambia de lado se emite su corte: t = d₁ / (d₁ − d₂).
 words-ip-pass = Lo que ha salido es la lista del plano siguiente.
 words-ip-fan = Un polígono convexo se divide en triángulos una sola vez, al final.
@@ -156,15 +158,17 @@ ht-done-empty = No queda nada con área: { $n } vértices, { $triangles } trián
 code-ht-codes = seis bits por vértice: w ± x, y, z < 0
 code-ht-decide = OR = 0: conservar; AND ≠ 0: rechazar
 code-ht-each = para cada lado que nombra el OR:
-code-ht-bound = si w ± x ≥ 0: emitir V
+code-ht-first = si w ± x ≥ 0 en V₀: emitir V₀
+code-ht-bound = para cada arista S → P: w ± x de P
 code-ht-cross = donde cambia de signo: emitir I
+code-ht-inside = si w ± x ≥ 0 y P ≠ V₀: emitir P
 code-ht-fan = abanico, y luego dividir entre w
 words-ht-codes = Un bit por cada lado de −w ≤ x, y, z ≤ w que el vértice sobrepasa.
 words-ht-decide = Nada que recortar, o nada que ver.
 words-ht-each = Solo hace falta preguntar por los lados que algún vértice sobrepasa.
 words-ht-bound = La cota es una suma: sin división, y con w de cualquier signo.
 words-ht-cross = Las cuatro coordenadas se interpolan con la misma t.
-words-ht-fan = Lo que queda tiene w > 0 y se puede dividir.
+words-ht-fan = Lo que queda tiene w ≥ near > 0 y se puede dividir.
 
 ## ¿Qué está mal aquí?
 
@@ -176,8 +180,10 @@ faulty-all-sides-differs = El paso { $step } es el primero que difiere: se pregu
 faulty-divided-triangle-differs = El paso { $step } es el primero que difiere: vértices con w < 0 se dividieron antes de recortar nada.
 code-faulty-missed-edge = si d₀·d₁ < 0 o d₀·d₂ < 0: cortar
 words-faulty-missed-edge = Se corta donde la primera distancia y otra difieren en signo.
-code-faulty-on-plane = si d > 0: emitir V
-words-faulty-on-plane = Sale lo que está estrictamente dentro.
+code-faulty-on-plane = si d > 0 y P ≠ V₀: emitir P
+code-faulty-on-plane-first = si d(V₀) > 0: emitir V₀
+words-faulty-on-plane-first = El primer vértice se emite si está estrictamente dentro.
+words-faulty-on-plane = Después se emite el final si está estrictamente dentro.
 code-faulty-kept-uv = emitir C, uv(C) ← uv(V)
 words-faulty-kept-uv = El corte toma el (u, v) del vértice al que sustituye.
 code-undivided-texture = abanico, rellenar: uv uniforme en la pantalla

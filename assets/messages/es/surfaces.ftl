@@ -111,8 +111,12 @@ code-ray-pixel = para cada píxel: rayo o + t · r por su centro
 words-ray-pixel = Para cada píxel toma el rayo desde el ojo por su centro.
 code-ray-triangle = para cada triángulo T, plano n·p + d = 0
 words-ray-triangle = Pregunta a cada triángulo.
+code-ray-parallel = si n·r = 0: sin impacto
+words-ray-parallel = Un rayo paralelo al plano no lo corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
-words-ray-plane = Halla dónde corta el rayo su plano; paralelo o detrás del ojo no cuenta.
+words-ray-plane = Halla dónde corta el rayo el plano.
+code-ray-range = si t < 1 o más allá de far: sin impacto
+words-ray-range = Detrás del ojo, delante del plano cercano y más allá del lejano no se ve nada.
 code-ray-inside = si o + t · r está en T: impacto
 words-ray-inside = Si ese punto está en el triángulo, hay impacto.
 code-ray-nearest = imagen[píxel] ← T del menor t
@@ -167,7 +171,7 @@ watch-asked = preguntas
 alg-painter = Algoritmo del pintor
 alg-faulty-painter-nearest = Pintor, ordenado por el vértice más cercano
 alg-faulty-painter-keys = Pintor, ordenado sin preguntar nada más
-code-paint-key = para cada triángulo T: clave ← su z más lejano
+code-paint-key = para cada triángulo T: clave ← distancia de su vértice más lejano
 words-paint-key = La clave de un triángulo es la distancia de su vértice más lejano.
 code-paint-sort = ordenar por clave, el más lejano primero
 words-paint-sort = Ordena los triángulos, primero el más lejano.

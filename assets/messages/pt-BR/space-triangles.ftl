@@ -63,14 +63,16 @@ ip-done = Fim: { $vertices ->
     }.
 ip-done-empty = Fim: { $n } triângulos. Não sobra nada com área ({ $vertices } vértices, { $crossings } cortes).
 code-ip-each = para cada plano (n, D):
-code-ip-distance = d ← n·V + D de cada vértice
-code-ip-inside = se d ≥ 0: sai V
-code-ip-cross = onde d muda de sinal: sai C
+code-ip-first = se d(V₀) ≥ 0: sai V₀
+code-ip-distance = para cada aresta S → P: d ← n·P + D
+code-ip-inside = se d ≥ 0 e P ≠ V₀: sai P
+code-ip-cross = onde o lado muda: sai C
 code-ip-pass = lista ← o que saiu
 code-ip-fan = triângulos ← leque da lista
 words-ip-each = Pergunte a cada plano por vez; sua normal aponta para dentro.
-words-ip-distance = A distância com sinal de cada vértice da lista.
-words-ip-inside = O que está dentro sai; sobre o plano é dentro.
+words-ip-first = O primeiro vértice sai se está dentro; sobre a borda é dentro.
+words-ip-distance = Siga as arestas, a última de volta a V₀: a distância com sinal de cada fim.
+words-ip-inside = Depois sai o fim, se está dentro; V₀ já está na lista.
 words-ip-cross = Onde uma aresta muda de lado, sai seu corte: t = d₁ / (d₁ − d₂).
 words-ip-pass = O que saiu é a lista do plano seguinte.
 words-ip-fan = Um polígono convexo é dividido em triângulos uma só vez, no fim.
@@ -156,15 +158,17 @@ ht-done-empty = Não sobra nada com área: { $n } vértices, { $triangles } tri�
 code-ht-codes = seis bits por vértice: w ± x, y, z < 0
 code-ht-decide = OR = 0: mantenha; AND ≠ 0: rejeite
 code-ht-each = para cada lado que o OR indica:
-code-ht-bound = se w ± x ≥ 0: sai V
+code-ht-first = se w ± x ≥ 0 em V₀: sai V₀
+code-ht-bound = para cada aresta S → P: w ± x de P
 code-ht-cross = onde muda de sinal: sai I
+code-ht-inside = se w ± x ≥ 0 e P ≠ V₀: sai P
 code-ht-fan = leque, depois divida por w
 words-ht-codes = Um bit para cada lado de −w ≤ x, y, z ≤ w que o vértice ultrapassa.
 words-ht-decide = Nada a recortar, ou nada a ver.
 words-ht-each = Só é preciso perguntar pelos lados que algum vértice ultrapassa.
 words-ht-bound = A cota é uma soma: sem divisão, e com w de qualquer sinal.
 words-ht-cross = As quatro coordenadas são misturadas com o mesmo t.
-words-ht-fan = O que sobra tem w > 0 e pode ser dividido.
+words-ht-fan = O que sobra tem w ≥ near > 0 e pode ser dividido.
 
 ## O que está errado aqui?
 
@@ -176,8 +180,10 @@ faulty-all-sides-differs = O passo { $step } é o primeiro diferente: pergunta-s
 faulty-divided-triangle-differs = O passo { $step } é o primeiro diferente: vértices com w < 0 foram divididos antes de qualquer recorte.
 code-faulty-missed-edge = se d₀·d₁ < 0 ou d₀·d₂ < 0: corte
 words-faulty-missed-edge = Corta-se onde a primeira distância e outra diferem em sinal.
-code-faulty-on-plane = se d > 0: sai V
-words-faulty-on-plane = Sai o que está estritamente dentro.
+code-faulty-on-plane = se d > 0 e P ≠ V₀: sai P
+code-faulty-on-plane-first = se d(V₀) > 0: sai V₀
+words-faulty-on-plane-first = O primeiro vértice sai se está estritamente dentro.
+words-faulty-on-plane = Depois sai o fim, se está estritamente dentro.
 code-faulty-kept-uv = sai C, uv(C) ← uv(V)
 words-faulty-kept-uv = O corte toma o (u, v) do vértice que substitui.
 code-undivided-texture = leque, preencher: uv uniforme na tela

@@ -111,8 +111,12 @@ code-ray-pixel = para cada pixel: raio o + t · r pelo seu centro
 words-ray-pixel = Para cada pixel, pegue o raio que sai do olho pelo seu centro.
 code-ray-triangle = para cada triângulo T, plano n·p + d = 0
 words-ray-triangle = Pergunte a cada triângulo.
+code-ray-parallel = se n·r = 0: sem acerto
+words-ray-parallel = Um raio paralelo ao plano não o corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
-words-ray-plane = Ache onde o raio corta o plano; paralelo ou atrás do olho não conta.
+words-ray-plane = Ache onde o raio corta o plano.
+code-ray-range = se t < 1 ou além de far: sem acerto
+words-ray-range = Atrás do olho, na frente do plano próximo e além do distante nada se vê.
 code-ray-inside = se o + t · r está em T: acerto
 words-ray-inside = Se o ponto está no triângulo, o raio o atinge.
 code-ray-nearest = imagem[pixel] ← T do menor t
@@ -167,7 +171,7 @@ watch-asked = perguntas
 alg-painter = Algoritmo do pintor
 alg-faulty-painter-nearest = Pintor, ordenado pelo vértice mais próximo
 alg-faulty-painter-keys = Pintor, ordenado sem perguntar mais nada
-code-paint-key = para cada triângulo T: chave ← seu z mais distante
+code-paint-key = para cada triângulo T: chave ← distância do seu vértice mais distante
 words-paint-key = A chave de um triângulo é a distância do seu vértice mais distante.
 code-paint-sort = ordene pela chave, o mais distante primeiro
 words-paint-sort = Ordene os triângulos, primeiro o mais distante.

@@ -48,14 +48,16 @@ ip-fan = 扇形的第 { $n } 个三角形，共 { $total } 个：{ $corners }。
 ip-done = 完成：{ $vertices } 个顶点，扇形剖分成 { $n } 个三角形，求交 { $crossings } 次。
 ip-done-empty = 完成：{ $n } 个三角形，没有剩下面积（{ $vertices } 个顶点，求交 { $crossings } 次）。
 code-ip-each = 对每个平面 (n, D)：
-code-ip-distance = 每个顶点 d ← n·V + D
-code-ip-inside = 若 d ≥ 0：输出 V
-code-ip-cross = d 变号处：输出 C
+code-ip-first = 若 d(V₀) ≥ 0：输出 V₀
+code-ip-distance = 对每条边 S → P：d ← n·P + D
+code-ip-inside = 若 d ≥ 0 且 P ≠ V₀：输出 P
+code-ip-cross = 两端不同侧处：输出 C
 code-ip-pass = 表 ← 输出的顶点
 code-ip-fan = 三角形 ← 表的扇形
 words-ip-each = 依次问每个平面；法向量指向内侧。
-words-ip-distance = 表中每个顶点的有符号距离。
-words-ip-inside = 内侧的输出；平面上算内侧。
+words-ip-first = 若第一个顶点在内侧，就输出它；边界上算内侧。
+words-ip-distance = 逐边前进，最后回到 V₀：求每个终点的有符号距离。
+words-ip-inside = 然后，若终点在内侧就输出它；V₀ 已经在表中。
 words-ip-cross = 边换侧之处输出交点：t = d₁ / (d₁ − d₂)。
 words-ip-pass = 输出的就是下一个平面的表。
 words-ip-fan = 凸多边形只在最后分成三角形一次。
@@ -110,15 +112,17 @@ ht-done-empty = 没有剩下面积：{ $n } 个顶点，{ $triangles } 个三角
 code-ht-codes = 每个顶点六位：w ± x, y, z < 0
 code-ht-decide = OR = 0：保留；AND ≠ 0：拒绝
 code-ht-each = 对 OR 涉及的每个面：
-code-ht-bound = 若 w ± x ≥ 0：输出 V
+code-ht-first = 若 V₀ 处 w ± x ≥ 0：输出 V₀
+code-ht-bound = 对每条边 S → P：P 的 w ± x
 code-ht-cross = 变号处：输出 I
+code-ht-inside = 若 w ± x ≥ 0 且 P ≠ V₀：输出 P
 code-ht-fan = 扇形剖分，然后除以 w
 words-ht-codes = 对 −w ≤ x, y, z ≤ w 的每个面，越过的记一位。
 words-ht-decide = 无需裁剪，或者什么也看不见。
 words-ht-each = 只需问有顶点越过的面。
 words-ht-bound = 判据只是一次加法：不用除法，w 正负皆可。
 words-ht-cross = 四个坐标都用同一个 t 插值。
-words-ht-fan = 剩下的部分 w > 0，可以除了。
+words-ht-fan = 剩下的部分 w ≥ near > 0，可以除了。
 
 ## 哪里错了？
 
@@ -130,8 +134,10 @@ faulty-all-sides-differs = 第 { $step } 步最先不同：问了区域码没有
 faulty-divided-triangle-differs = 第 { $step } 步最先不同：w < 0 的顶点在裁剪之前就做了除法。
 code-faulty-missed-edge = 若 d₀·d₁ < 0 或 d₀·d₂ < 0：切
 words-faulty-missed-edge = 第一个距离与另一个异号时才切。
-code-faulty-on-plane = 若 d > 0：输出 V
-words-faulty-on-plane = 严格在内侧的才输出。
+code-faulty-on-plane = 若 d > 0 且 P ≠ V₀：输出 P
+code-faulty-on-plane-first = 若 d(V₀) > 0：输出 V₀
+words-faulty-on-plane-first = 若第一个顶点严格在内侧，就输出它。
+words-faulty-on-plane = 然后，若终点严格在内侧就输出它。
 code-faulty-kept-uv = 输出 C，uv(C) ← uv(V)
 words-faulty-kept-uv = 交点沿用它所代替的顶点的 (u, v)。
 code-undivided-texture = 扇形剖分，填充：uv 在屏幕上均匀变化

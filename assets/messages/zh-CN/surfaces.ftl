@@ -93,8 +93,12 @@ code-ray-pixel = 对每个像素：过其中心的光线 o + t · r
 words-ray-pixel = 对每个像素，取从视点穿过其中心的光线。
 code-ray-triangle = 对每个三角形 T，平面 n·p + d = 0
 words-ray-triangle = 逐个询问三角形。
+code-ray-parallel = 若 n·r = 0：不命中
+words-ray-parallel = 平行于平面的光线与它没有交点。
 code-ray-plane = t ← −(n·o + d) / (n·r)
-words-ray-plane = 求光线与其平面的交点；平行或在视点之后的不算。
+words-ray-plane = 求光线与平面的交点。
+code-ray-range = 若 t < 1 或超出远平面：不命中
+words-ray-range = 视点之后、近平面之前和远平面之外的都看不见。
 code-ray-inside = 若 o + t · r 在 T 内：命中
 words-ray-inside = 若交点在三角形内，就是命中。
 code-ray-nearest = 画面[像素] ← t 最小的 T
@@ -134,7 +138,7 @@ watch-asked = 询问次数
 alg-painter = 画家算法
 alg-faulty-painter-nearest = 画家算法，按最近顶点排序
 alg-faulty-painter-keys = 画家算法，只排序不询问
-code-paint-key = 对每个三角形 T：键 ← 其最远的 z
+code-paint-key = 对每个三角形 T：键 ← 其最远顶点的距离
 words-paint-key = 三角形的键是其最远顶点的距离。
 code-paint-sort = 按键排序，最远的在先
 words-paint-sort = 排序，最远的在前。

@@ -24,6 +24,7 @@ mod rays;
 mod rounded_box;
 mod scan;
 mod screen_triangle;
+mod sides;
 mod surface_list;
 
 use super::ring::Right;

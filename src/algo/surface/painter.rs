@@ -14,7 +14,7 @@
 //! *Conventions*: as in [`PairTest`]; what is culled is left out. Two that pierce each other are a cycle of two. Of equal keys the higher id
 //! is asked first. What lies deeper than any that follows needs not ask further. *Bound*: for each triangle its key, its place in the
 //! list, a constraint, a placing, a place in the cycle, its painting; each ordered pair at most once; the end. *Cost*: the comparisons of
-//! keys and extents; exact signs of determinants, up to some forty a pair, are not counted.
+//! keys and extents, and the determinants of each pair ([`PairTest`]).
 //!
 //! *Source*: M. E. Newell, R. G. Newell and T. L. Sancha, "A solution to the hidden surface problem", Proceedings of the ACM Annual
 //! Conference, 1972, pp. 443–450.
@@ -265,7 +265,7 @@ fn sort<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
         if surfaces.culls_backs() && !surfaces.shows(corners) {
             continue;
         }
-        let occupant = Occupant::new(surfaces, id, *corners);
+        let occupant = Occupant::new::<R>(surfaces, id, *corners);
         let depths = occupant.depths();
         let key = depths[usize::from(!L::SORTS_BY_NEAREST)];
         held.list.push((occupant, key));

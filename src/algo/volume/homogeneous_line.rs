@@ -1,6 +1,6 @@
 //! A segment against the clip volume −w ≤ x, y, z ≤ w, before anything is divided by w: an end behind the eye would else land on the
-//! other side of the screen. Each side is a plane through the eye, and how far a point lies inside is w + x, w − x, and so on; the
-//! rest is [`LineClip`]'s. Where w < 0 at both ends, nothing is visible; what is left has w ≥ 0.
+//! other side of the screen. How far a point lies inside a side is w + x, w − x, and so on; left, right, bottom and top are planes
+//! through the eye, behind which w + x and w − x add up to 2w < 0. The rest is [`LineClip`]'s. Where w < 0 at both ends, nothing is visible; what is left has w ≥ 0.
 //!
 //! *Exact*: the signs of w ± x; a clipped coordinate is assigned (x = w, bit for bit), at a touched edge both; the others are kept
 //! within −w and w. *Source*: J. F. Blinn and M. E. Newell, "Clipping using homogeneous coordinates", SIGGRAPH 1978, pp. 245–251.

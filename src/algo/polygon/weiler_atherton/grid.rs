@@ -7,7 +7,10 @@
 //!   └───┴╱──┴───┴───┘     Nothing is decided here: a cell too many costs a test, none is missed.
 //! ```
 
-use crate::geom::{Point, Rings};
+use crate::{
+    geom::{Point, Rings},
+    trace::Real,
+};
 
 pub struct Grid {
     /// Lower left corner of the common box; upper right one.
@@ -28,7 +31,7 @@ const MARGIN: f64 = 1e-9;
 
 impl Grid {
     /// Enters every edge of `clip` that reaches into the box of `subject`.
-    pub fn new(subject: &Rings, clip: &Rings) -> Self {
+    pub fn new<R: Real>(subject: &Rings, clip: &Rings) -> Self {
         let [a, b] = [subject, clip].map(bounds);
         let bounds = [
             [a[0][0].max(b[0][0]), a[0][1].max(b[0][1])],
@@ -50,14 +53,14 @@ impl Grid {
             entries: Vec::new(),
             proposed: vec![u32::MAX; clip.points().len()],
         };
-        grid.fill(clip);
+        grid.fill::<R>(clip);
         grid
     }
 
-    fn fill(&mut self, clip: &Rings) {
+    fn fill<R: Real>(&mut self, clip: &Rings) {
         let mut passed: Vec<[u32; 2]> = Vec::with_capacity(4 * clip.points().len());
         for edge_idx in 0..clip.points().len() {
-            self.each_cell(clip.edge(edge_idx), |cell| {
+            self.each_cell::<R>(clip.edge(edge_idx), |cell| {
                 passed.push([cell as u32, edge_idx as u32]);
             });
         }
@@ -66,14 +69,14 @@ impl Grid {
     }
 
     /// Calls `propose` once with every clip edge that may meet the subject's edge, in no particular order.
-    pub fn candidates(
+    pub fn candidates<R: Real>(
         &mut self,
         edge_idx: usize,
         edge: [Point; 2],
         mut propose: impl FnMut(usize),
     ) {
         let mut proposed = std::mem::take(&mut self.proposed);
-        self.each_cell(edge, |cell| {
+        self.each_cell::<R>(edge, |cell| {
             let [start, end] = [self.starts[cell], self.starts[cell + 1]].map(|i| i as usize);
             for &clip_edge in &self.entries[start..end] {
                 let last = &mut proposed[clip_edge as usize];
@@ -86,12 +89,18 @@ impl Grid {
         self.proposed = proposed;
     }
 
-    /// Every cell that an edge passes through, and perhaps a few beside it.
-    fn each_cell(&self, edge: [Point; 2], mut visit: impl FnMut(usize)) {
+    /// Every cell that an edge passes through, and perhaps a few beside it. That an edge stays out of the common box is counted: where
+    /// nothing crosses nothing else finds it out.
+    fn each_cell<R: Real>(&self, edge: [Point; 2], mut visit: impl FnMut(usize)) {
         let [p, q] = edge.map(Point::to_array);
         let beyond = |axis: usize| {
-            p[axis].max(q[axis]) < self.bounds[0][axis]
-                || p[axis].min(q[axis]) > self.bounds[1][axis]
+            let (least, most) = if R::new(p[axis]) <= R::new(q[axis]) {
+                (p[axis], q[axis])
+            } else {
+                (q[axis], p[axis])
+            };
+            R::new(most) < R::new(self.bounds[0][axis])
+                || R::new(least) > R::new(self.bounds[1][axis])
         };
         if beyond(0) || beyond(1) {
             return;

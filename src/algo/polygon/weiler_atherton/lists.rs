@@ -160,13 +160,13 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         if self.held.lists.n_edges[0] == n_edges {
             return Told::Continue(());
         }
-        let mut grid = Grid::new(subject, clip);
+        let mut grid = Grid::new::<R>(subject, clip);
         let mut found: Vec<(u32, Meeting)> = Vec::new();
         for edge_idx in self.held.lists.n_edges[0]..n_edges {
             self.rest(edge_idx, n_edges);
             let edge = subject.edge(edge_idx);
             self.vertex(List::Subject, edge_idx, edge[0])?;
-            grid.candidates(edge_idx, edge, |clip_edge| {
+            grid.candidates::<R>(edge_idx, edge, |clip_edge| {
                 let both = meetings::<R>(edge, clip.edge(clip_edge));
                 found.extend(both.into_iter().flatten().map(|m| (clip_edge as u32, m)));
             });

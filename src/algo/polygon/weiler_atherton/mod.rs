@@ -23,7 +23,8 @@
 //! Neither direction nor role changes a bit of a crossing. *Degenerate*: vertices on edges and vertices, shared edges and identical
 //! polygons are labelled on the spot; a piece whose rounded corners have no area is left out ([`RingKind::Sliver`]). *Bound*:
 //! n·m + n + m intersections; walks take at most as many steps as both lists have entries. *Cost*: O(n + m + k log k) and the tests of
-//! the grid's candidates, about √(n + m) times as many as edges where edges are of like length, and n·m at worst.
+//! the grid's candidates; counted are those, the comparisons of edges with the common box, and the search for a vertex in the other border.
+//! Candidates are about √(n + m) times as many as edges where edges are of like length, and n·m at worst.
 //!
 //! *Sources*: K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977, pp. 214–222,
 //! doi:10.1145/563858.563896; G. Greiner and K. Hormann, "Efficient clipping of arbitrary polygons", ACM Transactions on Graphics
@@ -118,7 +119,6 @@ impl Method for WeilerAtherton {
         tell: &mut T,
     ) -> Told<T::Stop> {
         let mut clipping = Clipping {
-            input,
             borders: [input.subject.rings(), input.clip.rings()],
             held,
             tell,
@@ -127,7 +127,7 @@ impl Method for WeilerAtherton {
         clipping.insert::<R>()?;
         clipping.label::<R>()?;
         clipping.walk_all()?;
-        let sides = clipping.whole_rings()?;
+        let sides = clipping.whole_rings::<R>()?;
         for owner @ [hole_idx, outer_idx] in owners(&clipping.held.rings) {
             clipping.held.owners.push(owner);
             clipping.tell(WeilerAthertonEvent::Hole {
@@ -160,7 +160,6 @@ impl Method for WeilerAtherton {
 }
 
 struct Clipping<'a, T> {
-    input: &'a WeilerAthertonInput,
     borders: [&'a Rings; 2],
     held: &'a mut WeilerAthertonHeld,
     tell: &'a mut T,

@@ -1,14 +1,17 @@
 //! Rings that change no lists, as a whole; and how the two polygons lie, once all rings are known.
 
+use std::cmp::Ordering;
+
 use crate::{
     geom::Location,
-    trace::{Tell, Told},
+    trace::{Real, Tell, Told},
 };
 
 use super::{
     Clipping, WeilerAtherton,
     event::WeilerAthertonEvent as Event,
     input::List,
+    predicate::side,
     rings::{BorderRing, Relation},
     side::{IntersectionLabel, Labelled, Side},
     walk::{kind, whole_ring_bounds},
@@ -68,18 +71,23 @@ impl Sides {
 }
 
 impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
-    pub fn whole_rings(&mut self) -> Told<T::Stop, Sides> {
+    pub fn whole_rings<R: Real>(&mut self) -> Told<T::Stop, Sides> {
         let mut sides = Sides::of(&self.held.labels);
         for list in [List::Subject, List::Clip] {
             for ring_idx in 0..self.borders[list.idx()].n_rings() {
-                self.whole_ring(list, ring_idx, &mut sides)?;
+                self.whole_ring::<R>(list, ring_idx, &mut sides)?;
             }
         }
         Told::Continue(sides)
     }
 
     /// Where nothing crosses a ring it bounds the result all along or nowhere: one intersection tells, or one vertex.
-    fn whole_ring(&mut self, list: List, ring_idx: usize, sides: &mut Sides) -> Told<T::Stop> {
+    fn whole_ring<R: Real>(
+        &mut self,
+        list: List,
+        ring_idx: usize,
+        sides: &mut Sides,
+    ) -> Told<T::Stop> {
         let lists = &self.held.lists;
         let starts = &lists.starts[list.idx()];
         let places = [starts[ring_idx], starts[ring_idx + 1]];
@@ -94,7 +102,7 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
             (Some(labelled), List::Subject) => labelled.subject[1],
             (Some(labelled), List::Clip) => labelled.clip[1],
             (None, _) => {
-                let side = self.side_of(list, ring_idx);
+                let side = self.side_of::<R>(list, ring_idx);
                 sides.add(list, side);
                 side
             }
@@ -119,12 +127,15 @@ impl<T: Tell<WeilerAtherton>> Clipping<'_, T> {
         })
     }
 
-    fn side_of(&self, list: List, ring_idx: usize) -> Side {
+    fn side_of<R: Real>(&self, list: List, ring_idx: usize) -> Side {
         let at = self.borders[list.idx()].ring(ring_idx)[0];
-        let location = match list {
-            List::Subject => self.input.clip.locate(at),
-            List::Clip => self.input.subject.locate(at),
+        let other = self.borders[1 - list.idx()];
+        let at_most = |a, b| R::new(a) <= R::new(b);
+        let turn = |a, b, c| {
+            let order = side::<R>(a, b, c).partial_cmp(&R::new(0.0));
+            order.unwrap_or(Ordering::Equal)
         };
+        let location = other.locate_by(at, at_most, turn);
         if location == Location::Outside {
             Side::Outside
         } else {

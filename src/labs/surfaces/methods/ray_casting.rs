@@ -13,7 +13,9 @@ use super::prelude::*;
 pseudocode! {
     PIXEL: 0, "code-ray-pixel", "words-ray-pixel";
     TRIANGLE: 1, "code-ray-triangle", "words-ray-triangle";
+    PARALLEL: 2, "code-ray-parallel", "words-ray-parallel";
     PLANE: 2, "code-ray-plane", "words-ray-plane";
+    RANGE: 2, "code-ray-range", "words-ray-range";
     INSIDE: 2, "code-ray-inside", "words-ray-inside";
     NEAREST: 1, "code-ray-nearest", "words-ray-nearest";
 }
@@ -72,13 +74,13 @@ impl Telling for RayCasting {
         culled: Event::Ask { found: PlaneHit { meeting: Culled, .. }, .. } =>
             misses(TRIANGLE, "ray-says-culled").so(&[]);
         parallel: Event::Ask { found: PlaneHit { meeting: Parallel, .. }, .. } =>
-            misses(PLANE, "ray-says-parallel");
+            misses(PARALLEL, "ray-says-parallel");
         behind: Event::Ask { found: PlaneHit { meeting: Behind, .. }, .. } =>
-            misses(PLANE, "ray-says-behind");
+            misses(RANGE, "ray-says-behind");
         before_near: Event::Ask { found: PlaneHit { meeting: BeforeNear, .. }, .. } =>
-            misses(PLANE, "ray-says-before-near");
+            misses(RANGE, "ray-says-before-near");
         beyond_far: Event::Ask { found: PlaneHit { meeting: BeyondFar, .. }, .. } =>
-            misses(PLANE, "ray-says-beyond-far");
+            misses(RANGE, "ray-says-beyond-far");
         beside: Event::Ask { found: PlaneHit { meeting: Beside, .. }, .. } =>
             misses(INSIDE, "ray-says-beside");
         first: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: true, .. }

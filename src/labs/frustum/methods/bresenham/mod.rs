@@ -62,6 +62,7 @@ impl Telling for LineToPixels {
         code_line(0, "code-drawn-begin", "words-drawn-begin"),
         code_line(0, "code-drawn-put", "words-drawn-put"),
         code_line(1, "code-drawn-diagonal", "words-drawn-diagonal"),
+        code_line(2, "code-drawn-across", "words-drawn-across"),
         code_line(1, "code-drawn-straight", "words-drawn-straight"),
     ];
     const WATCH: &'static [Watched] = &[Watched::Names(&[
@@ -86,11 +87,11 @@ impl Telling for LineToPixels {
         first: Event::Pixel { .. } if step.held.len() == 1 =>
             Row::new(Test, 4, "drawn-line-first").so(&["~ e = 2b − a = 2 · {b} − {a}{=error}"]);
         tie_diagonal: Event::Pixel { diagonal: true, .. } if error_before(step) == Some(0) =>
-            put(5, "drawn-line-tie-diagonal").so(DIAGONAL);
-        diagonal: Event::Pixel { diagonal: true, .. } => put(5, "drawn-line-diagonal").so(DIAGONAL);
+            put(6, "drawn-line-tie-diagonal").so(DIAGONAL);
+        diagonal: Event::Pixel { diagonal: true, .. } => put(6, "drawn-line-diagonal").so(DIAGONAL);
         tie_straight: Event::Pixel { .. } if error_before(step) == Some(0) =>
-            put(6, "drawn-line-tie-straight").so(STRAIGHT);
-        straight: Event::Pixel { .. } => put(6, "drawn-line-straight").so(STRAIGHT);
+            put(7, "drawn-line-tie-straight").so(STRAIGHT);
+        straight: Event::Pixel { .. } => put(7, "drawn-line-straight").so(STRAIGHT);
     }
 
     fn opening(at: &At<'_, Self>) -> &'static Row {

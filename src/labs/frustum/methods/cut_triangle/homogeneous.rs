@@ -46,8 +46,8 @@ const fn codes(key: &'static str) -> Row {
     row.so(&["OR = {OR}", "AND = {AND}"]).answers("codes")
 }
 
-const fn asked(key: &'static str) -> Row {
-    let row = Row::new(Test, homogeneous::BOUND, key);
+const fn asked(line: usize, key: &'static str) -> Row {
+    let row = Row::new(Test, line, key);
     row.so(&["{bound of P}"]).answers("side")
 }
 
@@ -108,18 +108,23 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         cut: Event::Codes { .. } => codes("ht-codes-cut");
         side: Event::Side { .. } =>
             Row::new(Phase, homogeneous::EACH, "ht-side").so(&["{bound} ≥ 0"]);
-        first_inside: Event::First(Known { inside: true, .. }) => asked("ht-inside").keeps("P");
-        first_outside: Event::First { .. } => asked("ht-outside").drops("P");
-        test_inside: Event::Test(EdgeTest { rule, .. }) if rule.ends_inside() => asked("ht-inside").keeps("P");
+        first_inside: Event::First(Known { inside: true, .. }) =>
+            asked(homogeneous::FIRST, "ht-inside").keeps("P");
+        first_outside: Event::First { .. } => asked(homogeneous::FIRST, "ht-outside").drops("P");
+        test_inside: Event::Test(EdgeTest { rule, .. }) if rule.ends_inside() =>
+            asked(homogeneous::BOUND, "ht-inside").keeps("P");
         // Of the edge that closes the ring the end has been asked before.
-        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) => asked("ht-outside").about("P");
-        test_outside: Event::Test { .. } => asked("ht-outside").drops("P");
+        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) =>
+            asked(homogeneous::BOUND, "ht-outside").about("P");
+        test_outside: Event::Test { .. } => asked(homogeneous::BOUND, "ht-outside").drops("P");
         cuts: Event::Cross { .. } =>
             Row::new(Cut, homogeneous::CROSS, "ht-cross").so(&["t{=t of I}", "I = {at}"]);
         puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) =>
             Row::new(Test, homogeneous::CROSS, "ip-output");
-        puts: Event::Output { .. } => Row::new(Test, homogeneous::BOUND, "ip-output");
-        pass: Event::Pass { .. } => Row::new(Test, homogeneous::BOUND, "ht-pass");
+        puts_first: Event::Output { .. } if rings(step).asked.test.is_none() =>
+            Row::new(Test, homogeneous::FIRST, "ip-output");
+        puts: Event::Output { .. } => Row::new(Test, homogeneous::INSIDE, "ip-output");
+        pass: Event::Pass { .. } => Row::new(Test, homogeneous::EACH, "ht-pass");
         nothing: Event::Done { n_vertices: 0 } =>
             Row::new(Reject, homogeneous::DECIDE, "ht-done-empty");
         no_area: Event::Done { n_vertices: 1 | 2 } =>

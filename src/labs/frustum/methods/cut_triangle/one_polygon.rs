@@ -50,7 +50,7 @@ const fn test(key: &'static str) -> Row {
 }
 
 const fn first(key: &'static str) -> Row {
-    let row = Row::new(Test, polygon::INSIDE, key);
+    let row = Row::new(Test, polygon::FIRST, key);
     row.so(&["{distance}"]).answers("first")
 }
 
@@ -100,6 +100,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         cuts: Event::Cross { .. } =>
             Row::new(Cut, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
         puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
+        puts_first: Event::Output { .. } if rings(step).asked.test.is_none() => output(polygon::FIRST);
         puts: Event::Output { .. } => output(polygon::INSIDE);
         pass_empty: Event::Pass { n_vertices: 0, .. } => pass("ip-pass-empty");
         pass_same: Event::Pass { .. } if dropped(&rings(step)).is_empty() => pass("ip-pass-same");

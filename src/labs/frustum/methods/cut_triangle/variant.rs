@@ -20,9 +20,10 @@ pub mod polygon {
 
     pseudocode! {
         EACH: 0, "code-ip-each", "words-ip-each";
+        FIRST: 1, "code-ip-first", "words-ip-first";
         DISTANCE: 1, "code-ip-distance", "words-ip-distance";
-        INSIDE: 1, "code-ip-inside", "words-ip-inside";
-        CROSS: 1, "code-ip-cross", "words-ip-cross";
+        CROSS: 2, "code-ip-cross", "words-ip-cross";
+        INSIDE: 2, "code-ip-inside", "words-ip-inside";
         PASS: 1, "code-ip-pass", "words-ip-pass";
         FAN: 0, "code-ip-fan", "words-ip-fan";
     }
@@ -49,8 +50,10 @@ pub mod homogeneous {
         CODES: 0, "code-ht-codes", "words-ht-codes";
         DECIDE: 0, "code-ht-decide", "words-ht-decide";
         EACH: 0, "code-ht-each", "words-ht-each";
+        FIRST: 1, "code-ht-first", "words-ip-first";
         BOUND: 1, "code-ht-bound", "words-ht-bound";
-        CROSS: 1, "code-ht-cross", "words-ht-cross";
+        CROSS: 2, "code-ht-cross", "words-ht-cross";
+        INSIDE: 2, "code-ht-inside", "words-ip-inside";
         FAN: 0, "code-ht-fan", "words-ht-fan";
     }
 }
@@ -165,7 +168,9 @@ mistakes! { Variant<OneByOne>:
 mistakes! { Variant<OnePolygon>:
     DropsOnPlane {
         "faulty-on-plane", "alg-faulty-on-plane", "faulty-on-plane-differs";
-        CODE = ONE_POLYGON but polygon::INSIDE: "code-faulty-on-plane" "words-faulty-on-plane";
+        CODE = ONE_POLYGON but
+            polygon::FIRST: "code-faulty-on-plane-first" "words-faulty-on-plane-first",
+            polygon::INSIDE: "code-faulty-on-plane" "words-faulty-on-plane";
     }
     EdgeByEdge {
         "faulty-edge-by-edge", "alg-faulty-edge-by-edge", "faulty-edge-by-edge-differs";
