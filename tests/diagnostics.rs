@@ -175,10 +175,13 @@ fn system() -> Vec<SystemError> {
 
 fn files() -> Vec<Diagnostic> {
     let known = |error: FileError| match error {
-        FileError::TooLarge | FileError::Unreadable(_) => error.into(),
+        FileError::TooLarge { .. } | FileError::LeadsOut | FileError::Unreadable(_) => error.into(),
     };
     let reasons = system().into_iter().map(FileError::Unreadable);
-    reasons.chain([FileError::TooLarge]).map(known).collect()
+    reasons
+        .chain([FileError::TooLarge { limit: 4 << 20 }, FileError::LeadsOut])
+        .map(known)
+        .collect()
 }
 
 #[test]

@@ -33,6 +33,8 @@ mod cli_trace;
 mod figures;
 #[cfg(feature = "gui")]
 mod glyphs;
+#[cfg(all(feature = "gui", target_os = "linux"))]
+mod hostile;
 #[cfg(feature = "gui")]
 mod labels;
 #[cfg(feature = "gui")]

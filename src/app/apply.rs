@@ -12,6 +12,7 @@ use super::{
 impl App {
     pub fn apply(&mut self, ctx: &Context, command: Command) {
         let now = ctx.input(|input| input.time);
+        self.is_touched = true;
         let transport = &mut self.playback.transport;
         match command {
             Command::Step(by) => transport.step(by),

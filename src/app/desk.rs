@@ -33,6 +33,9 @@ pub struct StoredWork {
     pub scene: String,
     pub position: usize,
     pub file: Option<String>,
+    /// What another window had made of the page before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<String>,
 }
 
 pub struct Desk {

@@ -251,11 +251,17 @@ impl App {
     }
 }
 
-/// Why a file cannot be read, the system is asked again: egui has its answer in English only.
 #[cfg(not(target_arch = "wasm32"))]
 fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
-    let read = |_| std::fs::read(file.path()).map_err(Diagnostic::from);
-    file.bytes().or_else(read)
+    use crate::lesson::{MAX_SCENE_BYTES, read_file};
+    // Some systems drop what lies nowhere.
+    let read = read_file(file.path(), MAX_SCENE_BYTES);
+    let dropped = if file.path().exists() {
+        None
+    } else {
+        file.bytes().ok()
+    };
+    dropped.map_or_else(|| Ok(read?), Ok)
 }
 
 /// A browser hands files over later; the page will do that in its own way.

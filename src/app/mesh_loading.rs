@@ -1,8 +1,7 @@
 //! A mesh that is read in a thread of its own: the window stays alive meanwhile, and Escape gives it up.
 
 use std::{
-    fs::{self, File},
-    io::{self, Read},
+    io,
     path::Path,
     sync::{
         Arc,
@@ -14,15 +13,10 @@ use std::{
 
 use crate::{
     labs::space::Picture,
-    lesson::{FileError, ObjFile, picture_of, read_obj_while},
+    lesson::{FileError, MAX_SCENE_BYTES, ObjFile, picture_of, read_file_while, read_obj_while},
 };
 
 use super::{App, notice::Notice, prelude::*};
-
-/// A larger file is refused: what it holds could not be drawn in time.
-const MAX_MESH_BYTES: u64 = 128 << 20;
-/// Read in pieces of this size, after each of which it may be given up.
-const PIECE_BYTES: u64 = 1 << 20;
 
 enum Unread {
     File(Diagnostic),
@@ -80,11 +74,15 @@ impl Drop for MeshLoading {
 }
 
 fn read_mesh(path: &str, is_wanted: &dyn Fn() -> bool) -> Result<ReadMesh, Unread> {
-    let bytes = bytes_of(Path::new(path), is_wanted).map_err(Unread::File)?;
+    let path_of = |name: &str| Path::new(path).with_file_name(name);
+    let read = |path: &Path| read_file_while(path, MAX_SCENE_BYTES, is_wanted);
+    let bytes = read(Path::new(path)).map_err(|error| Unread::File(error.into()))?;
     let obj = read_obj_while(path, &bytes, is_wanted).map_err(Unread::Mesh)?;
-    let beside = |name: &str| bytes_of(&Path::new(path).with_file_name(name), is_wanted).ok();
+    let beside = |name: &str| read(&path_of(name));
     let material = obj.material.as_ref();
-    let picture = material.and_then(|it| picture_of(it, &beside));
+    // What is missing is said by its library's name.
+    let picture = material.and_then(|it| picture_of(it, &beside, &|_| None).ok()?);
+    let picture = picture.map(|(_, picture)| picture);
     let mesh = obj.mesh.fitted();
     Ok((ObjFile { mesh, ..obj }, picture))
 }
@@ -92,30 +90,6 @@ fn read_mesh(path: &str, is_wanted: &dyn Fn() -> bool) -> Result<ReadMesh, Unrea
 pub fn is_mesh(path: &Path) -> bool {
     let ending = path.extension();
     ending.is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
-}
-
-/// What a regular file holds, and never more of it than is allowed; of one that is given up, as much as was read.
-fn bytes_of(path: &Path, is_wanted: &dyn Fn() -> bool) -> Result<Vec<u8>, Diagnostic> {
-    let kind = fs::metadata(path)?;
-    if !kind.is_file() {
-        // Opening a pipe would wait for somebody to write into it.
-        return Err(io::Error::from(io::ErrorKind::InvalidInput).into());
-    }
-    let mut bytes = Vec::new();
-    let mut file = File::open(path)?;
-    loop {
-        let is_too_large = kind.len().max(bytes.len() as u64) > MAX_MESH_BYTES;
-        if is_too_large {
-            let limit = (MAX_MESH_BYTES >> 20) as usize;
-            return Err(Message::new("error-file-too-large")
-                .with("limit", limit)
-                .into());
-        }
-        let piece = file.by_ref().take(PIECE_BYTES).read_to_end(&mut bytes)?;
-        if piece == 0 || !is_wanted() {
-            return Ok(bytes);
-        }
-    }
 }
 
 pub fn is_of_a_mesh(path: &Path) -> bool {

@@ -26,6 +26,8 @@ mod history;
 mod inspector;
 mod keys;
 mod layout;
+#[cfg(not(target_arch = "wasm32"))]
+mod memory;
 mod menus;
 #[cfg(not(target_arch = "wasm32"))]
 mod mesh_loading;
@@ -111,6 +113,8 @@ pub struct App {
     stage: stage_state::StageState,
     kit: Kit,
     shown: Shown,
+    /// Since what is remembered was last looked at.
+    is_touched: bool,
     notices: Vec<notice::Notice>,
     platform: Box<dyn Platform>,
     /// What panels have asked for in this frame.
@@ -186,6 +190,7 @@ impl App {
                 ..Shown::default()
             },
             notices: Vec::new(),
+            is_touched: false,
             platform: Box::new(NoFiles),
             commands: RefCell::default(),
             asked: None,
@@ -223,6 +228,17 @@ impl App {
             speed: self.playback.transport.speed(),
             ..self.settings.clone()
         }
+    }
+
+    /// Has anything been asked for since this was last asked?
+    #[cfg(not(target_arch = "wasm32"))]
+    fn take_touched(&mut self) -> bool {
+        std::mem::take(&mut self.is_touched)
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    const fn is_dragging(&self) -> bool {
+        self.history.is_in_gesture()
     }
 
     pub const fn scene(&self) -> &Scene {

@@ -1,13 +1,16 @@
 //! The app in a window of a desktop.
 
-use eframe::{CreationContext, NativeOptions, Storage};
+use eframe::{CreationContext, NativeOptions};
 use egui::ViewportBuilder;
 
 use crate::{lesson::Folder, paint::fonts};
 
-use super::{App, Desktop, Settings, prelude::*};
+use super::{
+    App, Desktop, Settings,
+    memory::{self, Memory},
+    prelude::*,
+};
 
-const SETTINGS_KEY: &str = "settings";
 const DEFAULT_SIZE: [f32; 2] = [1280.0, 720.0];
 const LEAST_SIZE: [f32; 2] = [320.0, 240.0];
 
@@ -24,11 +27,14 @@ pub struct Opening {
 /// # Errors
 /// Why there can be no window: no display, no OpenGL.
 pub fn run_native(opening: Opening) -> Result<(), Message> {
+    let (stored, memory, said) = Memory::open(memory::path());
+    let settings = stored.unwrap_or_else(Settings::of_system);
+    let size = settings.window.unwrap_or(DEFAULT_SIZE);
     let options = NativeOptions {
         viewport: ViewportBuilder::default()
             .with_app_id("clipscope")
             .with_title("Clipscope")
-            .with_inner_size(DEFAULT_SIZE)
+            .with_inner_size(size)
             .with_min_inner_size(LEAST_SIZE)
             .with_icon(icon()),
         ..NativeOptions::default()
@@ -36,7 +42,13 @@ pub fn run_native(opening: Opening) -> Result<(), Message> {
     let result = eframe::run_native(
         "clipscope",
         options,
-        Box::new(|creation| Ok(Box::new(NativeWindow(create(creation, opening))))),
+        Box::new(|creation| {
+            let mut app = create(creation, opening, settings);
+            if let Some(said) = said {
+                app.complain(app.catalog().message(&said));
+            }
+            Ok(Box::new(NativeWindow { app, memory }))
+        }),
     );
     // What eframe says is the system's own; its frame is the reader's.
     result.map_err(|error| {
@@ -53,15 +65,12 @@ fn without_place(error: &str) -> &str {
     after.map_or(error, |(_, said)| said)
 }
 
-fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
+fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) -> App {
     let ctx = &creation.egui_ctx;
     // A window that was closed during a presentation is a window again.
     ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(false));
     ctx.set_fonts(fonts::definitions());
-    let stored = creation
-        .storage
-        .and_then(|storage| eframe::get_value(storage, SETTINGS_KEY));
-    let settings: Settings = stored.unwrap_or_else(Settings::of_system);
+    ctx.set_zoom_factor(settings.zoom);
     let loaded = opening.folder.as_ref().map(|folder| Course::check(folder));
     let course = loaded
         .as_ref()
@@ -80,21 +89,43 @@ fn create(creation: &CreationContext<'_>, opening: Opening) -> App {
     app
 }
 
+impl App {
+    /// How large the window and what is in it are: what the next one will be.
+    fn note_window(&mut self, ctx: &Context) {
+        let zoom = ctx.zoom_factor();
+        self.is_touched |= self.settings.zoom != zoom;
+        self.settings.zoom = zoom;
+        let window = ctx.input(|input| {
+            let viewport = input.viewport();
+            let is_plain = viewport.fullscreen != Some(true) && viewport.maximized != Some(true);
+            viewport.inner_rect.filter(|_| is_plain)
+        });
+        // In points of a window that is not enlarged.
+        let window = window.map(|rect| [rect.width() * zoom, rect.height() * zoom]);
+        self.settings.window = window.or(self.settings.window);
+    }
+}
+
 /// The icon, where its file can be read: a window without one is still a window.
 fn icon() -> egui::IconData {
     let bytes = include_bytes!("../../assets/icon.png");
     eframe::icon_data::from_png_bytes(bytes).unwrap_or_default()
 }
 
-struct NativeWindow(App);
+struct NativeWindow {
+    app: App,
+    memory: Memory,
+}
 
 impl eframe::App for NativeWindow {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
-        self.0.ui(ui);
+        self.app.ui(ui);
+        self.app.note_window(ui.ctx());
+        self.memory.pass(&mut self.app, ui.ctx());
     }
 
-    fn save(&mut self, storage: &mut dyn Storage) {
-        eframe::set_value(storage, SETTINGS_KEY, &self.0.settings());
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.memory.end(&mut self.app);
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {

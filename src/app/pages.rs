@@ -167,6 +167,7 @@ impl App {
                     scene: self.kit.formats.write(scene, &Moment::Start),
                     position,
                     file: file.clone(),
+                    before: None,
                 })
             });
         stored.collect()
@@ -191,7 +192,16 @@ impl App {
                 continue;
             };
             let is_changed = matches!(work.page, Page::Free(_)) || own != scene;
+            let lab = own.document().lab();
             let mut history = History::new(own);
+            let before = work
+                .before
+                .map(|text| self.kit.formats.read("", text.as_bytes()));
+            if let Some(Ok(before)) = before
+                && before.scene.document().lab() == lab
+            {
+                history.replace(before.scene);
+            }
             history.replace(scene);
             let laid_out = Work {
                 history,

@@ -124,7 +124,8 @@ impl Platform for Desktop {
     }
 
     fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
-        Ok(std::fs::read(path)?)
+        use crate::lesson::{MAX_SCENE_BYTES, read_file};
+        Ok(read_file(std::path::Path::new(path), MAX_SCENE_BYTES)?)
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{paint::ThemeKind, text::Lang};
+use crate::{paint::ThemeKind, text::Lang, trace::Transport};
 
 use super::{
     desk::{Page, StoredWork},
@@ -21,6 +21,10 @@ pub struct Settings {
     pub snap: bool,
     /// Steps a second.
     pub speed: f32,
+    /// How large the interface is drawn.
+    pub zoom: f32,
+    /// The window's inner size in points, when it was closed.
+    pub window: Option<[f32; 2]>,
     pub figures: Option<Figures>,
     pub page: Option<Page>,
     /// The page of each lab that was open last, by the lab's id.
@@ -37,6 +41,8 @@ impl Default for Settings {
             inspector: true,
             snap: true,
             speed: 1.0,
+            zoom: 1.0,
+            window: None,
             figures: None,
             page: None,
             labs: BTreeMap::new(),
@@ -45,7 +51,29 @@ impl Default for Settings {
     }
 }
 
+/// What a window can be.
+const SIDES: std::ops::RangeInclusive<f32> = 240.0..=8192.0;
+const ZOOMS: std::ops::RangeInclusive<f32> = 0.5..=3.0;
+
 impl Settings {
+    /// Whatever a file says: each value as near as it can be to what was said, and what means nothing left out.
+    pub fn in_range(mut self) -> Self {
+        let within = |x: f32, range: &std::ops::RangeInclusive<f32>, otherwise| {
+            let x = if x.is_nan() { otherwise } else { x };
+            x.clamp(*range.start(), *range.end())
+        };
+        let [slowest, .., fastest] = Transport::SPEEDS;
+        self.speed = within(self.speed, &(slowest..=fastest), 1.0);
+        self.zoom = within(self.zoom, &ZOOMS, 1.0);
+        self.window = self
+            .window
+            .map(|sides| sides.map(|side| within(side, &SIDES, 720.0)));
+        self.figures = self
+            .figures
+            .filter(|it| Figures::SIZES.contains(&it.size_px));
+        self
+    }
+
     /// As on a first start: in the language that `locales` asks for, the most wanted one first.
     pub fn for_locales<'a>(locales: impl IntoIterator<Item = &'a str>) -> Self {
         let lang = locales.into_iter().find_map(Lang::from_locale);

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::text::nearest;
+
 use super::{
     CaseLine, Fields, Id, MAX_LINE_BYTES, Solvable, Solver, Solvers,
     fields::missing,
@@ -115,9 +117,11 @@ fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver
     let name = Node { path, raw }.text()?;
     solvers.by_id(&name).ok_or_else(|| {
         let known: Vec<&str> = solvers.iter().map(|solver| solver.card.id).collect();
-        let problem = Message::new("case-unknown-algorithm")
-            .with("name", short(&name))
-            .with("expected", known.join(", "));
+        let problem = match nearest(&name, known.iter().copied()) {
+            Some(meant) => Message::new("case-meant-algorithm").with("meant", meant.to_owned()),
+            None => Message::new("case-unknown-algorithm").with("expected", known.join(", ")),
+        };
+        let problem = problem.with("name", short(&name));
         Refusal::at(Code::UnknownAlgorithm, &path, problem)
     })
 }
@@ -135,6 +139,8 @@ struct Answer<'a> {
 #[derive(Serialize)]
 struct RefusedAnswer<'a> {
     id: &'a Id,
+    /// Of the input, counted from 1.
+    line: usize,
     error: Json,
 }
 
@@ -164,10 +170,10 @@ impl Case {
 
 impl Refused {
     /// Its answer, without a line break.
-    pub(super) fn write_json(&self, out: &mut Vec<u8>) -> serde_json::Result<()> {
+    pub(super) fn write_json(&self, line: usize, out: &mut Vec<u8>) -> serde_json::Result<()> {
         let Refusal { code, field, .. } = &self.refusal;
         let error = json!({ "code": code.id(), "field": field, "message": self.refusal.message() });
         let id = &self.id;
-        serde_json::to_writer(out, &RefusedAnswer { id, error })
+        serde_json::to_writer(out, &RefusedAnswer { id, line, error })
     }
 }

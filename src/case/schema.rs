@@ -24,7 +24,12 @@ impl Solvers {
             ("field", of_shape(&Shape::Text)),
             ("message", of_shape(&Shape::Text)),
         ];
-        let refused = [("id", json!({})), ("error", of_object(error, None))];
+        let line = json!({ "type": "integer", "minimum": 1 });
+        let refused = [
+            ("id", json!({})),
+            ("line", line),
+            ("error", of_object(error, None)),
+        ];
         json!({
             "version": VERSION,
             "algorithms": algorithms,

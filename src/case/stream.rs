@@ -77,7 +77,7 @@ pub fn trace(
         let case = read(solvers, text, style.detail);
         let number = tally.answered + tally.refused + 1;
         let told = || told(solvers, text, style.detail);
-        write_answer(number, &case, told, style, &mut out).map_err(TraceError::Write)?;
+        write_answer([number, line], &case, told, style, &mut out).map_err(TraceError::Write)?;
         match &case {
             Ok(_) => tally.answered += 1,
             Err(refused) => {
@@ -92,8 +92,9 @@ pub fn trace(
     }
 }
 
+/// `number` of the case, and of its line.
 fn write_answer(
-    number: usize,
+    [number, line]: [usize; 2],
     case: &Result<Case, Refused>,
     told: impl Fn() -> Vec<Given>,
     style: Style,
@@ -102,7 +103,7 @@ fn write_answer(
     let report = || Report::new(number, case, &told(), style.detail, Catalog::of(style.lang));
     match (style.format, case) {
         (Format::Json, Ok(case)) => case.write_json(style.detail, out)?,
-        (Format::Json, Err(refused)) => refused.write_json(out)?,
+        (Format::Json, Err(refused)) => refused.write_json(line, out)?,
         (Format::Text, _) => out.extend_from_slice(report().text().as_bytes()),
         (Format::Markdown, _) => out.extend_from_slice(report().markdown().as_bytes()),
     }

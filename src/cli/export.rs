@@ -1,6 +1,6 @@
 //! `clipscope export`: figures to files.
 
-use std::{fs, io, path::PathBuf, str::FromStr};
+use std::{collections::BTreeMap, fs, io, path::PathBuf, str::FromStr};
 
 use clap::{
     ValueEnum,
@@ -17,7 +17,7 @@ use crate::{
 
 use super::{
     Outcome, Progress, lang_parser,
-    lessons::{choose, is_error},
+    lessons::{Chosen, choose, is_error},
     say,
     usage::Expected,
 };
@@ -117,13 +117,21 @@ pub(super) fn export(args: &Args) -> Outcome {
         lang: args.lang,
         steps: args.steps,
     };
+    let jobs = match drawn_once(&chosen, options.steps) {
+        Ok(jobs) => jobs,
+        Err(message) => {
+            say(args.lang, &message);
+            return Outcome::Unusable;
+        }
+    };
     if let Err(error) = fs::create_dir_all(&args.out) {
+        // What is there already is something else.
+        let error = match error.kind() {
+            io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
+            _ => error,
+        };
         say(args.lang, &failed(args.out.display().to_string(), error));
         return Outcome::Unusable;
-    }
-    let mut jobs = jobs(&chosen.lessons, options.steps);
-    for (name, scene) in &chosen.scenes {
-        jobs.extend(jobs_of(Source::File(scene), name, options.steps));
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
@@ -152,6 +160,27 @@ pub(super) fn export(args: &Args) -> Outcome {
         (false, 0) => Outcome::Unusable,
         (false, _) => Outcome::Refused,
     }
+}
+
+/// All figures. Two that would be one file are refused before anything is drawn.
+fn drawn_once(chosen: &Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
+    let lessons = chosen.lessons.iter().map(|lesson| jobs([lesson], steps));
+    let scenes = chosen.scenes.iter();
+    let scenes = scenes.map(|(name, scene)| jobs_of(Source::File(scene), name, steps));
+    let mut known: BTreeMap<String, &str> = BTreeMap::new();
+    let mut all = Vec::new();
+    for (own, asked) in lessons.chain(scenes).zip(&chosen.asked) {
+        for job in own {
+            // Many systems take capitals and small letters for one.
+            if let Some(first) = known.insert(job.path.to_lowercase(), asked) {
+                let message = Message::new("export-same-name").with("path", job.path);
+                let message = message.with("first", first.to_owned());
+                return Err(message.with("second", asked.clone()));
+            }
+            all.push(job);
+        }
+    }
+    Ok(all)
 }
 
 fn failed(path: String, error: io::Error) -> Message {

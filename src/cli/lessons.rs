@@ -1,15 +1,13 @@
 //! The lessons and scene files that a command names, and `clipscope check`: are they in order?
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use crate::{
     lesson::{
-        Course, Embedded, Files, Folder, Lesson, Loaded, Problem, SceneFile, SceneFormats, Severity,
+        Course, Embedded, Files, Folder, Lesson, Loaded, MAX_SCENE_BYTES, Problem, SceneFile,
+        SceneFormats, Severity, read_file,
     },
-    text::{Catalog, Diagnostic, Lang, Message},
+    text::{Catalog, Diagnostic, Lang, Message, printable},
 };
 
 use super::{
@@ -20,6 +18,8 @@ use super::{
 #[derive(Default)]
 pub(super) struct Chosen {
     pub lessons: Vec<Lesson>,
+    /// Of each lesson, then of each scene, the name that it was asked for by.
+    pub asked: Vec<String>,
     /// The scenes of files, each with its name without the ending.
     pub scenes: Vec<(String, SceneFile)>,
     problems: Vec<Problem>,
@@ -33,31 +33,47 @@ pub(super) fn choose(names: &[PathBuf], embedded: fn(&dyn Files) -> Loaded) -> C
     let mut chosen = Chosen::default();
     if names.is_empty() {
         let loaded = embedded(&Embedded);
+        chosen.asked = loaded
+            .course
+            .lessons
+            .iter()
+            .map(|it| it.id.clone())
+            .collect();
         chosen.lessons = loaded.course.lessons;
         chosen.problems = loaded.problems;
         return chosen;
     }
     let mut course = None;
+    let mut scenes = Vec::new();
     for name in names {
-        if name.is_file() {
-            chosen.read_scene(name);
+        // A pipe, a device or a link that leads nowhere is no scene either, and is told what it is.
+        if !name.is_dir() && name.symlink_metadata().is_ok() {
+            scenes.extend(chosen.read_scene(name).then(|| shown(name)));
             continue;
         }
         if name.exists() {
             let loaded = Course::check(&Folder::new(name));
+            let n_lessons = loaded.course.lessons.len();
+            chosen
+                .asked
+                .extend(std::iter::repeat_n(shown(name), n_lessons));
             chosen.lessons.extend(loaded.course.lessons);
             chosen.problems.extend(loaded.problems);
             continue;
         }
         let course = course.get_or_insert_with(|| embedded(&Embedded).course);
         match name.to_str().and_then(|id| course.lesson(id)) {
-            Some(lesson) => chosen.lessons.push(lesson.clone()),
+            Some(lesson) => {
+                chosen.asked.push(shown(name));
+                chosen.lessons.push(lesson.clone());
+            }
             None => {
                 let message = Message::new("cli-no-lesson");
                 chosen.unread.push(message.with("name", shown(name)));
             }
         }
     }
+    chosen.asked.extend(scenes);
     chosen
 }
 
@@ -66,18 +82,23 @@ impl Chosen {
         self.lessons.is_empty() && self.scenes.is_empty()
     }
 
-    fn read_scene(&mut self, path: &Path) {
-        let read = fs::read(path).map_err(|error| {
+    /// Is it one?
+    fn read_scene(&mut self, path: &Path) -> bool {
+        let read = read_file(path, MAX_SCENE_BYTES).map_err(|error| {
             Message::new("cli-unreadable")
                 .with("path", shown(path))
                 .with("reason", Diagnostic::from(error))
         });
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         match read.map(|bytes| SceneFormats::standard().read(&shown(path), &bytes)) {
-            Ok(Ok(scene)) => self.scenes.push((stem.into_owned(), scene)),
+            Ok(Ok(scene)) => {
+                self.scenes.push((stem.into_owned(), scene));
+                return true;
+            }
             Ok(Err(problems)) => self.problems.extend(problems),
             Err(message) => self.unread.push(message),
         }
+        false
     }
 
     /// Names on standard error what is wrong.
@@ -188,7 +209,7 @@ pub(super) fn check(args: &Args) -> Outcome {
     if sum.is_empty() {
         return outcome;
     }
-    match print(&sum, args.lang) {
+    match print(&printable(&sum), args.lang) {
         Outcome::Done => outcome,
         failed => failed,
     }

@@ -9,7 +9,7 @@ use crate::{
     case::{Solver, Solvers},
     input::Presence,
     lesson::{Course, Lesson},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Lang, Message, printable},
 };
 
 use super::{
@@ -51,7 +51,7 @@ pub(super) fn list(args: &Args) -> Outcome {
     let chosen = choose(&args.lessons, Course::load);
     let outcome = chosen.report(args.lang, is_error);
     let text = match args.format {
-        Format::Text => as_text(&chosen.lessons, catalog),
+        Format::Text => printable(&as_text(&chosen.lessons, catalog)),
         Format::Json => format!("{:#}\n", as_json(&chosen.lessons, catalog)),
     };
     match print(&text, args.lang) {

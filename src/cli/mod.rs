@@ -11,7 +11,7 @@ mod trace;
 mod usage;
 
 use std::{
-    env, fs,
+    env,
     path::{Path, PathBuf},
     process::ExitCode,
 };
@@ -23,7 +23,7 @@ use clap::{
 
 use crate::{
     app::{Opening, Settings, is_mesh, run_native},
-    lesson::{Folder, Problem, SceneFormats},
+    lesson::{Folder, MAX_SCENE_BYTES, Problem, SceneFormats, ask, read_file},
     text::{Catalog, Diagnostic, Lang, Message},
 };
 
@@ -77,11 +77,7 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             let args = env::args_os().map(|arg| arg.to_string_lossy().into_owned());
-            usage::explain(&error, &args.collect::<Vec<_>>());
-            return match error.exit_code() {
-                0 => Outcome::Done.into(),
-                _ => Outcome::Unusable.into(),
-            };
+            return usage::explain(&error, &args.collect::<Vec<_>>()).into();
         }
     };
     match cli.command {
@@ -130,13 +126,13 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
         catalog.message(&message)
     };
     if is_mesh(path) {
-        fs::File::open(path).map_err(unread)?;
+        ask(path, MAX_SCENE_BYTES).map_err(unread)?;
         return Ok(Opening {
             mesh: Some(name),
             ..Opening::default()
         });
     }
-    let bytes = fs::read(path).map_err(unread)?;
+    let bytes = read_file(path, MAX_SCENE_BYTES).map_err(unread)?;
     let scene = SceneFormats::standard()
         .read(&name, &bytes)
         .map_err(|problems| {

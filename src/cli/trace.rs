@@ -26,7 +26,8 @@ const EXAMPLES: &str = r#"Examples:
     clipscope trace
 
 One case a line in, one answer a line out, in order. A refused case is answered with an
-error and the rest is carried on; exit status 1 tells that there was one."#;
+error and the rest is carried on; exit status 1 tells that there was one, unless
+--refused-ok is given. An empty input has no answers and is no mistake."#;
 
 /// Refusals named on standard error; the answers name them all.
 const MAX_NAMED: usize = 10;
@@ -46,6 +47,9 @@ pub(super) struct Args {
     /// Print a JSON Schema of the cases and answers of every algorithm, and answer nothing
     #[arg(long, conflicts_with_all = ["file", "format", "events"])]
     schema: bool,
+    /// Exit with 0 also where cases were refused
+    #[arg(long)]
+    refused_ok: bool,
     /// Language of text, markdown and messages
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     lang: Lang,
@@ -87,17 +91,13 @@ pub(super) fn trace(args: &Args) -> Outcome {
     };
     let out = io::stdout().lock();
     match case::trace(Solvers::standard(), source, out, style(args), name) {
-        Ok(tally) => sum_up(tally, &refusals, lang),
+        Ok(tally) => sum_up(tally, &refusals, args),
         Err(TraceError::Read(error)) => unreadable(error),
         Err(TraceError::Write(error)) => not_written(error, lang),
     }
 }
 
-fn sum_up(tally: Tally, refusals: &[String], lang: Lang) -> Outcome {
-    if tally == Tally::default() {
-        say(lang, &Message::new("cli-nothing"));
-        return Outcome::Unusable;
-    }
+fn sum_up(tally: Tally, refusals: &[String], args: &Args) -> Outcome {
     if tally.refused == 0 {
         return Outcome::Done;
     }
@@ -110,9 +110,13 @@ fn sum_up(tally: Tally, refusals: &[String], lang: Lang) -> Outcome {
         ("cli-refused", tally.refused),
     ];
     for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
-        say(lang, &Message::new(key).with("count", count));
+        say(args.lang, &Message::new(key).with("count", count));
     }
-    Outcome::Refused
+    if args.refused_ok {
+        Outcome::Done
+    } else {
+        Outcome::Refused
+    }
 }
 
 fn style(args: &Args) -> Style {

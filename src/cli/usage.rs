@@ -6,10 +6,10 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use crate::{
     app::Settings,
-    text::{Catalog, Diagnostic, Lang, Message},
+    text::{Catalog, Diagnostic, Lang, Message, printable},
 };
 
-use super::say::say_text;
+use super::say::{Outcome, not_written, say_text};
 
 /// What a value should have been, where clap does not know it.
 #[derive(Clone, Debug)]
@@ -25,16 +25,18 @@ impl Error for Expected {}
 
 /// Says what is wrong with these arguments: in the language that they ask for, else the system's. Help and the
 /// version, which clap hands over in the same way, go to standard output.
-pub(super) fn explain(error: &clap::Error, args: &[String]) {
+pub(super) fn explain(error: &clap::Error, args: &[String]) -> Outcome {
     match diagnostic(error) {
         Some(diagnostic) => {
             let catalog = Catalog::of(lang_of(args).unwrap_or_else(|| Settings::of_system().lang));
             say_text(&rendered(&diagnostic, catalog));
+            Outcome::Unusable
         }
-        // Neither stream may be there any more.
-        None => {
-            let _ = error.print();
-        }
+        None => match (error.print(), error.exit_code()) {
+            (Ok(()), 0) => Outcome::Done,
+            (Ok(()), _) => Outcome::Unusable,
+            (Err(error), _) => not_written(error, lang_of(args).unwrap_or_default()),
+        },
     }
 }
 
@@ -52,8 +54,7 @@ fn rendered(diagnostic: &Diagnostic, catalog: &Catalog) -> String {
         text.push('\n');
         text.push_str(&catalog.message(note));
     }
-    // An escape sequence in an argument must not reach the terminal.
-    text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
+    printable(&text)
 }
 
 /// None of what is no mistake, and of the few mistakes for which no command here has an argument.

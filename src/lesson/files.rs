@@ -17,16 +17,22 @@ pub(super) const LESSON_FILE: &str = "lesson.toml";
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FileError {
-    TooLarge,
+    /// In bytes.
+    TooLarge {
+        limit: u64,
+    },
+    /// A link, to another folder.
+    LeadsOut,
     Unreadable(SystemError),
 }
 
 impl From<FileError> for Diagnostic {
     fn from(error: FileError) -> Self {
         Self::new(match error {
-            FileError::TooLarge => {
-                Message::new("error-file-too-large").with("limit", MAX_FILE_BYTES >> 20)
+            FileError::TooLarge { limit } => {
+                Message::new("error-file-too-large").with("limit", (limit >> 20) as usize)
             }
+            FileError::LeadsOut => Message::new("error-link-out"),
             FileError::Unreadable(reason) => {
                 Message::new("error-unreadable").with("reason", Self::from(reason))
             }
@@ -61,14 +67,15 @@ impl Files for BTreeMap<String, Vec<u8>> {
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
         let bytes = self.get(path).ok_or(FileError::NOT_FOUND)?;
         if bytes.len() > MAX_FILE_BYTES {
-            return Err(FileError::TooLarge);
+            let limit = MAX_FILE_BYTES as u64;
+            return Err(FileError::TooLarge { limit });
         }
         Ok(bytes.clone())
     }
 }
 
 impl FileError {
-    pub(super) const NOT_FOUND: Self =
+    pub(crate) const NOT_FOUND: Self =
         Self::Unreadable(SystemError::of_kind(io::ErrorKind::NotFound));
 }
 

@@ -2,11 +2,11 @@
 //! trait it implements, so that `check`, `export` and the app read a folder the same way; a browser has none.
 
 use std::{
-    fs,
-    io::{self, Read},
+    fs, io,
     path::{Path, PathBuf},
 };
 
+use super::door::read_inside;
 use super::files::{FileError, Files, LESSON_FILE, MAX_FILE_BYTES, MAX_LESSONS};
 
 #[derive(Clone, Debug)]
@@ -65,8 +65,7 @@ impl Files for Folder {
     }
 
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        let path = self.path(path);
-        read(&path)
+        read_inside(&self.path(path), MAX_FILE_BYTES as u64)
     }
 
     fn shown(&self, path: &str) -> String {
@@ -89,25 +88,4 @@ fn names(folder: &Path) -> io::Result<Vec<String>> {
     }
     names.sort();
     Ok(names)
-}
-
-/// Reads a regular file, and never more of it than is allowed.
-fn read(path: &Path) -> Result<Vec<u8>, FileError> {
-    let kind = fs::metadata(path)?;
-    if !kind.is_file() {
-        // Opening a pipe would wait for somebody to write into it.
-        let kind = if kind.is_dir() {
-            io::ErrorKind::IsADirectory
-        } else {
-            io::ErrorKind::InvalidInput
-        };
-        return Err(io::Error::from(kind).into());
-    }
-    let mut bytes = Vec::new();
-    let limit = MAX_FILE_BYTES as u64 + 1;
-    fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
-    if bytes.len() > MAX_FILE_BYTES {
-        return Err(FileError::TooLarge);
-    }
-    Ok(bytes)
 }

@@ -23,6 +23,9 @@ use super::{
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
 const STEP_FIELDS: [&str; 6] = ["id", "scene", "at", "figure", "lock", "code"];
 
+/// Nobody reads a longer lesson.
+const MAX_STEPS: usize = 1_000;
+
 /// A lesson without its texts.
 pub(super) struct Skeleton {
     /// The steps' ids, in order; `None` where one of them is not known for sure.
@@ -215,6 +218,11 @@ impl Steps {
             let (message, expected) = ("problem-no-steps", Message::new("expect-steps"));
             let span = fields.span.clone();
             fields.sink.error(span, Message::new(message), [expected]);
+            return (None, None);
+        }
+        if let Some(node) = nodes.get(MAX_STEPS) {
+            let message = Message::new("problem-too-many-steps").with("count", nodes.len());
+            node.error(message.with("limit", MAX_STEPS), []);
             return (None, None);
         }
         let read = nodes.into_iter().map(|node| self.step(node));

@@ -2,7 +2,7 @@
 
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 
-use super::{prelude::*, problem::is_wide, reference::Braces};
+use super::{glossary::Word, prelude::*, problem::is_wide, reference::Braces};
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Block {
@@ -34,6 +34,8 @@ pub struct Inline {
     pub strong: bool,
     pub emphasis: bool,
     pub code: bool,
+    /// The term that this is the first mention of in its step, once the text is to be read.
+    pub term: Option<&'static Word>,
 }
 
 /// A step's text.
@@ -180,6 +182,12 @@ impl Reader {
         if text.is_empty() {
             return;
         }
+        let n_letters: usize = text.iter().map(|part| part.text.chars().count()).sum();
+        if n_letters > MAX_LETTERS {
+            let message = Message::new("problem-long-paragraph").with("count", n_letters);
+            sink.error(span, message.with("limit", MAX_LETTERS), []);
+            return;
+        }
         let is_stray = |part: &Inline| !part.code && part.text.contains("**");
         if text.iter().any(is_stray) {
             let at = sink.source.text[span.clone()].find("**").unwrap_or(0);
@@ -223,6 +231,7 @@ impl Reader {
                 strong,
                 emphasis,
                 code,
+                term: None,
             }),
         }
     }
@@ -250,6 +259,9 @@ impl Reader {
         inlines
     }
 }
+
+/// A longer paragraph is no text, and would take seconds to set.
+const MAX_LETTERS: usize = 20_000;
 
 /// Stands for a line break in the file until its neighbours are known.
 const SOFT_BREAK: char = '\u{2028}';

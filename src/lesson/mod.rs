@@ -11,15 +11,18 @@
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
 mod course;
+#[cfg(not(target_arch = "wasm32"))]
+mod door;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
+mod glossary;
 mod lesson_file;
 mod likeness;
 mod load;
 mod markdown;
+mod mentions;
 mod mesh_file;
-mod nearest;
 mod prelude;
 mod problem;
 mod reference;
@@ -34,12 +37,17 @@ mod toml_errors;
 mod toml_fields;
 
 pub use course::{Course, Lesson};
+#[cfg(not(target_arch = "wasm32"))]
+pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
+pub use glossary::{Glossary, Word, glossary};
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline, StepText};
-pub use mesh_file::{ObjFile, picture_of, read_mtl, read_obj, read_obj_while, read_picture};
+pub use mesh_file::{
+    ObjFile, PictureFault, picture_of, read_mtl, read_obj, read_obj_while, read_picture,
+};
 pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;

@@ -2,10 +2,9 @@
 
 pub(super) use std::ops::Range;
 
-pub(super) use crate::text::{Diagnostic, Lang, Message};
+pub(super) use crate::text::{Diagnostic, Lang, Message, clipped, nearest, suggestion};
 
 pub(super) use super::{
-    nearest::{clipped, nearest, suggestion},
     problem::{Place, Problem, Severity},
     sink::Sink,
     source::Source,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::text::{Catalog, Diagnostic};
+use crate::text::{Catalog, Diagnostic, printable};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Severity {
@@ -73,8 +73,7 @@ impl Problem {
         for note in &self.what.notes {
             let _ = write!(text, "\n{:margin$} = {}", "", catalog.message(note));
         }
-        // An escape sequence in a file must not reach the terminal.
-        text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
+        printable(&text)
     }
 }
 

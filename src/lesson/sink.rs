@@ -2,10 +2,9 @@
 
 use std::{cell::RefCell, ops::Range};
 
-use crate::text::{Diagnostic, Message};
+use crate::text::{Diagnostic, Message, nearest};
 
 use super::{
-    nearest::nearest,
     problem::{Problem, Severity},
     source::Source,
 };
@@ -66,8 +65,8 @@ impl<'s> Sink<'s> {
     }
 
     /// A mistake that does not.
-    pub fn warning(&self, span: Range<usize>, message: Message) {
-        self.push(Severity::Warning, span, message.into());
+    pub fn warning(&self, span: Range<usize>, what: impl Into<Diagnostic>) {
+        self.push(Severity::Warning, span, what.into());
     }
 
     fn push(&self, severity: Severity, span: Range<usize>, what: Diagnostic) {

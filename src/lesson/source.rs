@@ -1,6 +1,8 @@
 //! A text file and the places in it.
 
-use std::{borrow::Cow, ops::Range};
+use std::{borrow::Cow, cell::RefCell, collections::BTreeMap, ops::Range, sync::Arc};
+
+use crate::labs::space::{NamedMesh, Picture};
 
 use super::{
     files::{FileError, Files},
@@ -19,6 +21,23 @@ pub(crate) struct Source<'a> {
     pub bad_byte: Option<(usize, u8)>,
     /// Where files beside it come from, and their folder; none of a file that stands alone.
     pub folder: Option<(&'a dyn Files, &'a str)>,
+    pub beside: Beside,
+}
+
+/// What has been read of the files beside one, each once, whoever names it.
+#[derive(Default)]
+pub(crate) struct Beside {
+    /// By their names; `None` where there is a mistake, which has been told.
+    pub meshes: RefCell<BTreeMap<String, Option<Arc<NamedMesh>>>>,
+    pub pictures: RefCell<BTreeMap<String, Picture>>,
+}
+
+impl Beside {
+    pub fn n_texels(&self) -> usize {
+        let pictures = self.pictures.borrow();
+        let sizes = pictures.values().map(|it| it.texture.size());
+        sizes.map(|[width, height]| width * height).sum()
+    }
 }
 
 impl<'a> Source<'a> {
@@ -33,6 +52,7 @@ impl<'a> Source<'a> {
             text: String::from_utf8_lossy(bytes),
             bad_byte,
             folder: None,
+            beside: Beside::default(),
         }
     }
 

@@ -54,6 +54,8 @@ fn sentence(reason: &str) -> (Message, Option<&'static str>) {
     }
     let (key, note) = if complaint == DUPLICATE {
         ("problem-toml-duplicate", None)
+    } else if complaint.contains("recurs") {
+        ("problem-toml-deep", None)
     } else if starts(&["string values must be quoted"]) {
         ("problem-toml-value", Some("expect-toml-value"))
     } else if starts(&["key with no value", "missing assignment"]) {

@@ -3,9 +3,9 @@
 mod row;
 mod script;
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2};
+use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::text::Piece;
 
@@ -81,6 +81,26 @@ impl Typeset {
 
     pub const fn baseline(&self) -> f32 {
         self.baseline
+    }
+
+    /// Where the characters of a part stand, a box a row; they are counted over all spans, without the marks of subscripts and the
+    /// ends of lines.
+    pub fn boxes(&self, part: Range<usize>) -> Vec<Rect> {
+        let mut first = 0;
+        let mut boxes = Vec::new();
+        for placed in &self.galley.rows {
+            let glyphs = &placed.row.glyphs;
+            let own = part.start.max(first)..part.end.min(first + glyphs.len());
+            if own.start < own.end {
+                let (from, to) = (&glyphs[own.start - first], &glyphs[own.end - 1 - first]);
+                let right = to.pos.x + to.advance_width;
+                let left = placed.pos + vec2(from.pos.x, 0.0);
+                let size = vec2(right - from.pos.x, placed.row.size.y);
+                boxes.push(Rect::from_min_size(left, size));
+            }
+            first += glyphs.len();
+        }
+        boxes
     }
 
     pub fn n_rows(&self) -> usize {

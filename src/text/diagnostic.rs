@@ -151,7 +151,14 @@ impl SystemError {
     pub const fn of_kind(kind: io::ErrorKind) -> Self {
         Self { kind, number: None }
     }
+
+    pub const fn kind(&self) -> io::ErrorKind {
+        self.kind
+    }
 }
+
+/// ELOOP: what a link that leads to itself is answered by.
+const TOO_MANY_LINKS: i32 = if cfg!(target_os = "linux") { 40 } else { 62 };
 
 impl From<io::Error> for SystemError {
     fn from(error: io::Error) -> Self {
@@ -179,6 +186,7 @@ impl From<SystemError> for Diagnostic {
             Kind::ResourceBusy | Kind::ExecutableFileBusy => "system-busy",
             Kind::Unsupported => "system-no-files",
             // The kinds are an open list.
+            _ if error.number == Some(TOO_MANY_LINKS) => "system-loop",
             _ => match error.number {
                 Some(number) => {
                     let message = Message::new("system-number");

@@ -1,15 +1,18 @@
 //! The text of a lesson step: paragraphs, lists, code, and answers that are shown when asked for.
 
-use egui::{Align, Label, RichText, UiBuilder, style::ScrollAnimation};
+use egui::{Align, Label, RichText, Role, Tooltip, UiBuilder, WidgetInfo, style::ScrollAnimation};
 
 use crate::{
-    lesson::{Block, BlockMarker, Inline},
+    lesson::{Block, BlockMarker, Inline, Word},
     paint::theme,
 };
 
 use super::prelude::*;
 
 const LEADING: f32 = 0.35;
+/// Between the dots under a term, and how far above the bottom of its row they stand.
+const DOTS: f32 = 3.0;
+const UNDER: f32 = 2.0;
 
 pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_answered: bool) {
     ui.spacing_mut().item_spacing.y = 8.0;
@@ -88,7 +91,50 @@ fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let line_height = (size * (1.0 + LEADING)).round();
     let set = Typeset::running(ui.painter(), &spans, ui.available_width(), line_height);
-    ui.add(Label::new(set.galley()).selectable(true));
+    let shown = ui.add(Label::new(set.galley()).selectable(true));
+    let mut first = 0;
+    for (part, span) in text.iter().zip(&spans) {
+        let end = first + span.n_chars();
+        if let Some(word) = part.term {
+            let boxes = set.boxes(first..end).into_iter();
+            let boxes = boxes.map(|it| it.translate(shown.rect.min.to_vec2()));
+            let id = shown.id.with(first);
+            term(ui, look, id, (part, word), &boxes.collect::<Vec<_>>());
+        }
+        first = end;
+    }
+}
+
+/// A mention of a term: dotted under it, and said in a sentence where it is pointed at or has the focus.
+fn term(ui: &Ui, look: Look<'_>, id: Id, (part, word): (&Inline, &Word), boxes: &[Rect]) {
+    let Some(&first) = boxes.first() else {
+        return;
+    };
+    let sense = Sense::focusable_noninteractive();
+    let mut response = ui.interact(first, id, sense);
+    for (i, &rest) in boxes.iter().enumerate().skip(1) {
+        response |= ui.interact(rest, id.with(i), Sense::hover());
+    }
+    let is_lit = response.hovered() || response.has_focus();
+    let colour = if is_lit {
+        look.theme.accent
+    } else {
+        look.theme.faint
+    };
+    for rect in boxes {
+        let y = rect.bottom() - UNDER;
+        let dots = (0..).map(|i| rect.left() + 1.0 + DOTS * i as f32);
+        for x in dots.take_while(|&x| x < rect.right()) {
+            ui.painter().circle_filled(pos2(x, y), 0.6, colour);
+        }
+    }
+    let says = || format!("{}: {}", part.text, word.says);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, says()));
+    let mut tooltip = Tooltip::for_enabled(&response);
+    if response.has_focus() {
+        tooltip = Tooltip::for_widget(&response);
+    }
+    tooltip.show(|ui| ui.label(&word.says));
 }
 
 pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {

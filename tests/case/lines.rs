@@ -195,7 +195,7 @@ fn any_id_is_echoed_digit_for_digit() {
     ] {
         let text = answers(&format!(r#"{{"id": {id}}}"#), JSON);
         assert!(
-            text.starts_with(&format!(r#"{{"id":{echo},"error""#)),
+            text.starts_with(&format!(r#"{{"id":{echo},"line":1,"error""#)),
             "{text}"
         );
     }

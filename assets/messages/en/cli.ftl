@@ -23,7 +23,7 @@ cli-refused =
        *[other] { $count } inputs were refused
     }
 cli-unreadable = { $path } could not be read: { $reason }
-cli-nothing = There is nothing to do.
+export-same-name = { $first } and { $second } would both be { $path }: nothing has been drawn.
 
 ## Wrong usage
 
@@ -46,6 +46,7 @@ case-line-too-long = The line is longer than { $max } MiB.
 case-bad-id = The id is nested too deep, or holds a text that is not Unicode.
 case-repeated-field = The field “{ $name }” is given twice.
 case-unknown-algorithm = There is no algorithm “{ $name }”. Known: { $expected }.
+case-meant-algorithm = There is no algorithm “{ $name }”. Did you mean “{ $meant }”?
 case-unknown-field = There is no field “{ $name }” for { $algorithm }. It takes: { $expected }.
 case-missing-field = The field “{ $name }” is missing.
 case-missing-choice = One of these fields is missing: { $fields }.

@@ -56,6 +56,8 @@ error-bad-moment = This does not name a moment.
 
 error-unreadable = The file cannot be read: { $reason }.
 error-file-too-large = The file is larger than { $limit } MiB.
+error-link-out = The file is a link that leads out of the lesson’s folder.
+memory-broken = It is no settings file.
 
 ## What the system answers; set after a colon, in the middle of a sentence
 
@@ -71,6 +73,7 @@ system-bad-name = the name is not valid
 system-too-large = the file is too large
 system-busy = another program is using it
 system-no-files = there are no files here
+system-loop = it is a link that leads to itself
 system-number = the system reports error { $number }
 system-silent = the system gives no reason
 error-typed-place = expected { $count ->

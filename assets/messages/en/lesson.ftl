@@ -19,6 +19,7 @@ lesson-warning = warning
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = This is not valid TOML.
+problem-toml-deep = The values are nested too deep.
 problem-toml-comma = A comma is missing between two values.
 problem-toml-extra = This “,” or “=” is one too many.
 problem-toml-number = A number cannot be written like this.
@@ -54,6 +55,12 @@ problem-two-openings = Both “fov_y_deg” and “height” are given: the firs
 problem-two-models = Both “solid” and “mesh” are given: only one of the two may be.
 problem-two-meshes = Both “obj” and lists of numbers are given: only one of the two may be.
 problem-no-picture = This is no picture.
+problem-mesh-plain = The mesh is drawn without its texture.
+problem-too-many-texels = The textures of this file have { $count } texels together, more than { $limit }.
+picture-elsewhere = “{ $name }” does not lie beside the mesh.
+picture-unread = “{ $name }”: { $reason }
+picture-no-material = “{ $library }” has no material “{ $name }”.
+picture-broken = “{ $name }” is no PNG or JPEG of at most { $most } texels a side, or it is broken.
 problem-mesh-too-large = The list has { $count } entries, where { $limit } are the most that a scene file holds.
 problem-no-such-mesh = There is no mesh “{ $name }” beside this file.
 problem-unknown-method = There is no method “{ $name }”.
@@ -62,6 +69,7 @@ problem-unknown-scene = There is no scene “{ $name }”.
 problem-unknown-lock = There is no handle “{ $name }”.
 problem-unknown-value = “{ $name }” is not one of the values that this field takes.
 problem-no-steps = The lesson has no steps.
+problem-too-many-steps = The lesson has { $count } steps, more than { $limit }.
 problem-bad-step-id = “{ $name }” cannot be the id of a step.
 problem-duplicate-step = There are two steps “{ $name }”.
 problem-bad-figure = “{ $name }” cannot be the name of a figure.
@@ -82,6 +90,7 @@ problem-unknown-step = The lesson has no step “{ $name }”.
 problem-missing-section = The text of the step “{ $name }” is missing.
 problem-duplicate-section = The step “{ $name }” has two texts.
 problem-empty-section = The step “{ $name }” has a heading but no text.
+problem-long-paragraph = The paragraph has { $count } characters, more than { $limit }.
 problem-unsupported-markdown = This kind of Markdown has no place in a lesson.
 problem-stray-emphasis = These asterisks do not make the text bold.
 problem-more =

@@ -23,7 +23,7 @@ cli-refused =
        *[other] Se rechazaron { $count } entradas
     }
 cli-unreadable = No se pudo leer { $path }: { $reason }
-cli-nothing = No hay nada que procesar.
+export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
 
 ## Wrong usage
 
@@ -46,6 +46,7 @@ case-line-too-long = La línea tiene más de { $max } MiB.
 case-bad-id = El id está anidado en exceso o contiene un texto que no es Unicode.
 case-repeated-field = El campo «{ $name }» aparece dos veces.
 case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Disponibles: { $expected }.
+case-meant-algorithm = No existe el algoritmo «{ $name }». ¿Querías decir «{ $meant }»?
 case-unknown-field = No hay ningún campo «{ $name }» en { $algorithm }. Admite: { $expected }.
 case-missing-field = Falta el campo «{ $name }».
 case-missing-choice = Falta uno de estos campos: { $fields }.

@@ -56,6 +56,8 @@ error-bad-moment = Esto no nombra ningún momento.
 
 error-unreadable = No se puede leer el archivo: { $reason }.
 error-file-too-large = El archivo supera los { $limit } MiB.
+error-link-out = El archivo es un enlace que lleva fuera de la carpeta de la lección.
+memory-broken = No es un archivo de ajustes.
 
 ## What the system answers; set after a colon, in the middle of a sentence
 
@@ -71,6 +73,7 @@ system-bad-name = el nombre no es válido
 system-too-large = el archivo es demasiado grande
 system-busy = otro programa lo está usando
 system-no-files = aquí no hay archivos
+system-loop = es un enlace que lleva a sí mismo
 system-number = el sistema indica el error { $number }
 system-silent = el sistema no da ningún motivo
 error-typed-place = { $count ->

@@ -19,6 +19,7 @@ lesson-warning = aviso
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = Esto no es TOML válido.
+problem-toml-deep = Los valores están anidados a demasiada profundidad.
 problem-toml-comma = Falta una coma entre dos valores.
 problem-toml-extra = Sobra una «,» o un «=».
 problem-toml-number = Un número no se puede escribir así.
@@ -54,6 +55,12 @@ problem-two-openings = Se dan a la vez «fov_y_deg» y «height»: el primero es
 problem-two-models = Se dan a la vez «solid» y «mesh»: solo puede haber uno de los dos.
 problem-two-meshes = Se dan a la vez «obj» y listas de números: solo puede haber uno de los dos.
 problem-no-picture = Esto no es una imagen.
+problem-mesh-plain = La malla se dibuja sin su textura.
+problem-too-many-texels = Las texturas de este archivo tienen { $count } téxeles en total, más de { $limit }.
+picture-elsewhere = «{ $name }» no está junto a la malla.
+picture-unread = «{ $name }»: { $reason }
+picture-no-material = «{ $library }» no tiene el material «{ $name }».
+picture-broken = «{ $name }» no es un PNG o JPEG de { $most } téxeles por lado como máximo, o está dañado.
 problem-mesh-too-large = La lista tiene { $count } entradas; un archivo de escena admite { $limit } como máximo.
 problem-no-such-mesh = Junto a este archivo no hay ninguna malla «{ $name }».
 problem-unknown-method = No existe el método «{ $name }».
@@ -62,6 +69,7 @@ problem-unknown-scene = No existe la escena «{ $name }».
 problem-unknown-lock = No existe el tirador «{ $name }».
 problem-unknown-value = «{ $name }» no es un valor de este campo.
 problem-no-steps = La lección no tiene pasos.
+problem-too-many-steps = La lección tiene { $count } pasos, más de { $limit }.
 problem-bad-step-id = «{ $name }» no puede ser el id de un paso.
 problem-duplicate-step = Hay dos pasos «{ $name }».
 problem-bad-figure = «{ $name }» no puede ser el nombre de una figura.
@@ -82,6 +90,7 @@ problem-unknown-step = La lección no tiene ningún paso «{ $name }».
 problem-missing-section = Falta el texto del paso «{ $name }».
 problem-duplicate-section = El paso «{ $name }» tiene dos textos.
 problem-empty-section = El paso «{ $name }» tiene encabezado, pero no texto.
+problem-long-paragraph = El párrafo tiene { $count } caracteres, más de { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown no se admite en una lección.
 problem-stray-emphasis = Estos asteriscos no ponen el texto en negrita.
 problem-more =

@@ -23,7 +23,7 @@ cli-refused =
        *[other] { $count } entradas foram recusadas
     }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
-cli-nothing = Não há nada a fazer.
+export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
 
 ## Wrong usage
 
@@ -46,6 +46,7 @@ case-line-too-long = A linha tem mais de { $max } MiB.
 case-bad-id = O id está aninhado em excesso ou contém um texto que não é Unicode.
 case-repeated-field = O campo “{ $name }” aparece duas vezes.
 case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Disponíveis: { $expected }.
+case-meant-algorithm = Não existe o algoritmo “{ $name }”. Você quis dizer “{ $meant }”?
 case-unknown-field = Não há nenhum campo “{ $name }” em { $algorithm }. Ele aceita: { $expected }.
 case-missing-field = Falta o campo “{ $name }”.
 case-missing-choice = Falta um destes campos: { $fields }.

@@ -56,6 +56,8 @@ error-bad-moment = Isto não nomeia nenhum momento.
 
 error-unreadable = Não é possível ler o arquivo: { $reason }.
 error-file-too-large = O arquivo tem mais de { $limit } MiB.
+error-link-out = O arquivo é um link que leva para fora da pasta da lição.
+memory-broken = Não é um arquivo de ajustes.
 
 ## What the system answers; set after a colon, in the middle of a sentence
 
@@ -71,6 +73,7 @@ system-bad-name = o nome não é válido
 system-too-large = o arquivo é grande demais
 system-busy = outro programa o está usando
 system-no-files = aqui não há arquivos
+system-loop = é um link que leva a si mesmo
 system-number = o sistema relata o erro { $number }
 system-silent = o sistema não dá nenhum motivo
 error-typed-place = { $count ->

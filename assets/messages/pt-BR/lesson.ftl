@@ -19,6 +19,7 @@ lesson-warning = aviso
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = Isto não é TOML válido.
+problem-toml-deep = Os valores estão aninhados fundo demais.
 problem-toml-comma = Falta uma vírgula entre dois valores.
 problem-toml-extra = Há uma “,” ou um “=” a mais.
 problem-toml-number = Um número não pode ser escrito assim.
@@ -54,6 +55,12 @@ problem-two-openings = “fov_y_deg” e “height” foram dados ao mesmo tempo
 problem-two-models = “solid” e “mesh” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-meshes = “obj” e listas de números foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-no-picture = Isto não é uma imagem.
+problem-mesh-plain = A malha é desenhada sem a sua textura.
+problem-too-many-texels = As texturas deste arquivo têm { $count } texels no total, mais que { $limit }.
+picture-elsewhere = “{ $name }” não está ao lado da malha.
+picture-unread = “{ $name }”: { $reason }
+picture-no-material = “{ $library }” não tem o material “{ $name }”.
+picture-broken = “{ $name }” não é um PNG ou JPEG de no máximo { $most } texels por lado, ou está danificado.
 problem-mesh-too-large = A lista tem { $count } itens; um arquivo de cena aceita no máximo { $limit }.
 problem-no-such-mesh = Não há nenhuma malha “{ $name }” ao lado deste arquivo.
 problem-unknown-method = Não existe o método “{ $name }”.
@@ -62,6 +69,7 @@ problem-unknown-scene = Não existe a cena “{ $name }”.
 problem-unknown-lock = Não existe o ponto de controle “{ $name }”.
 problem-unknown-value = “{ $name }” não é um valor deste campo.
 problem-no-steps = A lição não tem passos.
+problem-too-many-steps = A lição tem { $count } passos, mais que { $limit }.
 problem-bad-step-id = “{ $name }” não pode ser o id de um passo.
 problem-duplicate-step = Há dois passos “{ $name }”.
 problem-bad-figure = “{ $name }” não pode ser o nome de uma figura.
@@ -82,6 +90,7 @@ problem-unknown-step = A lição não tem nenhum passo “{ $name }”.
 problem-missing-section = Falta o texto do passo “{ $name }”.
 problem-duplicate-section = O passo “{ $name }” tem dois textos.
 problem-empty-section = O passo “{ $name }” tem cabeçalho, mas não tem texto.
+problem-long-paragraph = O parágrafo tem { $count } caracteres, mais que { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown não é aceito em uma lição.
 problem-stray-emphasis = Estes asteriscos não deixam o texto em negrito.
 problem-more =

@@ -52,6 +52,8 @@ error-bad-moment = 这没有指明任何时刻。
 
 error-unreadable = 无法读取文件：{ $reason }。
 error-file-too-large = 文件大于 { $limit } MiB。
+error-link-out = 这个文件是指向本课文件夹之外的链接。
+memory-broken = 它不是设置文件。
 
 ## What the system answers; set after a colon, in the middle of a sentence
 
@@ -67,6 +69,7 @@ system-bad-name = 名称无效
 system-too-large = 文件过大
 system-busy = 另一个程序正在使用它
 system-no-files = 这里没有文件可用
+system-loop = 它是指向自身的链接
 system-number = 系统报告错误 { $number }
 system-silent = 系统没有说明原因
 error-typed-place = 应为 { $count } 个数，例如 −1.5 或 1/4，但输入的是 { $typed }

@@ -19,6 +19,7 @@ lesson-warning = 警告
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = 这不是有效的 TOML。
+problem-toml-deep = 值的嵌套层数太多。
 problem-toml-comma = 两个值之间缺少逗号。
 problem-toml-extra = 这里多了一个“,”或“=”。
 problem-toml-number = 数不能这样写。
@@ -50,6 +51,12 @@ problem-two-openings = 同时给出了“fov_y_deg”和“height”：前者用
 problem-two-models = 同时给出了“solid”和“mesh”：只能给出其中之一。
 problem-two-meshes = 同时给出了“obj”和数字列表：只能给出其中之一。
 problem-no-picture = 这不是图片。
+problem-mesh-plain = 网格不带纹理绘制。
+problem-too-many-texels = 这个文件的纹理共有 { $count } 个纹素，超过 { $limit }。
+picture-elsewhere = “{ $name }”不在网格旁边。
+picture-unread = “{ $name }”：{ $reason }
+picture-no-material = “{ $library }”中没有材质“{ $name }”。
+picture-broken = “{ $name }”不是每边至多 { $most } 个纹素的 PNG 或 JPEG，或者它已损坏。
 problem-mesh-too-large = 该列表有 { $count } 项，场景文件最多容纳 { $limit } 项。
 problem-no-such-mesh = 该文件旁没有网格“{ $name }”。
 problem-unknown-method = 没有名为“{ $name }”的算法。
@@ -58,6 +65,7 @@ problem-unknown-scene = 没有名为“{ $name }”的场景。
 problem-unknown-lock = 没有名为“{ $name }”的控制柄。
 problem-unknown-value = “{ $name }”不是这个字段可取的值。
 problem-no-steps = 这节课没有步骤。
+problem-too-many-steps = 这节课有 { $count } 步，超过 { $limit } 步。
 problem-bad-step-id = “{ $name }”不能用作步骤的 id。
 problem-duplicate-step = 有两个步骤都叫“{ $name }”。
 problem-bad-figure = “{ $name }”不能用作插图的名称。
@@ -78,6 +86,7 @@ problem-unknown-step = 这节课没有步骤“{ $name }”。
 problem-missing-section = 缺少步骤“{ $name }”的文本。
 problem-duplicate-section = 步骤“{ $name }”有两段文本。
 problem-empty-section = 步骤“{ $name }”只有标题，没有文本。
+problem-long-paragraph = 这一段有 { $count } 个字符，超过 { $limit } 个。
 problem-unsupported-markdown = 课文中不能使用这种 Markdown。
 problem-stray-emphasis = 这些星号没有起到加粗的作用。
 problem-more = 此文件中还有 { $count } 个问题未显示。

@@ -65,3 +65,31 @@ fn page_down_shows_the_answer_before_it_moves_on() {
     }
     assert!(n_answers > 3);
 }
+
+#[test]
+fn a_term_says_what_it_is_to_the_pointer_and_to_a_screen_reader() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([2, 0]));
+    let mut named = bench.named().into_iter();
+    let term = named.find(|(name, _)| name.starts_with("outcode: "));
+    let (name, rect) = term.expect("the step says what an outcode is");
+    let says = name.trim_start_matches("outcode: ")[..20].to_owned();
+    let mut is_shown = || {
+        bench
+            .texts()
+            .iter()
+            .any(|(text, _)| text.starts_with(&says))
+    };
+    assert!(!is_shown(), "{says}");
+    bench.point(rect.center());
+    for _ in 0..4 {
+        bench.frame(1.0, Vec::new());
+    }
+    let mut is_shown = || {
+        bench
+            .texts()
+            .iter()
+            .any(|(text, _)| text.starts_with(&says))
+    };
+    assert!(is_shown(), "{says}");
+}

@@ -9,5 +9,5 @@ mod picture;
 mod statements;
 
 pub use obj::{ObjFile, read_obj, read_obj_while};
-pub use picture::{picture_of, read_picture};
+pub use picture::{PictureFault, picture_of, read_picture};
 pub use statements::read_mtl;

@@ -265,7 +265,10 @@ mod tests {
         assert_eq!(read.material, Some(expected));
         assert_eq!(read.warnings, []);
         let mtl = b"newmtl other\nmap_Kd no.png\nnewmtl wood\nKd 1 1 1\nmap_Kd my wood.png\n";
-        assert_eq!(read_mtl(mtl, "wood").as_deref(), Some("my wood.png"));
+        assert_eq!(
+            read_mtl(mtl, "wood").flatten().as_deref(),
+            Some("my wood.png")
+        );
     }
 
     const WRONG: &str = "

@@ -7,7 +7,11 @@ use zune_jpeg::{
     zune_core::{colorspace::ColorSpace, options::DecoderOptions},
 };
 
-use crate::{geom::Texture, labs::space::Picture};
+use crate::{
+    geom::Texture,
+    labs::space::Picture,
+    lesson::{FileError, prelude::*},
+};
 
 use super::read_mtl;
 
@@ -25,19 +29,62 @@ pub fn read_picture(bytes: &[u8]) -> Option<Picture> {
     })
 }
 
-/// The picture of a material, from the files beside its mesh: `material` is the MTL file's name and its own, `bytes` what a
-/// file of a name there holds. `None` where anything of it is missing, or elsewhere.
+/// Why a mesh that names a material is drawn without its picture.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum PictureFault {
+    Elsewhere(String),
+    Unread(String, FileError),
+    NoMaterial { library: String, name: String },
+    Broken(String),
+}
+
+impl From<PictureFault> for Diagnostic {
+    fn from(fault: PictureFault) -> Self {
+        let named = |key, name: &str| Message::new(key).with("name", clipped(name));
+        Self::new(match fault {
+            PictureFault::Elsewhere(name) => named("picture-elsewhere", &name),
+            PictureFault::Unread(name, error) => {
+                named("picture-unread", &name).with("reason", Self::from(error))
+            }
+            PictureFault::NoMaterial { library, name } => {
+                named("picture-no-material", &name).with("library", clipped(&library))
+            }
+            PictureFault::Broken(name) => {
+                named("picture-broken", &name).with("most", Texture::MAX_SIDE)
+            }
+        })
+    }
+}
+
+/// The picture of a material with its file's name, from the files beside its mesh: `material` is the MTL file's name and its own,
+/// `read` reads a file of a name there, and what is `known` already is not read again. `None` where the material has none.
 pub fn picture_of(
     material: &[String; 2],
-    bytes: &dyn Fn(&str) -> Option<Vec<u8>>,
-) -> Option<Picture> {
+    read: &dyn Fn(&str) -> Result<Vec<u8>, FileError>,
+    known: &dyn Fn(&str) -> Option<Picture>,
+) -> Result<Option<(String, Picture)>, PictureFault> {
     let beside = |name: &str| {
-        let is_beside = !name.contains(['/', '\\']);
-        is_beside.then(|| bytes(name)).flatten()
+        if name.contains(['/', '\\']) {
+            return Err(PictureFault::Elsewhere(name.to_owned()));
+        }
+        read(name).map_err(|error| PictureFault::Unread(name.to_owned(), error))
     };
     let [library, name] = material;
-    let picture = read_mtl(&beside(library)?, name)?;
-    read_picture(&beside(&picture)?)
+    let Some(picture) = read_mtl(&beside(library)?, name) else {
+        let (library, name) = (library.clone(), name.clone());
+        return Err(PictureFault::NoMaterial { library, name });
+    };
+    let Some(name) = picture else {
+        return Ok(None);
+    };
+    let picture = match known(&name) {
+        Some(picture) => Some(picture),
+        None => read_picture(&beside(&name)?),
+    };
+    match picture {
+        Some(picture) => Ok(Some((name, picture))),
+        None => Err(PictureFault::Broken(name)),
+    }
 }
 
 fn read_png(bytes: &[u8]) -> Option<Texture> {

@@ -59,15 +59,21 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
     })
 }
 
-/// The picture that a material of an MTL file is painted with, by its file's name.
-pub fn read_mtl(bytes: &[u8], material: &str) -> Option<String> {
+/// The picture that a material of an MTL file is painted with, by its file's name, if it has one; `None` where there is no such
+/// material.
+pub fn read_mtl(bytes: &[u8], material: &str) -> Option<Option<String>> {
     let text = String::from_utf8_lossy(bytes);
     let mut is_wanted = false;
     let mut found = None;
     for statement in statements(&text) {
         match statement.keyword() {
-            "newmtl" => is_wanted = statement.rest() == Some(material),
-            "map_Kd" if is_wanted => found = statement.rest().map(str::to_owned),
+            "newmtl" => {
+                is_wanted = statement.rest() == Some(material);
+                if is_wanted {
+                    found.get_or_insert(None);
+                }
+            }
+            "map_Kd" if is_wanted => found = Some(statement.rest().map(str::to_owned)),
             _ => {}
         }
     }

@@ -2,10 +2,7 @@
 
 use std::{iter::Peekable, str::Chars};
 
-use crate::{
-    figure::Moment,
-    lesson::{nearest::suggestion, prelude::*},
-};
+use crate::{figure::Moment, lesson::prelude::*};
 
 use super::{Expression, Form, Operator, Part, Reference, Root, expression::Function};
 

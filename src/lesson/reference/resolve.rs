@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use crate::{
     figure::{Moment, Run},
     labs::Scene,
-    lesson::{LessonStep, SceneFormats, nearest::suggestion, prelude::*, step::never_comes},
+    lesson::{LessonStep, SceneFormats, prelude::*, step::never_comes},
     text::{Catalog, Formula, Token, Value},
 };
 

@@ -6,6 +6,7 @@ use crate::{
     lesson::{
         LessonStep,
         markdown::{Block, StepText},
+        mentions,
         prelude::*,
     },
     text::{Catalog, Lang, Notation, Value},
@@ -91,11 +92,8 @@ impl WrittenStep {
         }
     }
 
-    /// As a reader sees it.
+    /// As a reader sees it: with the numbers of its runs, and terms marked.
     pub fn filled(&self, step: &LessonStep, scenes: &Scenes, lang: Lang) -> &StepText {
-        if self.references.is_empty() {
-            return &self.text;
-        }
         self.filled.get_or_init(|| {
             let runs = Runs::new(scenes);
             let values = self.references.iter();
@@ -103,10 +101,10 @@ impl WrittenStep {
             let mut filler = Filler {
                 values: values.collect::<Vec<_>>().into_iter(),
             };
-            StepText {
-                title: filler.fill(&self.text.title),
-                body: filler.blocks(&self.text.body),
-            }
+            let title = filler.fill(&self.text.title);
+            let mut body = filler.blocks(&self.text.body);
+            mentions::mark(&mut body, lang);
+            StepText { title, body }
         })
     }
 

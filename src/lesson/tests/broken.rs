@@ -162,7 +162,10 @@ fn odd_files_are_named() {
     assert_eq!(Course::check(&files).course.lessons.len(), 1);
     let files = lesson(&[("\"lines\"", &"[".repeat(100_000))]);
     let found_first = &found(&files)[0];
-    assert_eq!(found_first, "lesson.toml:1:87 toml", "nesting has a bound");
+    assert_eq!(
+        found_first, "lesson.toml:1:87 toml-deep",
+        "nesting has a bound"
+    );
     let files = lesson(&[("[0, 0, 1, 1]]", &(r#"["x"],"#.repeat(1_000) + "]"))]);
     let problems = Course::check(&files).problems;
     let n = problems.len();

@@ -38,6 +38,22 @@ impl Span {
     }
 }
 
+impl Span {
+    /// How many characters are set of it.
+    pub fn n_chars(&self) -> usize {
+        fn count(pieces: &[Piece]) -> usize {
+            let of_piece = |piece: &Piece| match piece {
+                Piece::Text(text) | Piece::Sub(text) => text.chars().filter(|c| *c != '\n').count(),
+                Piece::Over { num, den } => count(num) + count(den),
+                Piece::Kept(inner) => count(inner),
+                Piece::Unset(_) => 0,
+            };
+            pieces.iter().map(of_piece).sum()
+        }
+        count(&self.pieces)
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Char {
     pub c: char,

@@ -5,9 +5,9 @@ use std::{fmt::Write as _, sync::Arc};
 use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
-    geom::{Mesh, MeshError, Solid, SpaceError},
+    geom::{Mesh, MeshError, Solid, SpaceError, Texture},
     labs::space::{Model, NamedMesh, Object, Picture},
-    lesson::{picture_of, prelude::*, read_obj, read_picture, scene_file::prelude::*},
+    lesson::{FileError, picture_of, prelude::*, read_obj, read_picture, scene_file::prelude::*},
 };
 
 use super::spot;
@@ -50,9 +50,9 @@ fn model(fields: &TomlFields<'_>) -> Option<Model> {
         (None, Some(node)) => {
             let mesh = match node.as_str() {
                 Some(name) => mesh_beside(node, name),
-                None => mesh(node),
+                None => mesh(node).map(Arc::new),
             };
-            Some(Model::Mesh(Arc::new(mesh?)))
+            Some(Model::Mesh(mesh?))
         }
         _ => {
             let mut known: Vec<&str> = Solid::ALL.map(Solid::id).to_vec();
@@ -67,8 +67,22 @@ fn model(fields: &TomlFields<'_>) -> Option<Model> {
     }
 }
 
-/// The mesh of an OBJ file in the lesson's folder, around the origin and between −1 and 1.
-fn mesh_beside(node: Node<'_>, name: &str) -> Option<NamedMesh> {
+/// The pictures of a file's meshes may have so many texels together: as many as the largest one.
+const MAX_TEXELS: usize = Texture::MAX_SIDE * Texture::MAX_SIDE;
+
+/// The mesh of an OBJ file in the lesson's folder, which is read once.
+fn mesh_beside(node: Node<'_>, name: &str) -> Option<Arc<NamedMesh>> {
+    let known = &node.sink.source.beside.meshes;
+    if let Some(known) = known.borrow().get(name) {
+        return known.clone();
+    }
+    let read = read_beside(node, name).map(Arc::new);
+    known.borrow_mut().insert(name.to_owned(), read.clone());
+    read
+}
+
+/// It is put around the origin and between −1 and 1.
+fn read_beside(node: Node<'_>, name: &str) -> Option<NamedMesh> {
     let source = node.sink.source;
     let stem = name.strip_suffix(".obj");
     let stem = stem.filter(|_| !name.contains(['/', '\\']));
@@ -83,15 +97,41 @@ fn mesh_beside(node: Node<'_>, name: &str) -> Option<NamedMesh> {
     let read = read_obj(&path, &bytes).map_err(|problems| node.sink.report(problems));
     let read = read.ok()?;
     node.sink.report(read.warnings);
-    let picture = read.material.as_ref().and_then(|material| {
-        let bytes = |name: &str| source.beside(name)?.1.ok();
-        picture_of(material, &bytes)
-    });
+    let picture = read.material.as_ref().map(|it| picture_beside(node, it));
     Some(NamedMesh {
         name: stem.to_owned(),
         mesh: read.mesh.fitted(),
-        picture,
+        picture: picture.flatten(),
     })
+}
+
+/// The picture of a mesh's material. Without it the mesh is drawn all the same, and that is said.
+fn picture_beside(node: Node<'_>, material: &[String; 2]) -> Option<Picture> {
+    let source = node.sink.source;
+    let read = |name: &str| {
+        let found = source.beside(name);
+        found.map_or(Err(FileError::NOT_FOUND), |(_, bytes)| bytes)
+    };
+    let known = |name: &str| source.beside.pictures.borrow().get(name).cloned();
+    let (name, picture) = match picture_of(material, &read, &known) {
+        Ok(found) => found?,
+        Err(fault) => {
+            let plain = Diagnostic::new(Message::new("problem-mesh-plain"));
+            let fault = Diagnostic::from(fault).message;
+            node.sink.warning(node.span(), plain.noting(fault));
+            return None;
+        }
+    };
+    let mut pictures = source.beside.pictures.borrow_mut();
+    pictures.insert(name, picture.clone());
+    drop(pictures);
+    let n_texels = source.beside.n_texels();
+    if n_texels > MAX_TEXELS {
+        let message = Message::new("problem-too-many-texels").with("count", n_texels);
+        node.error(message.with("limit", MAX_TEXELS), []);
+        return None;
+    }
+    Some(picture)
 }
 
 fn mesh(node: Node<'_>) -> Option<NamedMesh> {

@@ -1,9 +1,9 @@
 //! "Did you mean …?": the known name that a misspelt one is nearest to, and how names are quoted.
 
-use crate::text::Message;
+use super::message::Message;
 
 /// The known name within a third of the given one's length, at least one edit, at most three.
-pub(super) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+pub(crate) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let given: Vec<char> = name.to_lowercase().chars().collect();
     // Longer than any name there is: not a slip of the finger.
     if given.len() > 64 {
@@ -42,7 +42,7 @@ fn distance(a: &[char], b: &[char]) -> usize {
 const MAX_NAMES: usize = 60;
 
 /// What may have been meant, then all that is known.
-pub(super) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
+pub(crate) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
     let meant = meant.map(|name| Message::new("expect-did-you-mean").with("name", clipped(name)));
     let mut names: Vec<String> = known.iter().take(MAX_NAMES).copied().map(clipped).collect();
     if known.len() > MAX_NAMES {
@@ -53,8 +53,13 @@ pub(super) fn suggestion(meant: Option<&str>, known: &[&str]) -> Vec<Message> {
     meant.into_iter().chain(known).collect()
 }
 
+/// A text without what could be an escape sequence: those of a file or an argument must not reach a terminal.
+pub(crate) fn printable(text: &str) -> String {
+    text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
+}
+
 /// A name from a file as a message quotes it: not longer than a line.
-pub(super) fn clipped(name: &str) -> String {
+pub(crate) fn clipped(name: &str) -> String {
     const MAX_CHARS: usize = 60;
     match name.char_indices().nth(MAX_CHARS) {
         Some((end, _)) => format!("{}…", &name[..end]),

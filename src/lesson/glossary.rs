@@ -1,0 +1,32 @@
+//! The words of the field: each with its spellings in four languages and a sentence of what it is.
+
+use std::{collections::BTreeMap, sync::LazyLock};
+
+use serde::Deserialize;
+
+use crate::text::Lang;
+
+/// A term in one language.
+#[derive(PartialEq, Eq, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Word {
+    /// As it stands in a sentence: singular, plural, and so on.
+    pub forms: Vec<String>,
+    /// What it is, in a sentence.
+    pub says: String,
+}
+
+/// The terms by their ids, each in every language.
+pub type Glossary = BTreeMap<String, BTreeMap<Lang, Word>>;
+
+/// What is compiled in. A test keeps it complete.
+///
+/// # Panics
+/// Where the file is no glossary.
+pub fn glossary() -> &'static Glossary {
+    static GLOSSARY: LazyLock<Glossary> = LazyLock::new(|| {
+        let source = include_str!("../../assets/glossary.toml");
+        toml::from_str(source).expect("assets/glossary.toml is a glossary")
+    });
+    &GLOSSARY
+}
