@@ -248,7 +248,7 @@ fn works([before, now, there]: [&[StoredWork]; 3]) -> Vec<StoredWork> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Lang;
+    use crate::{lesson::Course, text::Lang};
 
     fn work(page: &str, scene: &str) -> StoredWork {
         StoredWork {
@@ -338,5 +338,37 @@ mod tests {
             "{window:?}"
         );
         assert_eq!(settings.figures, None, "no size that the dialog offers");
+    }
+
+    proptest::proptest! {
+        /// Whatever a crash, a full disk or a hand has left: a window opens on it, or on what it always opens on.
+        #[test]
+        fn whatever_is_there_a_window_opens(
+            at in 0_usize..400,
+            byte in proptest::num::u8::ANY,
+            n in 0_usize..400,
+            number in proptest::num::f32::ANY,
+        ) {
+            let settings = Settings {
+                speed: number,
+                zoom: number,
+                window: Some([number, 700.0]),
+                page: Some(Page::Step("03-outcodes".to_owned(), "accepted".to_owned())),
+                works: vec![work("lines", "method = 7")],
+                ..Settings::default()
+            };
+            let mut bytes = serde_json::to_vec(&settings).unwrap();
+            let at = at % bytes.len();
+            bytes[at] = byte;
+            bytes.truncate(n.max(1));
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("settings.json");
+            fs::write(&path, bytes).unwrap();
+            let (read, memory, said) = Memory::open(Some(path));
+            proptest::prop_assert!(memory.path.is_some());
+            proptest::prop_assert_eq!(read.is_none(), said.is_some());
+            let app = App::new(Course::embedded(), read.unwrap_or_default());
+            proptest::prop_assert!((0.25..=4.0).contains(&app.settings().speed));
+        }
     }
 }
