@@ -3,12 +3,14 @@
 //! - `cases`: named outlines, with the triangles that they give.
 //! - `properties`: random simple outlines, most of them on small grids, where degenerate ones are common.
 //! - `pieces`: triangulated, then clipped.
+//! - `rivals`: who blocks a candidate.
 //! - `outlines`: where the random ones come from.
 
 mod cases;
 mod outlines;
 mod pieces;
 mod properties;
+mod rivals;
 
 use std::collections::HashSet;
 
