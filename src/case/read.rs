@@ -1,8 +1,10 @@
 //! From a line to a problem, and to its answer as a line of JSON.
 
+use std::io::{self, Write};
+
 use serde::Serialize;
 
-use crate::text::nearest;
+use crate::{labs::telling::Each, text::nearest};
 
 use super::{
     CaseLine, Fields, Id, MAX_LINE_BYTES, Solvable, Solver, Solvers,
@@ -127,16 +129,6 @@ fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver
 }
 
 #[derive(Serialize)]
-struct Answer<'a> {
-    id: &'a Id,
-    algorithm: &'static str,
-    output: Json,
-    counts: Counts,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    events: Option<Vec<Json>>,
-}
-
-#[derive(Serialize)]
 struct RefusedAnswer<'a> {
     id: &'a Id,
     /// Of the input, counted from 1.
@@ -145,32 +137,26 @@ struct RefusedAnswer<'a> {
 }
 
 impl Case {
-    /// Its answer, without a line break.
-    pub(super) fn write_json(&self, detail: Detail, out: &mut Vec<u8>) -> serde_json::Result<()> {
-        let (output, counts, events) = if detail == Detail::Steps {
+    /// Its answer, without a line break. A raster is written as it is read off, and so are steps: neither is held as text.
+    pub(super) fn write_json(&self, detail: Detail, out: &mut impl Write) -> io::Result<()> {
+        let (id, algorithm) = (self.id.json(), self.solver.card.id);
+        write!(out, r#"{{"id":{id},"algorithm":"{algorithm}","output":"#)?;
+        self.problem.write_output(out)?;
+        out.write_all(br#","counts":"#)?;
+        serde_json::to_writer(&mut *out, &self.problem.counts())?;
+        if detail == Detail::Steps {
             let run = self.problem.run();
-            let n_steps = run.n_steps();
-            let events = (1..=n_steps).map(|step| run.event_json(step)).collect();
-            let output = self.problem.output_of(&*run);
-            (output, run.counts_at(n_steps), Some(events))
-        } else {
-            let (output, counts) = self.problem.cost();
-            (output, counts, None)
-        };
-        let answer = Answer {
-            id: &self.id,
-            algorithm: self.solver.card.id,
-            output,
-            counts,
-            events,
-        };
-        serde_json::to_writer(out, &answer)
+            let events = Each(|| (1..=run.n_steps()).map(|step| run.event_json(step)));
+            out.write_all(br#","events":"#)?;
+            serde_json::to_writer(&mut *out, &events)?;
+        }
+        out.write_all(b"}")
     }
 }
 
 impl Refused {
     /// Its answer, without a line break.
-    pub(super) fn write_json(&self, line: usize, out: &mut Vec<u8>) -> serde_json::Result<()> {
+    pub(super) fn write_json(&self, line: usize, out: impl Write) -> serde_json::Result<()> {
         let Refusal { code, field, .. } = &self.refusal;
         let error = json!({ "code": code.id(), "field": field, "message": self.refusal.message() });
         let id = &self.id;

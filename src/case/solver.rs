@@ -1,6 +1,8 @@
 //! How an algorithm joins, and what it makes of a case.
 
-use std::convert::Infallible;
+use std::{convert::Infallible, io};
+
+use serde::Serialize;
 
 use crate::{
     figure::Run,
@@ -30,9 +32,8 @@ pub trait Solve: Telling {
     const VERDICT: Verdict<Self>;
 
     /// The answer's `output`, from that of its run.
-    #[must_use]
-    fn told_output(_input: &Self::Input, of_run: Json) -> Json {
-        of_run
+    fn told(_input: &Self::Input, output: &Self::Output) -> impl Serialize {
+        output.told()
     }
 }
 
@@ -85,16 +86,19 @@ impl Solvers {
     }
 }
 
-/// A case that can be solved.
+/// A case that has been solved.
 pub trait Solvable {
-    /// The answer as a program would ask for it: nothing counted, nothing recorded.
+    /// The answer's `output` as a program would ask for it: nothing counted, nothing recorded.
     fn output(&self) -> Json;
-    /// The answer and its cost, without recording the steps.
-    fn cost(&self) -> (Json, Counts);
+    /// Writes the answer's `output`, number by number.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    fn write_output(&self, out: &mut dyn io::Write) -> serde_json::Result<()>;
+    /// The answer's cost.
+    fn counts(&self) -> Counts;
     /// Every step.
     fn run(&self) -> Box<dyn Run>;
-    /// The answer of such a run.
-    fn output_of(&self, run: &dyn Run) -> Json;
     /// The answer in one sentence.
     fn verdict(&self) -> Message;
 }
@@ -104,7 +108,13 @@ pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solv
     if let Some(field) = A::LONG_BY {
         check_steps::<A>(&input, field, fields.detail())?;
     }
-    Ok(Box::new(Problem::<A>(input)))
+    let (held, counts) = Counts::of(|| held_after::<A, Counted>(&input));
+    let output = A::output(held);
+    Ok(Box::new(Solved::<A> {
+        input,
+        output,
+        counts,
+    }))
 }
 
 /// Refuses a report of too many steps.
@@ -133,27 +143,30 @@ fn check_steps<A: Solve>(
     Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem))
 }
 
-struct Problem<A: Solve>(A::Input);
+struct Solved<A: Solve> {
+    input: A::Input,
+    output: A::Output,
+    counts: Counts,
+}
 
-impl<A: Solve> Solvable for Problem<A> {
+impl<A: Solve> Solvable for Solved<A> {
     fn output(&self) -> Json {
-        A::told_output(&self.0, silent::<A>(&self.0).json())
+        json!(A::told(&self.input, &silent::<A>(&self.input)))
     }
 
-    fn cost(&self) -> (Json, Counts) {
-        let (held, counts) = Counts::of(|| held_after::<A, Counted>(&self.0));
-        (A::told_output(&self.0, A::output(held).json()), counts)
+    fn write_output(&self, out: &mut dyn io::Write) -> serde_json::Result<()> {
+        serde_json::to_writer(out, &A::told(&self.input, &self.output))
+    }
+
+    fn counts(&self) -> Counts {
+        self.counts
     }
 
     fn run(&self) -> Box<dyn Run> {
-        Box::new(Recorded::<A>::new(self.0.clone(), None))
-    }
-
-    fn output_of(&self, run: &dyn Run) -> Json {
-        A::told_output(&self.0, run.output_json())
+        Box::new(Recorded::<A>::new(self.input.clone(), None))
     }
 
     fn verdict(&self) -> Message {
-        A::VERDICT(&silent::<A>(&self.0))
+        A::VERDICT(&self.output)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{
     fmt,
-    io::{self, Read, Write},
+    io::{self, BufWriter, Read, Write},
 };
 
 use crate::{input::Given, text::Catalog};
@@ -55,24 +55,19 @@ impl std::error::Error for TraceError {}
 pub fn trace(
     solvers: Solvers,
     cases: impl Read,
-    mut answers: impl Write,
+    answers: impl Write,
     style: Style,
     mut on_refusal: impl FnMut(Refusing<'_>),
 ) -> Result<Tally, TraceError> {
     let mut lines = CaseLines::new(cases);
     let mut tally = Tally::default();
-    let mut out = Vec::with_capacity(2 * CHUNK_BYTES);
-    let mut hand_over = |out: &mut Vec<u8>| {
-        let written = answers.write_all(out).and_then(|()| answers.flush());
-        out.clear();
-        written.map_err(TraceError::Write)
-    };
+    let mut out = BufWriter::with_capacity(CHUNK_BYTES, answers);
     loop {
-        if out.len() >= CHUNK_BYTES || !(out.is_empty() || lines.is_ready()) {
-            hand_over(&mut out)?;
+        if !lines.is_ready() {
+            out.flush().map_err(TraceError::Write)?;
         }
         let Some((line, text)) = lines.next_line().map_err(TraceError::Read)? else {
-            return hand_over(&mut out).map(|()| tally);
+            return out.flush().map(|()| tally).map_err(TraceError::Write);
         };
         let case = read(solvers, text, style.detail);
         let number = tally.answered + tally.refused + 1;
@@ -98,17 +93,14 @@ fn write_answer(
     case: &Result<Case, Refused>,
     told: impl Fn() -> Vec<Given>,
     style: Style,
-    out: &mut Vec<u8>,
+    out: &mut impl Write,
 ) -> io::Result<()> {
     let report = || Report::new(number, case, &told(), style.detail, Catalog::of(style.lang));
     match (style.format, case) {
         (Format::Json, Ok(case)) => case.write_json(style.detail, out)?,
-        (Format::Json, Err(refused)) => refused.write_json(line, out)?,
-        (Format::Text, _) => out.extend_from_slice(report().text().as_bytes()),
-        (Format::Markdown, _) => out.extend_from_slice(report().markdown().as_bytes()),
+        (Format::Json, Err(refused)) => refused.write_json(line, &mut *out)?,
+        (Format::Text, _) => return report().write_text(out),
+        (Format::Markdown, _) => return report().write_markdown(out),
     }
-    if style.format == Format::Json {
-        out.push(b'\n');
-    }
-    Ok(())
+    out.write_all(b"\n")
 }

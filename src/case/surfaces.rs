@@ -1,5 +1,7 @@
 //! The surfaces lab's cases: triangles in view space on a raster.
 
+use serde::Serialize;
+
 use crate::{
     algo::surface::{
         Bsp, BspChoice, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Occlusion,
@@ -8,7 +10,7 @@ use crate::{
     },
     geom::ViewVolume,
     input::{CULL, FRUSTUM, SIZE},
-    labs::surfaces::with_occluders,
+    labs::{surfaces::with_occluders, telling::Each},
 };
 
 use super::{
@@ -183,18 +185,28 @@ impl Solve for Occlusion {
     };
 
     /// The objects seen instead of their triangles, and those that were skipped.
-    fn told_output(input: &Self::Input, of_run: Json) -> Json {
-        let OcclusionInput { objects, .. } = input;
-        let object_of = |id: &Json| {
-            let id = id.as_u64()?;
-            let is_after = |first: u32| u64::from(first) > id;
-            Some(objects.partition_point(|object| !is_after(object.first)) - 1)
+    fn told(input: &Self::Input, output: &Self::Output) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Told<'a, I> {
+            ids: I,
+            skipped: &'a [usize],
+        }
+        let object_of = |id: &i32| {
+            let id = u32::try_from(*id).ok()?;
+            let n_begun = input.objects.partition_point(|object| object.first <= id);
+            Some(n_begun as i64 - 1)
         };
-        let ids = of_run["ids"].as_array().into_iter().flatten();
-        let ids: Vec<i64> = ids
-            .map(|id| object_of(id).map_or(-1, |i| i as i64))
-            .collect();
-        json!({ "ids": ids, "skipped": of_run["skipped"] })
+        let ids = move || {
+            output
+                .picture
+                .ids()
+                .iter()
+                .map(move |id| object_of(id).unwrap_or(-1))
+        };
+        Told {
+            ids: Each(ids),
+            skipped: &output.skipped,
+        }
     }
 }
 

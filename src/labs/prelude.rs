@@ -15,7 +15,7 @@ pub use super::{
     Answer, CodeLine, Verdict,
     card::{MethodCard, code_line},
     recorded::Recorded,
-    telling::{AnswerAsItIs, At, Named, Row, Telling, Watched, table},
+    telling::{AnswerAsItIs, At, Each, Named, Row, Telling, Watched, table},
     words::{
         end_link, end_name, end_name_now, equal_to, name, numbered, subscript, sum_of, sym, times,
     },

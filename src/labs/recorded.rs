@@ -2,7 +2,7 @@
 
 use std::{ops::ControlFlow, sync::Arc};
 
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 
 use crate::{
     figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
@@ -144,7 +144,7 @@ impl<M: Telling> Run for Recorded<M> {
     }
 
     fn output_json(&self) -> Json {
-        self.recording.output().json()
+        json!(self.recording.output().told())
     }
 
     fn differs_at(&self) -> Option<usize> {

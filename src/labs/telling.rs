@@ -6,8 +6,7 @@
 mod row;
 mod template;
 
-use serde::Serialize;
-use serde_json::{Value as Json, json};
+use serde::{Serialize, Serializer};
 
 use crate::{
     figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
@@ -21,15 +20,25 @@ pub use row::{Options, Question, Row, table};
 
 /// An answer that can be written down: the fields of `output`.
 pub trait Answer {
-    fn json(&self) -> Json;
+    /// Written as it is serialised, number by number: of a large answer nothing else is made.
+    fn told(&self) -> impl Serialize;
 }
 
 /// One that is written down as it serialises.
 pub trait AnswerAsItIs: Serialize {}
 
 impl<A: AnswerAsItIs> Answer for A {
-    fn json(&self) -> Json {
-        json!(self)
+    fn told(&self) -> impl Serialize {
+        self
+    }
+}
+
+/// A list whose entries are made while it is written.
+pub struct Each<F>(pub F);
+
+impl<F: Fn() -> I, I: Iterator<Item: Serialize>> Serialize for Each<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq((self.0)())
     }
 }
 

@@ -13,40 +13,45 @@ pub(super) enum Align {
     Right,
 }
 
-/// Sets rows in columns, at most `width` wide where words allow it.
+/// Sets rows in columns, at most `width` wide where words allow it: line by line, each row given up when it is set.
 pub(super) fn set<const N: usize>(
-    rows: &[[Cell; N]],
+    rows: Vec<[Cell; N]>,
     align: [Align; N],
     width: usize,
-) -> Vec<String> {
+) -> impl Iterator<Item = String> {
     let natural: [usize; N] = std::array::from_fn(|i| {
         let paragraphs = rows.iter().flat_map(|row| &row[i]);
         paragraphs.map(|p| p.width()).max().unwrap_or(0)
     });
     let widths = fit(natural, width.saturating_sub(GAP * N.saturating_sub(1)));
-    let mut lines = Vec::new();
-    for row in rows {
+    rows.into_iter().flat_map(move |row| {
         let cells: [Vec<String>; N] = std::array::from_fn(|i| {
             let wrapped = row[i].iter().flat_map(|p| wrap(p, widths[i]));
             wrapped.collect()
         });
         let height = cells.iter().map(Vec::len).max().unwrap_or(0);
-        for y in 0..height {
-            let mut line = String::new();
-            for i in 0..N {
-                let text = cells[i].get(y).map_or("", String::as_str);
-                let pad = " ".repeat(widths[i].saturating_sub(text.width()));
-                let gap = " ".repeat(if i > 0 { GAP } else { 0 });
-                let parts = match align[i] {
-                    Align::Left => [&gap, text, &pad],
-                    Align::Right => [&gap, &pad, text],
-                };
-                line.extend(parts);
-            }
-            lines.push(line.trim_end().to_owned());
-        }
+        (0..height).map(move |y| {
+            let texts = cells
+                .each_ref()
+                .map(|lines| lines.get(y).map_or("", String::as_str));
+            line(texts, align, widths)
+        })
+    })
+}
+
+fn line<const N: usize>(texts: [&str; N], align: [Align; N], widths: [usize; N]) -> String {
+    let mut line = String::new();
+    for i in 0..N {
+        let pad = " ".repeat(widths[i].saturating_sub(texts[i].width()));
+        let gap = " ".repeat(if i > 0 { GAP } else { 0 });
+        let parts = match align[i] {
+            Align::Left => [&gap, texts[i], &pad],
+            Align::Right => [&gap, &pad, texts[i]],
+        };
+        line.extend(parts);
     }
-    lines
+    line.truncate(line.trim_end().len());
+    line
 }
 
 /// Narrows the widest columns, and no others, until all fit.

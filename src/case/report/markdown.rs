@@ -1,52 +1,45 @@
 //! A case as a page of an answer key.
 
-use std::fmt::Write;
+use std::io::{self, Write};
 
 use super::{Report, STEP_HEAD, Solved, columns::Cell};
 
 impl Report<'_> {
     /// Before the first one stands the title of the whole.
-    pub fn markdown(&self) -> String {
-        let mut page = String::new();
+    pub fn write_markdown(&self, out: &mut impl Write) -> io::Result<()> {
         if self.number == 1 {
-            let title = self.catalog.term("report-title");
-            paragraph(&mut page, &format!("# {title}"));
+            write!(out, "# {}\n\n", self.catalog.term("report-title"))?;
         }
         let name = escaped(&self.name);
         match &self.solved {
             Ok(solved) => {
-                paragraph(&mut page, &format!("## {name} · {}", solved.algorithm));
-                self.solved_markdown(solved, &mut page);
+                write!(out, "## {name} · {}\n\n", solved.algorithm)?;
+                self.write_solved(solved, out)
             }
             Err(said) => {
-                paragraph(&mut page, &format!("## {name}"));
                 let label = self.catalog.term("report-refused");
-                paragraph(&mut page, &format!("> **{label}** {}", escaped(said)));
+                write!(out, "## {name}\n\n> **{label}** {}\n\n", escaped(said))
             }
         }
-        page
     }
 
-    fn solved_markdown(&self, solved: &Solved, page: &mut String) {
+    fn write_solved(&self, solved: &Solved, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);
         let source = [term("report-source"), solved.source.to_owned()];
-        let list: Vec<String> = solved
-            .given
-            .iter()
-            .chain([&source])
-            .map(|[name, values]| format!("- **{}** · {}", capitalised(name), escaped(values)))
-            .collect();
-        paragraph(page, &list.join("\n"));
+        for [name, values] in solved.given.iter().chain([&source]) {
+            writeln!(out, "- **{}** · {}", capitalised(name), escaped(values))?;
+        }
+        writeln!(out)?;
         if let Some(steps) = &solved.steps {
             let head = STEP_HEAD.map(|key| capitalised(&term(key)));
             let rows = steps.iter().map(|row| row.each_ref().map(lines));
-            table(page, &head, ["---:", "---", "---", "---"], rows);
+            write_table(&head, ["---:", "---", "---", "---"], rows, out)?;
         }
         let verdict = escaped(&solved.verdict);
-        paragraph(page, &format!("**{}** {verdict}", term("report-answer")));
+        write!(out, "**{}** {verdict}\n\n", term("report-answer"))?;
         let head = [capitalised(&term("panel-cost")), String::new()];
         let cost = solved.cost.iter().cloned();
-        table(page, &head, ["---", "---:"], cost);
+        write_table(&head, ["---", "---:"], cost, out)
     }
 }
 
@@ -55,23 +48,17 @@ fn lines(cell: &Cell) -> String {
     lines.join("<br>")
 }
 
-fn table<const N: usize>(
-    page: &mut String,
+fn write_table<const N: usize>(
     head: &[String; N],
     rule: [&str; N],
     rows: impl Iterator<Item = [String; N]>,
-) {
-    let mut lines = vec![
-        format!("| {} |", head.join(" | ")),
-        format!("|{}|", rule.join("|")),
-    ];
-    lines.extend(rows.map(|row| format!("| {} |", row.join(" | "))));
-    paragraph(page, &lines.join("\n"));
-}
-
-fn paragraph(page: &mut String, text: &str) {
-    // Writing to a string does not fail.
-    let _ = write!(page, "{text}\n\n");
+    out: &mut impl Write,
+) -> io::Result<()> {
+    writeln!(out, "| {} |\n|{}|", head.join(" | "), rule.join("|"))?;
+    for row in rows {
+        writeln!(out, "| {} |", row.join(" | "))?;
+    }
+    writeln!(out)
 }
 
 /// Words of a table's head and of labels begin with a capital where the script has them.

@@ -72,7 +72,7 @@ impl<'c> Report<'c> {
 impl Solved {
     fn new(case: &Case, told: &[Given], detail: Detail, catalog: &Catalog) -> Self {
         let has_steps = detail == Detail::Steps;
-        let (_, Counts { add, mul, div, cmp }) = case.problem.cost();
+        let Counts { add, mul, div, cmp } = case.problem.counts();
         let cost = [
             ("cost-additions", add),
             ("cost-multiplications", mul),

@@ -1,5 +1,7 @@
 //! A case for a terminal.
 
+use std::io::{self, Write};
+
 use unicode_width::UnicodeWidthStr;
 
 use super::{
@@ -12,45 +14,65 @@ const WIDTH: usize = 100;
 
 impl Report<'_> {
     /// With an empty line after it.
-    pub fn text(&self) -> String {
-        let lines = match &self.solved {
-            Ok(solved) => self.solved_text(solved),
-            Err(said) => {
-                let row = [&self.name, &self.catalog.term("report-refused"), said];
-                set(&[cells(row)], [Align::Left; 3], WIDTH)
+    pub fn write_text(self, out: &mut impl Write) -> io::Result<()> {
+        let term = |key| self.catalog.term(key);
+        match self.solved {
+            Ok(solved) => {
+                let head = STEP_HEAD.map(|key| vec![term(key)]);
+                let answer = term("report-answer");
+                writeln!(out, "{} · {}", self.name, solved.algorithm)?;
+                write_solved(solved, head, answer, out)?;
             }
-        };
-        lines.join("\n") + "\n\n"
-    }
-
-    fn solved_text(&self, solved: &Solved) -> Vec<String> {
-        let mut lines = vec![format!("{} · {}", self.name, solved.algorithm)];
-        let given = solved.given.iter().map(|row| cells(row.each_ref()));
-        let given: Vec<_> = given.collect();
-        lines.extend(set(&given, [Align::Left; 2], WIDTH));
-        lines.push(String::new());
-        if let Some(steps) = &solved.steps {
-            let head = STEP_HEAD.map(|key| vec![self.catalog.term(key)]);
-            lines.extend(ruled(&[&[head], &steps[..]].concat()));
-            lines.push(String::new());
+            Err(said) => {
+                let row = [self.name, term("report-refused"), said];
+                put(set(vec![cells(row)], [Align::Left; 3], WIDTH), out)?;
+            }
         }
-        let answer = [&self.catalog.term("report-answer"), &solved.verdict];
-        lines.extend(set(&[cells(answer)], [Align::Left; 2], WIDTH));
-        let cost = solved.cost.each_ref().map(|row| cells(row.each_ref()));
-        lines.extend(set(&cost, [Align::Left, Align::Right], WIDTH));
-        lines
+        writeln!(out)
     }
 }
 
-fn cells<const N: usize>(texts: [&String; N]) -> [Cell; N] {
-    texts.map(|text| vec![text.clone()])
+fn write_solved(
+    solved: Solved,
+    head: [Cell; 4],
+    answer: String,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let given = solved.given.into_iter().map(cells).collect();
+    put(set(given, [Align::Left; 2], WIDTH), out)?;
+    writeln!(out)?;
+    if let Some(mut steps) = solved.steps {
+        steps.insert(0, head);
+        put_ruled(steps, out)?;
+        writeln!(out)?;
+    }
+    let answer = [answer, solved.verdict];
+    put(set(vec![cells(answer)], [Align::Left; 2], WIDTH), out)?;
+    let cost = solved.cost.map(cells).to_vec();
+    put(set(cost, [Align::Left, Align::Right], WIDTH), out)
 }
 
-/// The table of steps, a rule under its head.
-fn ruled(rows: &[[Cell; 4]]) -> Vec<String> {
+fn cells<const N: usize>(texts: [String; N]) -> [Cell; N] {
+    texts.map(|text| vec![text])
+}
+
+fn put(lines: impl Iterator<Item = String>, out: &mut impl Write) -> io::Result<()> {
+    for line in lines {
+        writeln!(out, "{line}")?;
+    }
+    Ok(())
+}
+
+/// The table of steps, a rule under its head, as wide as what follows.
+fn put_ruled(rows: Vec<[Cell; 4]>, out: &mut impl Write) -> io::Result<()> {
     let align = [Align::Right, Align::Left, Align::Left, Align::Left];
     let mut lines = set(rows, align, WIDTH);
-    let width = lines.iter().map(|line| line.width()).max().unwrap_or(0);
-    lines.insert(1, "─".repeat(width));
-    lines
+    let head = lines.next().unwrap_or_default();
+    let (mut width, mut rest) = (head.width(), String::new());
+    for line in lines {
+        width = width.max(line.width());
+        rest += &line;
+        rest.push('\n');
+    }
+    write!(out, "{head}\n{}\n{rest}", "─".repeat(width))
 }

@@ -24,4 +24,5 @@ pub(super) use crate::{
     },
 };
 pub(super) use glam::DVec3;
-pub(super) use serde_json::{Value as Json, json};
+pub(super) use serde::Serialize;
+pub(super) use serde_json::json;

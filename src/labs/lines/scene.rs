@@ -1,6 +1,7 @@
 //! The lines lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
-use serde_json::{Value as Json, json};
+use serde::Serialize;
+use serde_json::json;
 
 use crate::{
     algo::line::{BitOrder, Visible, WindowInput},
@@ -193,7 +194,7 @@ pub trait LineTelling: Telling<Scenery = ()> + trace::Method<Output = Visible> {
 }
 
 impl Answer for Visible {
-    fn json(&self) -> Json {
+    fn told(&self) -> impl Serialize {
         json!({ "visible": self.is_some(), "segment": self })
     }
 }

@@ -1,7 +1,7 @@
 //! An algorithm as small as can be: which corners of a box lie on the inner side of a plane.
 
 use serde::Serialize;
-use serde_json::{Value as Json, json};
+use serde_json::json;
 
 use crate::{
     figure::{
@@ -38,7 +38,7 @@ pub enum Event {
 pub struct NInside(pub usize);
 
 impl Answer for NInside {
-    fn json(&self) -> Json {
+    fn told(&self) -> impl Serialize {
         json!({ "n_inside": self.0 })
     }
 }

@@ -1,6 +1,6 @@
 //! The words of every method of this lab: those of all methods, those of rings that are clipped, and those of lists beside a drawing.
 
-pub(super) use serde_json::{Value as Json, json};
+pub(super) use serde::Serialize;
 
 pub(super) use crate::{
     algo::{

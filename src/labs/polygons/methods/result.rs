@@ -1,6 +1,6 @@
 //! What the last list of Sutherland–Hodgman amounts to, and the bridges in it.
 
-use crate::algo::polygon::ClippedRing;
+use crate::{algo::polygon::ClippedRing, geom::Polygon};
 
 use super::{
     clip_edge::ClipEdge,
@@ -10,14 +10,25 @@ use super::{
 };
 
 impl<V: LabVertex> Answer for ClippedRing<V> {
-    fn json(&self) -> Json {
-        let polygon = self.polygon();
-        let mut json = json!({ "polygons": Vec::from_iter(&polygon), "outcome": self.outcome });
-        if V::IS_TEXTURED {
-            let uv = || self.vertices.iter().map(LabVertex::uv).collect::<Vec<_>>();
-            json["uv"] = json!(Vec::from_iter(polygon.map(|_| uv())));
+    fn told(&self) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Told<U> {
+            polygons: Vec<Polygon>,
+            outcome: RingOutcome,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            uv: Option<U>,
         }
-        json
+        let polygons = Vec::from_iter(self.polygon());
+        let n_rings = polygons.len();
+        let uv = move || {
+            let ring = || self.vertices.iter().map(LabVertex::uv);
+            (0..n_rings).map(move |_| Each(ring))
+        };
+        Told {
+            polygons,
+            outcome: self.outcome,
+            uv: V::IS_TEXTURED.then_some(Each(uv)),
+        }
     }
 }
 

@@ -109,9 +109,13 @@ impl PolygonTelling for TriangulateAndClip {
 }
 
 impl Answer for Pieces {
-    fn json(&self) -> Json {
-        let rings: Vec<&[Point]> = self.rings().collect();
-        json!({ "polygons": rings })
+    fn told(&self) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Told<P> {
+            polygons: P,
+        }
+        let polygons = Each(|| self.rings());
+        Told { polygons }
     }
 }
 

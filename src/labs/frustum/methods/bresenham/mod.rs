@@ -18,7 +18,7 @@ const ROWS_OF_PIXELS: f64 = 15.0;
 const MOST_COLUMNS: f64 = 40.0;
 
 impl Answer for Vec<[i64; 2]> {
-    fn json(&self) -> Json {
+    fn told(&self) -> impl Serialize {
         json!({ "pixels": self })
     }
 }

@@ -15,15 +15,13 @@ use super::{
 type Shown<L> = HomogeneousTriangle<Uv, L>;
 
 impl Answer for ClipPolygon<Uv> {
-    fn json(&self) -> Json {
-        let triangles: Vec<[Vertex; 3]> = self.triangles().collect();
-        let places = triangles.iter().map(|piece| piece.map(|v| v.at));
-        let mut json = json!({ "triangles": places.collect::<Vec<_>>() });
-        if self.first_given().attributes.is_some() {
-            let uv = triangles.iter().map(|piece| piece.map(|v| v.attributes));
-            json["uv"] = json!(uv.collect::<Vec<_>>());
+    fn told(&self) -> impl Serialize {
+        let uv = || self.triangles().map(|piece| piece.map(|v| v.attributes));
+        let has_uv = self.first_given().attributes.is_some();
+        ToldTriangles {
+            triangles: Each(|| self.triangles().map(|piece| piece.map(|v| v.at))),
+            uv: has_uv.then_some(Each(uv)),
         }
-        json
     }
 }
 

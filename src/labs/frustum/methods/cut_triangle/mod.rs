@@ -15,7 +15,17 @@ mod prelude;
 mod stages;
 mod variant;
 
+use serde::Serialize;
+
 pub use variant::{EvenOnScreen, WithTexture};
 
 const LISTS_VIEW: &str = "lists";
 const PLANES_VIEW: &str = "planes";
+
+/// What `output` holds of triangles, and of what goes with their corners where that is given.
+#[derive(Serialize)]
+struct ToldTriangles<T, U> {
+    triangles: T,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uv: Option<U>,
+}

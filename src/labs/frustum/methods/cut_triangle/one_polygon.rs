@@ -18,14 +18,12 @@ use super::{
 type Shown<L> = IntersectionPolygon<L>;
 
 impl Answer for CutTriangles {
-    fn json(&self) -> Json {
-        let places = self.triangles.iter().map(|piece| piece.map(|v| v.at));
-        let mut json = json!({ "triangles": places.collect::<Vec<_>>() });
-        if self.has_uv {
-            let uv = self.triangles.iter().map(|piece| piece.map(|v| v.uv));
-            json["uv"] = json!(uv.collect::<Vec<_>>());
+    fn told(&self) -> impl Serialize {
+        let uv = || self.triangles.iter().map(|piece| piece.map(|v| v.uv));
+        ToldTriangles {
+            triangles: Each(|| self.triangles.iter().map(|piece| piece.map(|v| v.at))),
+            uv: self.has_uv.then_some(Each(uv)),
         }
-        json
     }
 }
 

@@ -16,7 +16,7 @@ use super::super::part::segment_verdict;
 pub use bounds::SpaceLine;
 
 impl<const N: usize> Answer for VisibleLine<N> {
-    fn json(&self) -> Json {
+    fn told(&self) -> impl Serialize {
         let segment = self.as_ref().map(|ends| ends.as_flattened());
         json!({ "visible": self.is_some(), "segment": segment })
     }

@@ -56,10 +56,18 @@ impl PolygonTelling for EarClipping {
 }
 
 impl Answer for Triangulation {
-    fn json(&self) -> Json {
-        let triangles = self.triangles();
-        let corners: Vec<[Point; 3]> = triangles.iter().map(|&t| self.corners(t)).collect();
-        json!({ "triangles": corners, "vertices": triangles })
+    fn told(&self) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Told<'a, T> {
+            triangles: T,
+            vertices: &'a [Triangle],
+        }
+        let vertices = self.triangles();
+        let triangles = Each(move || vertices.iter().map(|&triangle| self.corners(triangle)));
+        Told {
+            triangles,
+            vertices,
+        }
     }
 }
 

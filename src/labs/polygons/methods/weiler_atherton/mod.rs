@@ -124,12 +124,20 @@ impl PolygonTelling for WeilerAtherton {
 }
 
 impl Answer for WeilerAthertonOutput {
-    fn json(&self) -> Json {
-        let pieces = self.pieces.iter();
-        let rings: Vec<&Vec<Point>> = pieces
-            .flat_map(|piece| std::iter::once(&piece.outer).chain(&piece.holes))
-            .collect();
-        json!({ "polygons": rings, "relation": self.relation })
+    fn told(&self) -> impl Serialize {
+        #[derive(Serialize)]
+        struct Told<P> {
+            polygons: P,
+            relation: Relation,
+        }
+        let rings = || {
+            let pieces = self.pieces.iter();
+            pieces.flat_map(|piece| std::iter::once(&piece.outer).chain(&piece.holes))
+        };
+        Told {
+            polygons: Each(rings),
+            relation: self.relation,
+        }
     }
 }
 
