@@ -1,6 +1,11 @@
 //! The fields that an algorithm takes, and those that a case gives.
 
-use crate::input::{Presence, Table};
+use std::cell::Cell;
+
+use crate::{
+    geom::exponent,
+    input::{Presence, Table},
+};
 
 use super::{
     prelude::*,
@@ -14,6 +19,8 @@ pub struct Fields<'a> {
     takes: &'static [Field],
     given: Vec<(&'static str, &'a RawValue)>,
     detail: Detail,
+    /// Were all numbers moderate that have been read?
+    is_moderate: Cell<bool>,
 }
 
 impl<'a> Fields<'a> {
@@ -82,6 +89,7 @@ impl<'a> Fields<'a> {
             takes,
             given,
             detail,
+            is_moderate: Cell::new(true),
         })
     }
 
@@ -97,7 +105,14 @@ impl<'a> Fields<'a> {
     /// What is wrong with its value, or with what it means.
     pub fn get<T>(&self, part: &Part<T>) -> Result<Option<T>, Refusal> {
         let node = self.node(part.name());
-        node.map(|node| node.make(part, self.detail)).transpose()
+        node.map(|node| self.make(part, &node)).transpose()
+    }
+
+    fn make<T>(&self, part: &Part<T>, node: &Node<'_>) -> Result<T, Refusal> {
+        let got = node.got(part.optional.shape, self.detail)?;
+        self.is_moderate
+            .set(self.is_moderate.get() && got.is_moderate());
+        (part.make)(&got).map_err(|fault| Refusal::of(&node.path, fault))
     }
 
     /// This part of the case, which must be there.
@@ -122,7 +137,7 @@ impl<'a> Fields<'a> {
             return Ok(None);
         };
         let entries = list.entries("json-list")?;
-        let made = entries.map(|node| node.make(part, self.detail));
+        let made = entries.map(|node| self.make(part, &node));
         made.collect::<Result<_, _>>().map(Some)
     }
 
@@ -130,6 +145,34 @@ impl<'a> Fields<'a> {
     #[must_use]
     pub fn refuse<T>(&self, part: &Part<T>, fault: impl Into<Fault>) -> Refusal {
         Refusal::of(&path(self.within, part.name()), fault.into())
+    }
+
+    /// Were all numbers that have been read such that nothing worked out of them can leave the range of f64?
+    pub(super) const fn is_moderate(&self) -> bool {
+        self.is_moderate.get()
+    }
+
+    /// A number of the answer would be none: the largest of the case is to blame, or where none is large, the smallest.
+    #[must_use]
+    pub fn beyond_range(&self, key: &'static str) -> Refusal {
+        let mut worst = (0, Refusal::whole(Code::NotFinite, Message::new(key)));
+        for field in self.takes {
+            let Some(node) = self.node(field.name) else {
+                continue;
+            };
+            let seen = node.each_number(field.shape, self.detail, &mut |node, x| {
+                let blame = match exponent(&[x]) {
+                    large @ 100.. => large + 2000,
+                    small => small.abs(),
+                };
+                if blame > worst.0 {
+                    let problem = Message::new(key).with("number", short(node.raw.get()));
+                    worst = (blame, Refusal::at(Code::NotFinite, &node.path, problem));
+                }
+            });
+            debug_assert!(seen.is_ok(), "all fields have been read before");
+        }
+        worst.1
     }
 
     pub(super) fn told(&self) -> Vec<Given> {
@@ -183,9 +226,37 @@ fn quoted<'f>(fields: impl Iterator<Item = &'f Field>) -> String {
 }
 
 impl Node<'_> {
-    pub(super) fn make<T>(&self, part: &Part<T>, detail: Detail) -> Result<T, Refusal> {
-        let got = self.got(part.optional.shape, detail)?;
-        (part.make)(&got).map_err(|fault| Refusal::of(&self.path, fault))
+    /// Calls back with every number of a value of this shape, and its place.
+    fn each_number(
+        &self,
+        shape: &Shape,
+        detail: Detail,
+        see: &mut impl FnMut(&Node<'_>, f64),
+    ) -> Result<(), Refusal> {
+        match shape {
+            Shape::Number | Shape::Numbers([]) => see(self, self.number()?),
+            Shape::Numbers([_, inner @ ..]) => {
+                for node in self.entries("json-list")? {
+                    node.each_number(&Shape::Numbers(inner), detail, see)?;
+                }
+            }
+            Shape::List(entry) => {
+                for node in self.entries("json-list")? {
+                    node.each_number(entry, detail, see)?;
+                }
+            }
+            Shape::Table(table) => {
+                let fields = Fields::of(self, table, detail)?;
+                for field in table.fields {
+                    if let Some(node) = fields.node(field.name) {
+                        node.each_number(field.shape, detail, see)?;
+                    }
+                }
+            }
+            Shape::OrNull(shape) => self.each_number(shape, detail, see)?,
+            Shape::Bool | Shape::Whole(..) | Shape::Wholes(..) | Shape::Text | Shape::Word(_) => {}
+        }
+        Ok(())
     }
 
     pub(super) fn got(&self, shape: &Shape, detail: Detail) -> Result<Got, Refusal> {

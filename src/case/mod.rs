@@ -34,6 +34,7 @@
 )]
 
 mod fields;
+mod finite;
 mod frustum;
 mod line;
 mod lines;
@@ -50,6 +51,7 @@ mod style;
 mod surfaces;
 
 pub use fields::Fields;
+pub use finite::Numbers;
 pub use line::{CaseLine, CaseLines, MAX_LINE_BYTES};
 pub use raw::Id;
 pub use read::{Case, Refused, read};

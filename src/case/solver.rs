@@ -10,7 +10,7 @@ use crate::{
     trace::{Counted, Listening, Method, Told, held_after, silent},
 };
 
-use super::{Fields, prelude::*};
+use super::{Fields, finite::Numbers, prelude::*};
 
 /// Makes an algorithm's input of checked fields, or refuses the first whose value means nothing.
 pub type Reading<A> = fn(&Fields<'_>) -> Result<<A as Method>::Input, Refusal>;
@@ -26,6 +26,8 @@ pub trait Solve: Telling {
     /// The field by which a case is refused whose report would have more steps than [`Detail::MOST_STEPS`]; `None` where
     /// the limits on the fields' sizes are enough.
     const LONG_BY: Option<&'static str> = None;
+    /// What the numbers of its answer and of its events may be.
+    const NUMBERS: Numbers = Numbers::Finite;
     /// Its input.
     const READ: Reading<Self>;
     /// Its answer in one sentence.
@@ -45,6 +47,8 @@ pub struct Solver {
     pub fields: &'static [Field],
     /// [`Solve::OUTPUT`].
     pub output: &'static [Field],
+    /// [`Solve::NUMBERS`].
+    pub numbers: Numbers,
     pub(super) read: ReadProblem,
 }
 
@@ -58,6 +62,7 @@ impl Solver {
             card: MethodCard::of::<A>(),
             fields: A::FIELDS,
             output: A::OUTPUT,
+            numbers: A::NUMBERS,
             read: read_problem::<A>,
         }
     }
@@ -110,6 +115,9 @@ pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solv
     }
     let (held, counts) = Counts::of(|| held_after::<A, Counted>(&input));
     let output = A::output(held);
+    if !fields.is_moderate() {
+        check_range::<A>(&input, &output, fields)?;
+    }
     Ok(Box::new(Solved::<A> {
         input,
         output,
@@ -141,6 +149,33 @@ fn check_steps<A: Solve>(
         .with("found", n_steps)
         .with("max", most);
     Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem))
+}
+
+/// Refuses what has a number in its answer, or in a step that is told, which would be larger than any.
+#[cold]
+fn check_range<A: Solve>(
+    input: &A::Input,
+    output: &A::Output,
+    fields: &Fields<'_>,
+) -> Result<(), Refusal> {
+    if !A::NUMBERS.have_all_of(&A::told(input, output)) {
+        return Err(fields.beyond_range("case-beyond-range"));
+    }
+    if fields.detail() == Detail::Answers {
+        return Ok(());
+    }
+    let mut looking = Listening(|_: &A::Held, event| {
+        if A::NUMBERS.have_all_of(&event) {
+            Told::Continue(())
+        } else {
+            Told::Break(())
+        }
+    });
+    let told = A::run::<f64, _>(input, &mut A::begin(input), &mut looking);
+    match told {
+        Told::Continue(()) => Ok(()),
+        Told::Break(()) => Err(fields.beyond_range("case-step-beyond-range")),
+    }
 }
 
 struct Solved<A: Solve> {

@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::{
-    Fields, Solve, Solver,
+    Fields, Numbers, Solve, Solver,
     prelude::*,
     solver::{Reading, Verdict},
 };
@@ -114,6 +114,7 @@ impl Solve for DepthBuffer {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &SEEN;
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+    const NUMBERS: Numbers = Numbers::OrInfinite;
     const READ: Reading<Self> = |fields| Ok(DepthBufferInput::new(surfaces(fields)?));
     const VERDICT: Verdict<Self> = |output| seen(&output.picture);
 }
@@ -122,6 +123,7 @@ impl Solve for RayCasting {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &SEEN;
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+    const NUMBERS: Numbers = Numbers::OrInfinite;
     const READ: Reading<Self> = |fields| {
         let (surfaces, pixel) = (surfaces(fields)?, None);
         Ok(RayCastingInput { surfaces, pixel })

@@ -2,7 +2,11 @@
 
 use glam::DVec3;
 
-use super::{Matrix, Plane, SpaceError, ViewVolume, error::finite};
+use super::{
+    Matrix, Plane, SpaceError, ViewVolume,
+    error::finite,
+    power::{exponent, times_power},
+};
 
 /// Where a camera stands, what it looks at, and what it sees of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -29,23 +33,34 @@ impl Camera {
     ) -> Result<Self, SpaceError> {
         finite([position, target, up].as_flattened())?;
         let [position, target, up] = [position, target, up].map(DVec3::from);
-        let back = position - target;
+        let camera = Self {
+            position,
+            target,
+            up,
+            volume,
+        };
+        let [up, back] = camera.directions();
         if back == DVec3::ZERO {
             return Err(SpaceError::TargetAtPosition);
         }
         let across = up.cross(back).length_squared();
         let least = MIN_SINE_SQUARED * up.length_squared() * back.length_squared();
-        // What is no number is refused too: of numbers too large for their squares.
         if across > least {
-            Ok(Self {
-                position,
-                target,
-                up,
-                volume,
-            })
+            Ok(camera)
         } else {
             Err(SpaceError::UpAlongView)
         }
+    }
+
+    /// Upwards and back from what is seen, of any length whose square is a number.
+    fn directions(&self) -> [DVec3; 2] {
+        let back = self.position - self.target;
+        let back = if back.is_finite() {
+            back
+        } else {
+            0.5 * self.position - 0.5 * self.target
+        };
+        [self.up, back].map(moderate)
     }
 
     /// The eye.
@@ -87,8 +102,9 @@ impl Camera {
     }
 
     fn basis(&self) -> [DVec3; 3] {
-        let back = (self.position - self.target).normalize();
-        let right = self.up.cross(back).normalize();
+        let [up, back] = self.directions();
+        let back = back.normalize();
+        let right = up.cross(back).normalize();
         [right, back.cross(right), back]
     }
 
@@ -132,6 +148,16 @@ impl Camera {
     }
 }
 
+/// Times a power of two where it is much longer than 1, or much shorter.
+fn moderate(v: DVec3) -> DVec3 {
+    let by = exponent(&v.to_array());
+    if (-100..100).contains(&by) {
+        v
+    } else {
+        times_power(v.to_array(), -by).into()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -165,6 +191,20 @@ mod tests {
                 assert!(distance > -1e-12, "{corner:?} {plane:?}");
             }
         }
+    }
+
+    #[test]
+    fn its_axes_are_the_same_however_large_everything_is() {
+        let camera = camera();
+        let places = [camera.position(), camera.target(), camera.up()];
+        for power in (-1000..=1000).step_by(100) {
+            let [position, target, up] = places.map(|at| times_power(at, power));
+            let scaled = Camera::new(position, target, up, *camera.volume()).unwrap();
+            assert_eq!(scaled.axes(), camera.axes(), "2^{power}");
+        }
+        let (far, up) = ([f64::MAX, 0.0, 0.0], [0.0, 0.0, 5e-324]);
+        let across = Camera::new(far, far.map(|x| -x), up, *camera.volume()).unwrap();
+        assert_eq!(across.axes()[1..], [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]);
     }
 
     #[test]

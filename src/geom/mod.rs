@@ -12,6 +12,7 @@ mod aligned_box;
 mod camera;
 mod determinant;
 mod error;
+mod long_sum;
 mod matrix;
 mod mesh;
 mod orbit;
@@ -19,6 +20,7 @@ mod orientation;
 mod plane;
 mod point;
 mod polygon;
+mod power;
 mod region;
 mod rings;
 mod simple_polygon;
@@ -27,19 +29,23 @@ mod sphere;
 mod sweep;
 mod texture;
 mod view_volume;
+mod wide;
 mod window;
 
 pub use aligned_box::{AlignedBox, VolumeSide};
 pub use camera::Camera;
-pub use determinant::{certain as certain_sign, sign_of_four, sign_of_three};
+pub use determinant::{
+    certain as certain_sign, extent as minor_extent, sign_of_four, sign_of_three,
+};
 pub use error::{Axis, GeomError, SpaceError};
 pub use matrix::Matrix;
 pub use mesh::{Mesh, MeshEdge, MeshError};
 pub use orbit::Orbit;
-pub use orientation::{is_certain, lexicographic, orientation, winding};
+pub use orientation::{doubtful_area, is_certain, lexicographic, orientation, winding};
 pub use plane::{HalfPlane, Plane, meets};
 pub use point::{Point, Segment, distance_to_segment, extent};
 pub use polygon::{ConvexPolygon, Polygon};
+pub use power::{exponent, times_power};
 pub use region::Region;
 pub use rings::{Location, Rings, locate};
 pub use simple_polygon::SimplePolygon;
@@ -47,6 +53,7 @@ pub use solids::Solid;
 pub use sphere::Sphere;
 pub use texture::Texture;
 pub use view_volume::{Sight, ViewVolume, planes_from_matrix};
+pub use wide::Wide;
 pub use window::{Edge, Window};
 
 /// Knuth's generator: the same numbers in every run of a test.

@@ -2,7 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::Point;
+use super::{
+    Point,
+    long_sum::LongSum,
+    power::{exponent, times_power},
+};
 
 /// Sign of the area of abc: `Greater` where c lies to the left of the line from a to b. Exact for any finite numbers: the
 /// determinant as computed decides where it is larger than its own rounding error; otherwise adaptive expansions do (Shewchuk,
@@ -54,6 +58,32 @@ fn adaptive(a: Point, b: Point, c: Point) -> Ordering {
     area.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
 
+/// Twice the signed area of abc, where as computed it may have the wrong sign or has left the range of f64. The sign is exact:
+/// infinite is what is larger than any number, and 0 only what has no area.
+#[cold]
+#[must_use]
+pub fn doubtful_area(a: Point, b: Point, c: Point) -> f64 {
+    let sign = match orientation(a, b, c) {
+        Ordering::Equal => return 0.0,
+        Ordering::Greater => 1.0,
+        Ordering::Less => -1.0,
+    };
+    let points = [a, b, c].map(Point::to_array);
+    let largest = exponent(points.as_flattened());
+    let by = if (-300..300).contains(&largest) {
+        0
+    } else {
+        // One more, so that no difference overflows.
+        largest + 1
+    };
+    let [a, b, c] = points.map(|p| {
+        let [x, y] = times_power(p, -by);
+        robust::Coord { x, y }
+    });
+    let [size] = times_power([robust::orient2d(a, b, c).abs()], 2 * by);
+    size.max(f64::MIN_POSITIVE).copysign(sign)
+}
+
 /// Sign of the area that a ring runs around, `Greater` for counter-clockwise. Exact, whatever its shape.
 #[must_use]
 pub fn winding(ring: &[Point]) -> Ordering {
@@ -86,59 +116,16 @@ pub fn lexicographic(a: Point, b: Point) -> Ordering {
         .unwrap_or(Ordering::Equal)
 }
 
-/// 32 bits each, of which 2⁻²¹⁴⁸ is the lowest: with room for the sum of 2⁶⁰ products.
-const N_DIGITS: usize = (2148 + 2048) / 32 + 6;
-
-/// Of a ring of fewer than 2²⁹ corners, in integers of thousands of bits: every product of two coordinates is a whole number of
-/// 2⁻²¹⁴⁸, below 2²⁰⁴⁸. For the few that leave the range in which expansions are exact, and for rings of next to no area.
+/// Of a ring of fewer than 2²⁹ corners. For the few that leave the range in which expansions are exact, and for rings of next to no
+/// area.
 fn exact_winding(ring: impl ExactSizeIterator<Item = [f64; 2]> + Clone) -> Ordering {
-    let mut sum = [0_i64; N_DIGITS];
+    let mut sum = LongSum::zero();
     let after = ring.clone().cycle().skip(1);
     for ([px, py], [qx, qy]) in ring.zip(after) {
-        add_product(&mut sum, px, qy);
-        add_product(&mut sum, -py, qx);
+        sum.add([px, qy]);
+        sum.add([-py, qx]);
     }
-    sign_of_sum(&sum)
-}
-
-fn add_product(sum: &mut [i64; N_DIGITS], x: f64, y: f64) {
-    let [(mx, ex), (my, ey)] = [x, y].map(parts);
-    let mantissa = u128::from(mx) * u128::from(my);
-    let negative = (x < 0.0) != (y < 0.0);
-    // Both exponents count from the lowest subnormal number.
-    let shift = ex + ey;
-    for (half, offset) in [(mantissa as u64, 0), ((mantissa >> 64) as u64, 64)] {
-        let (first, within) = ((shift + offset) / 32, (shift + offset) % 32);
-        let shifted = u128::from(half) << within;
-        for k in 0..3 {
-            let digit = i64::from((shifted >> (32 * k)) as u32);
-            sum[first + k] += if negative { -digit } else { digit };
-        }
-    }
-}
-
-/// |x| as a whole number of 2⁻¹⁰⁷⁴, shifted to the left.
-fn parts(x: f64) -> (u64, usize) {
-    let bits = x.abs().to_bits();
-    let (exponent, fraction) = ((bits >> 52) as usize, bits & ((1 << 52) - 1));
-    match exponent {
-        0 => (fraction, 0),
-        _ => (fraction | 1 << 52, exponent - 1),
-    }
-}
-
-fn sign_of_sum(sum: &[i64; N_DIGITS]) -> Ordering {
-    let (mut carry, mut any) = (0, false);
-    for digit in sum {
-        let digit = digit + carry;
-        any |= digit & 0xffff_ffff != 0;
-        carry = digit >> 32;
-    }
-    match carry {
-        ..0 => Ordering::Less,
-        0 if !any => Ordering::Equal,
-        _ => Ordering::Greater,
-    }
+    sum.sign()
 }
 
 #[cfg(test)]

@@ -1,16 +1,18 @@
 //! Closed half-planes and half-spaces, with normals pointing inside; and whether half-spaces have a point in common.
 
-use std::cmp::Ordering;
+use std::{cmp::Ordering, ops::Range};
 
 use super::{
     AlignedBox, Point, SpaceError,
     determinant::{sign_of_four, sign_of_three},
     error::finite,
+    power::{exponent, times_power},
+    wide::Wide,
 };
 
 /// All points `p` with `normal·(p − origin) ≥ 0`. Along an axis the normal is a unit vector, so that a signed distance is a
 /// difference of coordinates and costs one rounding; elsewhere it is the edge turned by 90°, not normalised, so that it is exact
-/// wherever the difference of the vertices is.
+/// wherever the difference of the vertices is; but times a power of two where products with it could leave the range of f64.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct HalfPlane {
     normal: [f64; 2],
@@ -25,10 +27,11 @@ impl HalfPlane {
 
     /// The half-plane to the left of the edge `from → to` of a counter-clockwise outline.
     pub(super) fn left_of(from: Point, to: Point) -> Self {
+        /// 2⁻¹⁰⁰ to 2¹⁰⁰
+        const MODERATE: Range<f64> = 7.888_609_052_210_118e-31..1.267_650_600_228_229_4e30;
         let [mut dx, mut dy] = [to.x() - from.x(), to.y() - from.y()];
-        if !(dx.is_finite() && dy.is_finite()) {
-            // Only the direction counts: half of each cannot overflow.
-            [dx, dy] = [0.5 * to.x() - 0.5 * from.x(), 0.5 * to.y() - 0.5 * from.y()];
+        if !MODERATE.contains(&dx.abs().max(dy.abs())) {
+            [dx, dy] = direction(from, to);
         }
         let normal = if dx == 0.0 {
             [-dy.signum(), 0.0]
@@ -56,7 +59,15 @@ impl HalfPlane {
     }
 }
 
-/// All points `p` with `n·p + d ≥ 0`. The numbers stay as they are given, so that this sign is exact wherever products and sum are.
+/// From a point to another one, times the power of two that brings it near length 1.
+#[cold]
+fn direction(from: Point, to: Point) -> [f64; 2] {
+    let [from, to] = [from, to].map(|p| p.to_array().map(Wide::new));
+    Wide::near_one([to[0] - from[0], to[1] - from[1]]).0
+}
+
+/// All points `p` with `n·p + d ≥ 0`. The numbers stay as they are given, so that this sign is exact wherever products and sum are;
+/// but where the length of the normal is larger than any number, or has lost bits, all four are kept over a power of two.
 ///
 /// ```
 /// use clipscope::geom::Plane;
@@ -79,15 +90,14 @@ impl Plane {
         if [x, y, z] == [0.0; 3] {
             return Err(SpaceError::ZeroNormal);
         }
-        // The plain root is exact wherever the squares' sum is a square.
-        let squared = x * x + y * y + z * z;
-        let length = if (1e-200..1e200).contains(&squared) {
-            squared.sqrt()
-        } else {
-            libm::hypot(libm::hypot(x, y), z)
-        };
         let normal = [x, y, z];
-        Ok(Self { normal, d, length })
+        let length = length(normal);
+        // Of a plane that would be too far away for any number the normal stays as short as it is.
+        if length.is_normal() || length < 1.0 && d.abs() > 1e200 {
+            return Ok(Self { normal, d, length });
+        }
+        let exponent = if length > 1.0 { -2 } else { 100 };
+        Self::new(times_power([x, y, z, d], exponent))
     }
 
     /// With a normal that is of length 1 but for rounding.
@@ -135,6 +145,19 @@ impl Plane {
     pub const fn to_array(&self) -> [f64; 4] {
         let [x, y, z] = self.normal;
         [x, y, z, self.d]
+    }
+}
+
+/// The plain root is exact wherever the squares' sum is a square.
+fn length(v @ [x, y, z]: [f64; 3]) -> f64 {
+    let squared = x * x + y * y + z * z;
+    if (1e-200..1e200).contains(&squared) {
+        squared.sqrt()
+    } else {
+        let exponent = exponent(&v);
+        let [x, y, z] = times_power(v, -exponent);
+        let [length] = times_power([(x * x + y * y + z * z).sqrt()], exponent);
+        length
     }
 }
 

@@ -1,6 +1,6 @@
 //! The view volume: what a camera sees, in its own axes, of which it looks down −z.
 
-use super::{Matrix, Plane, SpaceError, VolumeSide, error::finite};
+use super::{Matrix, Plane, SpaceError, VolumeSide, error::finite, power::times_power};
 
 /// How sight lines run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -113,6 +113,21 @@ impl ViewVolume {
         }
     }
 
+    /// Everything in it times 2 to the power of an exponent, by which no number becomes infinite.
+    pub(crate) fn times_power(&self, exponent: i32) -> Self {
+        let [near, far] = times_power([self.near, self.far], exponent);
+        let half_size = match self.sight {
+            Sight::Perspective => self.half_size,
+            Sight::Parallel => times_power(self.half_size, exponent),
+        };
+        Self {
+            half_size,
+            near,
+            far,
+            ..*self
+        }
+    }
+
     /// Distance of the near plane.
     #[must_use]
     pub const fn near(&self) -> f64 {
@@ -161,7 +176,12 @@ impl ViewVolume {
         let Self { near, far, .. } = *self;
         let [x, y] = self.half_size.map(|half| 1.0 / half);
         let depth = far - near;
-        let middle = -((far + near) / depth);
+        let sum = far + near;
+        let middle = if sum.is_finite() {
+            -(sum / depth)
+        } else {
+            -((0.5 * far + 0.5 * near) / (0.5 * depth))
+        };
         let (scale, offset, last) = match self.sight {
             Sight::Perspective => (middle, -2.0 * (far * (near / depth)), [0.0, 0.0, -1.0, 0.0]),
             Sight::Parallel => (-2.0 / depth, middle, [0.0, 0.0, 0.0, 1.0]),

@@ -1,5 +1,7 @@
 //! Values whose shape is known to be right.
 
+use std::ops::Range;
+
 /// A value of the shape that was asked for. What is asked of it in another shape is empty or zero.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Got {
@@ -73,6 +75,20 @@ impl Got {
 
     pub fn number_in(&self, name: &str) -> f64 {
         self.get(name).map_or(0.0, Self::number)
+    }
+
+    /// Are all its coordinates 0, or so near to 1 that no product of a few, and no quotient of such, leaves the range of f64?
+    pub fn is_moderate(&self) -> bool {
+        /// 2⁻¹⁰⁰ to 2¹⁰⁰
+        const MODERATE: Range<f64> = 7.888_609_052_210_118e-31..1.267_650_600_228_229_4e30;
+        let is_moderate = |x: &f64| *x == 0.0 || MODERATE.contains(&x.abs());
+        match self {
+            Self::Number(x) => is_moderate(x),
+            Self::Numbers(numbers) => numbers.iter().all(is_moderate),
+            Self::Table(fields) => fields.iter().all(|(_, got)| got.is_moderate()),
+            Self::List(list) => list.iter().all(Self::is_moderate),
+            Self::Text(_) | Self::Wholes(_) => true,
+        }
     }
 
     pub fn list(&self) -> &[Self] {

@@ -90,6 +90,20 @@ impl Notation {
     }
 }
 
+impl Value {
+    /// Are all its numbers such, and what its quotients come to? One by zero is none.
+    pub fn is_all(&self, holds: impl Fn(f64) -> bool) -> bool {
+        let mut numbers = Vec::new();
+        collect_value(self, &mut numbers);
+        numbers.into_iter().all(|number| {
+            holds(match number {
+                Quantity::Number(x) | Quantity::Ratio(x, 0.0) => x,
+                Quantity::Ratio(num, den) => num / den,
+            })
+        })
+    }
+}
+
 fn collect_value(value: &Value, numbers: &mut Vec<Quantity>) {
     match value {
         Value::Number(x) => numbers.push(Quantity::Number(*x)),

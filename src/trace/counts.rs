@@ -9,7 +9,10 @@ use std::{
 
 use serde::Serialize;
 
-/// The scalar that an algorithm computes with: `f64` in production, [`Counted`] when its cost is asked.
+use crate::geom::Wide;
+
+/// The scalar that an algorithm computes with: `f64` in production, [`Counted`] when its cost is asked, [`Wide`] where a number has
+/// turned out to leave the range of `f64`.
 pub trait Real:
     Copy
     + PartialEq
@@ -34,6 +37,15 @@ impl Real for f64 {
     #[inline]
     fn get(self) -> f64 {
         self
+    }
+}
+
+impl Real for Wide {
+    fn new(x: f64) -> Self {
+        Self::new(x)
+    }
+    fn get(self) -> f64 {
+        self.get()
     }
 }
 

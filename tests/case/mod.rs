@@ -5,6 +5,7 @@ mod frustum;
 mod lines;
 mod pipeline;
 mod polygons;
+mod range;
 mod schema;
 mod space_lines;
 mod surfaces;

@@ -14,13 +14,13 @@
 //! assert!(!seen_from([5.0, 5.0, 0.0]).front, "edge-on");
 //! ```
 
-use std::marker::PhantomData;
+use std::{marker::PhantomData, ops::Range};
 
 use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    geom::sign_of_four,
+    geom::{Wide, minor_extent, sign_of_four},
     trace::{Method, Real, Tell, Told},
 };
 
@@ -110,29 +110,25 @@ impl<L: CullRules> Method for BackFace<L> {
             triangle: taken(input.triangle, L::CLOCKWISE),
             ..*input
         };
-        let [v0, v1, v2] = input.triangle.map(|v| v.map(R::new));
-        let edges = [minus(v1, v0), minus(v2, v0)];
+        let (edges, e) = vectors::<R>(input);
         let normal = cross(edges);
         let perpendicular = BackFaceEvent::Normal {
             edges: edges.map(|edge| edge.map(R::get)),
             normal: normal.map(R::get),
         };
         tell.tell(held, perpendicular)?;
-        let e = match input.viewer {
-            Viewer::Eye(eye) => minus(eye.map(R::new), v0),
-            Viewer::Direction(view) => view.map(|x| -R::new(x)),
-        };
         let to_viewer = e.map(R::get);
         tell.tell(held, BackFaceEvent::ToViewer { to_viewer })?;
-        let dot = normal[0] * e[0] + normal[1] * e[1] + normal[2] * e[2];
+        let dot = product(normal, e);
         let det = determinant([e, edges[0], edges[1]]);
-        [held.dot, held.det] = [dot, det].map(R::get);
+        let size = size(edges, e);
+        [held.dot, held.det] = in_range(input, size, [dot, det].map(R::get));
         let products = BackFaceEvent::Products {
             dot: held.dot,
             det: held.det,
         };
         tell.tell(held, products)?;
-        held.front = is_front(input, edges, e, dot);
+        held.front = is_front(input, size, e, dot);
         let front = held.front;
         tell.tell(held, BackFaceEvent::Done { front })
     }
@@ -156,6 +152,17 @@ const fn taken([v0, v1, v2]: [[f64; 3]; 3], clockwise: bool) -> [[f64; 3]; 3] {
     }
 }
 
+/// V1 − V0 and V2 − V0; and e, from V0 to the viewer.
+#[inline]
+fn vectors<R: Real>(input: &BackFaceInput) -> ([[R; 3]; 2], [R; 3]) {
+    let [v0, v1, v2] = input.triangle.map(|v| v.map(R::new));
+    let e = match input.viewer {
+        Viewer::Eye(eye) => minus(eye.map(R::new), v0),
+        Viewer::Direction(view) => view.map(|x| -R::new(x)),
+    };
+    ([minus(v1, v0), minus(v2, v0)], e)
+}
+
 fn minus<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -168,6 +175,10 @@ fn cross<R: Real>([a, b]: [[R; 3]; 2]) -> [R; 3] {
     ]
 }
 
+fn product<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 /// Of three columns, by the rule of Sarrus.
 fn determinant<R: Real>([a, b, c]: [[R; 3]; 3]) -> R {
     let down = a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2];
@@ -175,17 +186,45 @@ fn determinant<R: Real>([a, b, c]: [[R; 3]; 3]) -> R {
     down - up
 }
 
-/// Is n·e > 0? The rounded product tells where rounding cannot have turned its sign; else the exact determinant.
-fn is_front<R: Real>(input: &BackFaceInput, edges: [[R; 3]; 2], e: [R; 3], dot: R) -> bool {
-    let is_positive = dot > R::new(0.0);
+/// Sizes of n·e in this range have neither overflown nor lost bits.
+const PLAIN: Range<f64> = 1e-250..1e250;
+
+/// How large the products of n·e are, all taken together.
+fn size<R: Real>(edges: [[R; 3]; 2], e: [R; 3]) -> f64 {
     let [a, b] = edges.map(|edge| edge.map(|x| x.get().abs()));
-    let size = (0..3).map(|i| {
+    let sizes = (0..3).map(|i| {
         let [j, k] = [(i + 1) % 3, (i + 2) % 3];
         (a[j] * b[k] + a[k] * b[j]) * e[i].get().abs()
     });
-    // A term has nine roundings at most: three differences, two products and four sums.
-    let bound = 16.0 * f64::EPSILON * size.sum::<f64>();
-    if (1e-250..1e250).contains(&bound) && dot.get().abs() > bound {
+    sizes.sum()
+}
+
+/// n·e and the determinant as they were computed; where they are farther apart than by rounding, products have left the range of f64.
+fn in_range(input: &BackFaceInput, size: f64, [dot, det]: [f64; 2]) -> [f64; 2] {
+    if PLAIN.contains(&size) && (dot - det).abs() <= 64.0 * f64::EPSILON * size {
+        [dot, det]
+    } else {
+        wide_products(input)
+    }
+}
+
+#[cold]
+fn wide_products(input: &BackFaceInput) -> [f64; 2] {
+    let (edges, e) = vectors::<Wide>(input);
+    let det = determinant([e, edges[0], edges[1]]);
+    [product(cross(edges), e), det].map(Wide::get)
+}
+
+/// Is n·e > 0? The rounded product tells where rounding cannot have turned its sign; else the exact determinant.
+fn is_front<R: Real>(input: &BackFaceInput, size: f64, e: [R; 3], dot: R) -> bool {
+    let is_positive = dot > R::new(0.0);
+    // A term has nine roundings at most: three differences, two products and four sums; and small products may vanish.
+    let vanishing: f64 = e
+        .iter()
+        .map(|e| minor_extent([0.0; 2]) * e.get().abs())
+        .sum();
+    let bound = 16.0 * f64::EPSILON * (size + vanishing);
+    if PLAIN.contains(&bound) && dot.get().abs() > bound {
         return is_positive;
     }
     let [v0, v1, v2] = input.triangle.map(|[x, y, z]| [x, y, z, 1.0]);

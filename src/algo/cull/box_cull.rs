@@ -17,7 +17,7 @@
 use serde::Serialize;
 
 use crate::{
-    algo::volume::weighted_sum,
+    algo::volume::{bounded_sum, is_plain, weighted_sum},
     geom::{AlignedBox, Plane, meets},
     trace::{Method, Real, Tell, Told},
 };
@@ -73,6 +73,16 @@ pub struct BoxCullOutput {
     pub false_positive: bool,
 }
 
+/// The sum, or where that has left the range of f64 another number of its sign.
+#[inline]
+fn signed<R: Real>(plane: &Plane, corner: [f64; 3], sum: R) -> R {
+    if is_plain(sum.get()) {
+        sum
+    } else {
+        R::new(bounded_sum(plane, corner))
+    }
+}
+
 impl Method for BoxCull {
     type Input = BoxCullInput;
     type Held = BoxCullOutput;
@@ -97,7 +107,11 @@ impl Method for BoxCull {
         let zero = R::new(0.0);
         for (plane_idx, plane) in input.planes.iter().enumerate() {
             let sums = corners.map(|corner| weighted_sum::<R>(plane, corner));
-            let n_outside = sums.iter().filter(|&&sum| sum < zero).count();
+            let n_outside = sums
+                .iter()
+                .zip(corners)
+                .filter(|&(&sum, corner)| signed(plane, corner, sum) < zero)
+                .count();
             let class = match n_outside {
                 0 => Containment::Inside,
                 8 => Containment::Outside,

@@ -2,7 +2,7 @@
 //! the segment crosses, (P₁·d2 − P₂·d1) / (d2 − d1).
 
 use crate::{
-    geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment},
+    geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment, exponent, times_power},
     trace::Real,
 };
 
@@ -46,11 +46,16 @@ impl ConvexBorder {
     }
 }
 
-/// n·(P − E) for both ends. Where the numbers are too large or too small to be multiplied, both distances
-/// come scaled by the same power of two: only their ratio counts.
+/// n·(P − E) for both ends. Where they or their difference are too large, both come scaled by the same power of two: only their
+/// ratio counts.
 pub fn plane_distances<R: Real>(segment: &Segment, plane: &HalfPlane) -> [R; 2] {
+    in_range(segment, plane, told_distances(segment, plane))
+}
+
+/// n·(P − E) for both ends, not finite where too large.
+pub fn told_distances<R: Real>(segment: &Segment, plane: &HalfPlane) -> [R; 2] {
     let (normal, origin) = (plane.normal(), plane.origin().to_array());
-    let distances = End::BOTH.map(|end| {
+    End::BOTH.map(|end| {
         let p = end.of(segment).to_array();
         let product = |axis: usize| R::new(normal[axis]) * (R::new(p[axis]) - R::new(origin[axis]));
         match normal {
@@ -58,30 +63,30 @@ pub fn plane_distances<R: Real>(segment: &Segment, plane: &HalfPlane) -> [R; 2] 
             [0.0, _] => product(1),
             _ => product(0) + product(1),
         }
-    });
+    })
+}
+
+/// Of both ends as they were computed.
+pub fn in_range<R: Real>(segment: &Segment, plane: &HalfPlane, distances: [R; 2]) -> [R; 2] {
     let [d1, d2] = distances.map(R::get);
-    let largest = normal[0].abs().max(normal[1].abs());
-    if (d2 - d1).is_finite() && largest > 2f64.powi(-500) {
+    if (d2 - d1).is_finite() {
         distances
     } else {
-        scaled_distances(segment, normal, origin).map(R::new)
+        End::BOTH.map(|end| {
+            let p = end.of(segment).to_array();
+            R::new(scaled_distance(
+                p,
+                plane.normal(),
+                plane.origin().to_array(),
+            ))
+        })
     }
 }
 
-/// [`plane_distances`] with the normal brought near length 1, and all coordinates divided by 8: no sum of four
-/// of them overflows.
+/// n·(P − E) with a normal near length 1 and all coordinates divided by 8: no sum of four of them overflows.
 #[cold]
-pub fn scaled_distances(segment: &Segment, normal: [f64; 2], origin: [f64; 2]) -> [f64; 2] {
-    let mut normal = normal;
-    while normal[0].abs().max(normal[1].abs()) > 1.0 {
-        normal = normal.map(|n| n * 0.5);
-    }
-    while normal[0].abs().max(normal[1].abs()) < 0.5 {
-        normal = normal.map(|n| n * 2.0);
-    }
-    End::BOTH.map(|end| {
-        let p = end.of(segment).to_array();
-        let product = |axis: usize| normal[axis] * (0.125 * p[axis] - 0.125 * origin[axis]);
-        product(0) + product(1)
-    })
+pub fn scaled_distance(p: [f64; 2], normal: [f64; 2], origin: [f64; 2]) -> f64 {
+    let normal = times_power(normal, -exponent(&normal));
+    let product = |axis: usize| normal[axis] * (0.125 * p[axis] - 0.125 * origin[axis]);
+    product(0) + product(1)
 }

@@ -30,7 +30,7 @@ use crate::{
 
 use super::{
     Visible,
-    convex_border::{ConvexBorder, plane_distances},
+    convex_border::{ConvexBorder, in_range, plane_distances, told_distances},
     ends_of, segment_of,
 };
 
@@ -116,14 +116,17 @@ impl Bounds<2> for ConvexPolygon {
         _: &[R; 2],
     ) -> ([R; 2], CyrusBeckRow) {
         let plane = self.half_plane(edge_idx);
-        let [d1, d2] = plane_distances::<R>(&segment_of(*ends), &plane);
+        let segment = segment_of(*ends);
+        let told = told_distances::<R>(&segment, &plane);
+        let [d1, d2] = in_range(&segment, &plane, told);
         let slope = d2 - d1;
+        let told = told.map(R::get);
         let row = CyrusBeckRow {
             normal: plane.normal(),
             origin: plane.origin(),
-            d1: d1.get(),
-            d2: d2.get(),
-            slope: slope.get(),
+            d1: told[0],
+            d2: told[1],
+            slope: told[1] - told[0],
         };
         ([-slope, d1], row)
     }

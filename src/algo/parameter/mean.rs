@@ -6,7 +6,10 @@
 
 use serde::Serialize;
 
-use crate::trace::Real;
+use crate::{
+    geom::{Wide, times_power},
+    trace::Real,
+};
 
 /// Differences beyond this range, or products of such, could overflow or lose bits to underflow: they are scaled first.
 const PLAIN: std::ops::RangeInclusive<f64> = 3.054_936_363_499_605e-151..=3.273_390_607_896_142e150;
@@ -39,7 +42,7 @@ pub fn weighted_mean<R: Real>([o1, o2]: [R; 2], [w1, w2]: [R; 2], whole: R, raw:
     if PLAIN.contains(&whole.get()) && sum.get().is_finite() {
         sum / whole
     } else {
-        R::new(scaled_mean(o1.get(), o2.get(), raw))
+        wide_mean([o1, o2], raw)
     }
 }
 
@@ -58,25 +61,18 @@ fn are_plain([w1, w2]: [f64; 2], whole: f64) -> bool {
     w1 != 0.0 && w2 != 0.0 && PLAIN.contains(&whole)
 }
 
-/// [`weighted_mean`] for coordinates whose differences or products leave the range of f64.
+/// [`weighted_mean`] for coordinates whose differences or products leave the range of f64. Only the division has not been counted.
 #[cold]
-fn scaled_mean(o1: f64, o2: f64, [a1, a2, c]: [f64; 3]) -> f64 {
-    // Halves cannot overflow when subtracted; tiny differences are made large. Both scales are powers
-    // of two, and the same from both ends.
-    let scale = if (a2 - a1).abs() < 1.0 {
-        2f64.powi(500)
-    } else {
-        0.5
-    };
-    let [a1, a2, c] = [a1, a2, c].map(|x| x * scale);
-    let whole = a2 - a1;
-    let mean = o1 * ((a2 - c) / whole) + o2 * ((c - a1) / whole);
-    if mean.is_nan() {
-        // The border is so far outside the segment that its crossing has no coordinate.
-        o1.midpoint(o2)
-    } else {
-        mean.clamp(f64::MIN, f64::MAX)
-    }
+fn wide_mean<R: Real>([o1, o2]: [R; 2], raw: [f64; 3]) -> R {
+    let [a1, a2, c] = raw.map(Wide::new);
+    let (forward, back) = ([c - a1, a2 - c, a2 - a1], [a1 - c, c - a2, a1 - a2]);
+    let [w1, w2, whole] = if a1 < a2 { forward } else { back };
+    let sum = Wide::new(o1.get()) * w2 + Wide::new(o2.get()) * w1;
+    let ((sum, by), (whole, own)) = (sum.parts(), whole.parts());
+    let quotient = R::new(sum) / R::new(whole);
+    let [mean] = times_power([quotient.get()], by - own);
+    // The border may be so far outside the segment that its crossing has no coordinate.
+    R::new(mean.clamp(f64::MIN, f64::MAX))
 }
 
 /// Keeps `x` between two bounds in either order. Selections, not branches: neither outcome is likelier.

@@ -46,7 +46,7 @@ impl Upright {
             return R::new((q / p).get() + 0.0);
         }
         let [a1, a2, c] = [self.ends[0], self.ends[1], self.at].map(|x| 0.5 * x);
-        R::new((c - a1) / (a2 - a1))
+        R::new(c - a1) / R::new(a2 - a1)
     }
 
     /// How the ends share in the crossing. They must not have the same coordinate.

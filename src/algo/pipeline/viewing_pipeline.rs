@@ -30,8 +30,8 @@
 use serde::Serialize;
 
 use crate::{
-    algo::surface::Viewport,
-    geom::{Camera, Matrix},
+    algo::{surface::Viewport, volume::is_plain},
+    geom::{Camera, Matrix, Wide},
     trace::{Method, Real, Tell, Told},
 };
 
@@ -161,12 +161,28 @@ impl ViewingPipelineOutput {
     }
 }
 
-/// A row of a matrix times a point whose fourth coordinate is 1, summed up in this order.
+/// A row of a matrix times a point whose fourth coordinate is 1, summed up in this order; not finite only where it is larger than any
+/// number, or the point is not finite.
 #[inline]
 #[must_use]
 pub fn row_times<R: Real>(row: [f64; 4], [x, y, z]: [R; 3]) -> R {
+    let sum = sum(row, [x, y, z]);
+    if is_plain(sum.get()) {
+        sum
+    } else {
+        R::new(wide_sum(row, [x, y, z].map(R::get)))
+    }
+}
+
+#[inline]
+fn sum<R: Real>(row: [f64; 4], [x, y, z]: [R; 3]) -> R {
     let [a, b, c, d] = row.map(R::new);
     a * x + b * y + c * z + d
+}
+
+#[cold]
+fn wide_sum(row: [f64; 4], from: [f64; 3]) -> f64 {
+    sum(row, from.map(Wide::new)).get()
 }
 
 impl Method for ViewingPipeline {

@@ -19,7 +19,7 @@ use crate::{
 
 use super::{
     super::line::{
-        convex_border::{plane_distances, scaled_distances},
+        convex_border::{plane_distances, scaled_distance},
         crossing::{join, split},
     },
     super::{
@@ -41,7 +41,7 @@ pub struct Border {
 pub enum BorderLine {
     /// Along an axis: inside is where the `axis` coordinate is at least `c`, or at most `c` if `is_max`.
     Upright { axis: Axis, c: f64, is_max: bool },
-    /// Any other: inside is where `normal·(p − origin) ≥ 0`. The normal is of moderate length.
+    /// Any other: inside is where `normal·(p − origin) ≥ 0`.
     Oblique { normal: [f64; 2], origin: Point },
 }
 
@@ -56,10 +56,7 @@ impl Border {
         let line = match plane.normal() {
             [n, 0.0] => upright(Axis::X, origin.x(), n),
             [0.0, n] => upright(Axis::Y, origin.y(), n),
-            normal => BorderLine::Oblique {
-                normal: moderate(normal),
-                origin,
-            },
+            normal => BorderLine::Oblique { normal, origin },
         };
         Self {
             edge_idx,
@@ -115,7 +112,17 @@ impl Border {
     /// Signed distance of `p` in lengths of n, inside positive. Too large for f64, it is the largest number.
     #[inline]
     pub fn distance<R: Real>(&self, p: Point) -> R {
-        let d = match self.line {
+        let d = self.as_computed::<R>(p);
+        if d.get().is_finite() {
+            d
+        } else {
+            R::new(self.huge_distance(p, d.get()))
+        }
+    }
+
+    #[inline]
+    fn as_computed<R: Real>(&self, p: Point) -> R {
+        match self.line {
             BorderLine::Upright { axis, c, is_max } => {
                 let [a, _] = split::<R>(p, axis);
                 let c = R::new(c);
@@ -126,11 +133,6 @@ impl Border {
                 R::new(normal[0]) * (R::new(px) - R::new(ex))
                     + R::new(normal[1]) * (R::new(py) - R::new(ey))
             }
-        };
-        if d.get().is_finite() {
-            d
-        } else {
-            R::new(self.huge_distance(p, d.get()))
         }
     }
 
@@ -167,8 +169,7 @@ impl Border {
         let sign = match self.line {
             BorderLine::Upright { .. } => overflown,
             BorderLine::Oblique { normal, origin } => {
-                let here = Segment { p1: p, p2: p };
-                scaled_distances(&here, normal, origin.to_array())[0]
+                scaled_distance(p.to_array(), normal, origin.to_array())
             }
         };
         if sign == 0.0 {
@@ -216,21 +217,6 @@ impl Border {
 fn run<V: Vertex>(vertices: &[V], inside: bool, is_inside: impl Fn(Point) -> bool) -> usize {
     let turns = |v: &V| is_inside(v.at()) != inside;
     vertices.iter().position(turns).unwrap_or(vertices.len())
-}
-
-/// Divided by a power of two where its length is far from 1, so that products neither overflow nor vanish.
-fn moderate(mut normal: [f64; 2]) -> [f64; 2] {
-    let largest = |n: [f64; 2]| n[0].abs().max(n[1].abs());
-    if (2f64.powi(-100)..=2f64.powi(100)).contains(&largest(normal)) {
-        return normal;
-    }
-    while largest(normal) > 1.0 {
-        normal = normal.map(|n| n * 0.5);
-    }
-    while largest(normal) < 0.5 {
-        normal = normal.map(|n| n * 2.0);
-    }
-    normal
 }
 
 /// All borders of a region, in the order in which they clip.
@@ -358,6 +344,16 @@ impl<V: Vertex> Limit<V> for NthBorder<'_> {
     #[inline]
     fn distance<R: Real>(&self, vertex: &V) -> R {
         self.border().distance(vertex.at())
+    }
+
+    /// That of a vertex too far away is asked once more.
+    #[inline]
+    fn told(&self, vertex: &V, distance: f64) -> f64 {
+        if distance.abs() < f64::MAX {
+            distance
+        } else {
+            self.border().as_computed::<f64>(vertex.at())
+        }
     }
 
     #[inline]

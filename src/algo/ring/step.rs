@@ -48,9 +48,9 @@ pub trait Limit<V>: Copy {
     /// Where an edge with one end strictly inside and one outside crosses; `None` where that rounds to the inside end.
     fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>>;
 
-    /// A distance as an event tells it.
+    /// The distance of a vertex as an event tells it: infinite where it is larger than any number.
     #[inline]
-    fn told(&self, distance: f64) -> f64 {
+    fn told(&self, _vertex: &V, distance: f64) -> f64 {
         distance
     }
 
@@ -207,7 +207,7 @@ impl<V: Copy> Clip<V> {
         tell: &mut impl FnMut(Happening<V>) -> Told<S>,
     ) -> Told<S> {
         let first = self.first;
-        let distance = limit.told(first.distance);
+        let distance = limit.told(&first.at, first.distance);
         tell(Happening::First(Known { distance, ..first }))?;
         put_out(first.inside.then_some(first.at), 1, tell)
     }
@@ -287,7 +287,7 @@ fn edge<V: Copy, R: Real, S>(
     tell(Happening::Test(EdgeTest {
         idx,
         ends: [s.at, p.at],
-        distances: distances.map(|d| limit.told(d)),
+        distances: [s, p].map(|end| limit.told(&end.at, end.distance)),
         rule,
     }))?;
     let distances = distances.map(R::new);

@@ -6,13 +6,13 @@ use serde::Serialize;
 
 use crate::{
     algo::{ring::Right, volume::split},
-    geom::{Plane, Point, orientation, sign_of_four},
+    geom::{Plane, Point, minor_extent, orientation, sign_of_four},
     trace::Real,
 };
 
 use super::{
     Rays, Surfaces,
-    coverage::{Coverage, Rows, plane},
+    coverage::{Coverage, Rows, TrianglePlane, plane},
     screen_triangle::Linear,
 };
 
@@ -159,7 +159,8 @@ pub(super) fn sorted<R: Real>(
 impl BspPiece {
     /// Before and behind a plane. Where rounding leaves nothing on one side the other has it all: what is missing is thinner than a cut is exact.
     fn halves(&self, surfaces: &Surfaces, id: u32) -> Result<[Self; 2], BspSide> {
-        let ([x, y, z], d) = plane(corners(surfaces, id));
+        let TrianglePlane { n, d, .. } = TrianglePlane::of(corners(surfaces, id));
+        let [x, y, z] = n;
         // A plane of a triangle too small for its own normal cuts nothing.
         let plane = Plane::new([x, y, z, d]).map_err(|_| BspSide::Back)?;
         let [before, behind] = split(&self.polygon, &plane);
@@ -199,7 +200,7 @@ impl BspPiece {
     /// The pixels of its triangle that lie on its side of every plane that cut it: pieces share none, and leave none out.
     pub(super) fn rows(&self, surfaces: &Surfaces) -> Rows {
         let own = corners(surfaces, self.id);
-        let (rays, (n, d)) = (Rays::of(surfaces), plane(own));
+        let (rays, plane) = (Rays::of(surfaces), TrianglePlane::of(own));
         let mut rows = Rows::default();
         let Some(coverage) = Coverage::of::<Right>(surfaces, own) else {
             return rows;
@@ -208,7 +209,8 @@ impl BspPiece {
             .cuts
             .iter()
             .map(|&(id, is_before)| {
-                let side = rays.side_of_plane((n, d), plane(corners(surfaces, id)));
+                let other = TrianglePlane::of(corners(surfaces, id));
+                let side = rays.side_of_plane((plane.n, plane.d), (other.n, other.d));
                 (side, is_before)
             })
             .collect();
@@ -255,14 +257,14 @@ fn side_of<R: Real>(triangle: &[[f64; 3]; 3], vertices: &[[f64; 3]]) -> BspSide 
 /// `Greater` where the triangle shows its front. As computed, n·(v − V0) decides where it is larger than its rounding.
 fn vertex_side<R: Real>(corners: &[[f64; 3]; 3], v: [f64; 3]) -> Ordering {
     let [v0, v1, v2] = corners;
-    let (n, _) = plane(corners);
-    let [e, f]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| (v[i] - v0[i]).abs()));
+    let (n, _) = plane::<f64>(corners);
+    let [e, f]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| v[i] - v0[i]));
     let to = [0, 1, 2].map(|i| R::new(v[i]) - R::new(v0[i]));
     let n_counted = n.map(R::new);
     let sum = n_counted[0] * to[0] + n_counted[1] * to[1] + n_counted[2] * to[2];
     let size = (0..3).map(|i| {
         let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        (e[j] * f[k] + e[k] * f[j]) * to[i].get().abs()
+        minor_extent([e[j] * f[k], e[k] * f[j]]) * to[i].get().abs()
     });
     // A term has two differences, two products, a difference, a difference and a product, and two sums.
     let bound = 16.0 * f64::EPSILON * size.sum::<f64>();

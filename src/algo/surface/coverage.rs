@@ -7,16 +7,20 @@ use std::{
 
 use crate::{
     algo::{ring::Right, volume::ClipVertex},
-    geom::Sight,
+    geom::{Sight, ViewVolume, Wide, times_power},
     trace::Real,
 };
 
 use super::{
     Cull, Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
     assembly::{Seen, for_each_piece},
+    excess::excess,
     scan::try_for_each_span,
     screen_triangle::{Corner, Linear},
 };
+
+/// Components of a normal: neither they nor their products with points have left the range of f64.
+const PLAIN: Range<f64> = 1e-180..1e180;
 
 pub(super) struct Coverage {
     pieces: Vec<Piece>,
@@ -51,10 +55,12 @@ impl Coverage {
         if !surfaces.shows(triangle) {
             return None;
         }
-        let at = triangle.map(|at| in_clip_space(surfaces, at));
-        let (viewport, volume) = (surfaces.viewport(), surfaces.volume());
-        let (n, d) = plane(triangle);
-        let plane_depth = Rays::of(surfaces).plane_depth(n, d)?;
+        let by = excess(surfaces.volume(), triangle);
+        let (viewport, volume) = (surfaces.viewport(), &surfaces.volume().times_power(-by));
+        let triangle = &triangle.map(|at| times_power(at, -by));
+        let at = triangle.map(|at| in_clip_space(volume, at));
+        let TrianglePlane { n, d, .. } = TrianglePlane::of(triangle);
+        let plane_depth = Rays::through_all(*volume, surfaces.size()).plane_depth(n, d)?;
         // A parallel camera's depth is the distance.
         let is_straight = L::STRAIGHT_DISTANCE && volume.sight() == Sight::Perspective;
         let mut range = [1.0_f64, 0.0_f64];
@@ -127,9 +133,15 @@ impl Coverage {
 }
 
 /// Near and far decide by the distance itself, whatever the matrix rounds to.
-fn in_clip_space(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> [f64; 4] {
-    let volume = surfaces.volume();
-    let [clip_x, clip_y, clip_z, w] = volume.clip_from_view().times([x, y, z, 1.0]);
+fn in_clip_space(volume: &ViewVolume, [x, y, z]: [f64; 3]) -> [f64; 4] {
+    let matrix = volume.clip_from_view();
+    let at = matrix.times([x, y, z, 1.0]);
+    let [clip_x, clip_y, clip_z, w] = if at.iter().all(|x| x.is_finite()) {
+        at
+    } else {
+        // In clip space all four may be made smaller: it is the same point.
+        matrix.times(times_power([x, y, z, 1.0], -1000))
+    };
     let clip_z = if -z < volume.near() {
         clip_z.min((-w).next_down())
     } else if -z > volume.far() {
@@ -140,9 +152,50 @@ fn in_clip_space(surfaces: &Surfaces, [x, y, z]: [f64; 3]) -> [f64; 4] {
     [clip_x, clip_y, clip_z, w]
 }
 
-/// n = (V1 − V0) × (V2 − V0) and d = −n·V0 of the plane n·p + d = 0 that a triangle lies in.
-pub(super) fn plane([v0, v1, v2]: &[[f64; 3]; 3]) -> ([f64; 3], f64) {
-    let [a, b]: [[f64; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| v[i] - v0[i]));
+/// The plane n·p + d = 0 that a triangle lies in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TrianglePlane {
+    /// (V1 − V0) × (V2 − V0)
+    pub n: [f64; 3],
+    /// −n·V0
+    pub d: f64,
+    /// So many times smaller both are, as a power of two, than they would be if there were such numbers.
+    pub by: i32,
+}
+
+impl TrianglePlane {
+    pub fn of(triangle: &[[f64; 3]; 3]) -> Self {
+        let (n, d) = plane::<f64>(triangle);
+        let largest = n.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if PLAIN.contains(&largest) && d.is_finite() {
+            Self { n, d, by: 0 }
+        } else {
+            Self::near_one(triangle)
+        }
+    }
+
+    /// With a normal shorter than 1/8, so that n·p is not too large for any point that a triangle may have.
+    #[cold]
+    fn near_one(triangle: &[[f64; 3]; 3]) -> Self {
+        let (n, d) = plane::<Wide>(triangle);
+        let (_, by) = Wide::near_one(n);
+        let by = by + 4;
+        let over_power = |x: Wide| {
+            let (x, own) = x.parts();
+            times_power([x], own - by)[0]
+        };
+        Self {
+            n: n.map(over_power),
+            d: over_power(d),
+            by,
+        }
+    }
+}
+
+/// n and d as they are computed.
+pub(super) fn plane<R: Real>(triangle: &[[f64; 3]; 3]) -> ([R; 3], R) {
+    let [v0, v1, v2] = triangle.map(|v| v.map(R::new));
+    let [a, b]: [[R; 3]; 2] = [v1, v2].map(|v| std::array::from_fn(|i| v[i] - v0[i]));
     let n = [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

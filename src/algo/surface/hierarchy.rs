@@ -19,6 +19,7 @@
 use super::{
     Ray, RayCastingOutput, RayHit, Rays, Surfaces,
     box_division::{Boxed, Division, MOST_WAITING, divide},
+    near_one::NearOne,
     ray_casting::ray_triangles,
     ray_plane::{RayTriangle, RoughEdges, RoughLine},
     rounded_box::{Contents, FourBoxes, RayInBoxes, RoundedBox},
@@ -29,6 +30,7 @@ const FEW_WAITING: usize = 40;
 
 /// Triangles in boxes in boxes.
 pub struct Hierarchy {
+    near: NearOne,
     nodes: Vec<FourBoxes>,
     most_waiting: usize,
     /// Those that can be seen at all, in the order of the last boxes.
@@ -40,6 +42,8 @@ impl Hierarchy {
     /// Around all triangles that can be seen.
     #[must_use]
     pub fn new(surfaces: &Surfaces) -> Self {
+        let near = NearOne::of(surfaces);
+        let surfaces = &near.surfaces;
         let shown = ray_triangles(surfaces).filter(RayTriangle::is_shown);
         let shown: Vec<RayTriangle> = shown.collect();
         let eye_z = Rays::of(surfaces).through([0, 0]).origin[2];
@@ -59,12 +63,24 @@ impl Hierarchy {
             most_waiting,
             edges: triangles.iter().map(RoughEdges::new).collect(),
             triangles,
+            near,
         }
     }
 
     /// What a ray of the camera hits first, and how many triangles were asked, be it roughly.
     #[must_use]
     pub fn cast(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> (Option<RayHit>, u64) {
+        if self.near.is_given() {
+            return self.cast_near(surfaces, rays, ray);
+        }
+        let surfaces = &self.near.surfaces;
+        let (rays, ray) = (Rays::of(surfaces), self.near.ray(ray));
+        let (hit, n_asked) = self.cast_near(surfaces, &rays, &ray);
+        (self.near.given_nearest(hit), n_asked)
+    }
+
+    #[inline]
+    fn cast_near(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> (Option<RayHit>, u64) {
         // A short list is ready sooner than a long one.
         if self.most_waiting <= FEW_WAITING {
             self.descend::<FEW_WAITING>(surfaces, rays, ray)

@@ -13,12 +13,15 @@ mod bsp_tree;
 mod coverage;
 mod depth_buffer;
 mod depth_format;
+mod excess;
 pub mod faulty;
 mod hierarchy;
+mod near_one;
 mod occlusion;
 mod painter;
 mod precedence;
 mod ray_casting;
+mod ray_hit;
 mod ray_plane;
 mod rays;
 mod rounded_box;
@@ -45,9 +48,9 @@ pub use occlusion::{
 pub use painter::{Painter, PainterAnswer, PainterEvent, PainterHeld, PainterOutput, PairTally};
 pub use precedence::{Occupant, PairTest};
 pub use ray_casting::{
-    RayCasting, RayCastingEvent, RayCastingHeld, RayCastingInput, RayCastingOutput, RayHit,
+    RayCasting, RayCastingEvent, RayCastingHeld, RayCastingInput, RayCastingOutput,
 };
-pub use ray_plane::{Meeting, PlaneHit};
+pub use ray_hit::{Meeting, PlaneHit, RayHit};
 pub use rays::{Ray, Rays};
 pub use scan::{LANES, Lanes, draw_rows, shade_rows};
 pub use screen_triangle::{ScreenTriangle, Viewport};

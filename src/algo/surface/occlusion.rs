@@ -274,8 +274,8 @@ fn query_box(surfaces: &Surfaces, triangles: &[[[f64; 3]; 3]]) -> Option<Aligned
     let (half, size) = (volume.half_size(), surfaces.size().map(f64::from));
     let pixel = (2.0 * half[0] / size[0]).max(2.0 * half[1] / size[1]);
     let margin = MARGIN * pixel * distance.max(0.0);
-    let [x, y, z] = bounds.min().map(|x| x - margin);
-    let [right, top, front] = bounds.max().map(|x| x + margin);
+    let [x, y, z] = bounds.min().map(|x| (x - margin).max(f64::MIN));
+    let [right, top, front] = bounds.max().map(|x| (x + margin).min(f64::MAX));
     AlignedBox::new([x, y, z, right, top, front]).ok()
 }
 

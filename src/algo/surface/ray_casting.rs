@@ -35,7 +35,9 @@ use serde::Serialize;
 
 use crate::trace::{Method, Real, Tell, Told};
 
-use super::{Meeting, Picture, PlaneHit, Ray, Rays, Surfaces, ray_plane::RayTriangle};
+use super::{
+    Picture, PlaneHit, Ray, RayHit, Rays, Surfaces, near_one::NearOne, ray_plane::RayTriangle,
+};
 
 /// The algorithm; see the module.
 #[derive(Clone, Copy, Debug)]
@@ -48,17 +50,6 @@ pub struct RayCastingInput {
     pub surfaces: Surfaces,
     /// The only pixel that is asked for, where one is named.
     pub pixel: Option<[u32; 2]>,
-}
-
-/// A triangle that is met.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
-pub struct RayHit {
-    /// Of the triangle.
-    pub id: u32,
-    /// Where on the ray.
-    pub t: f64,
-    /// (z/w + 1) / 2 there.
-    pub depth: f64,
 }
 
 /// What happens, in order.
@@ -141,22 +132,33 @@ impl Method for RayCasting {
         tell: &mut T,
     ) -> Told<T::Stop> {
         use RayCastingEvent as Event;
-        let surfaces = &input.surfaces;
+        let near = NearOne::of(&input.surfaces);
+        let surfaces = &near.surfaces;
         let rays = Rays::of(surfaces);
         let triangles: Vec<RayTriangle> = ray_triangles(surfaces).collect();
         for pixel in input.pixels() {
             let ray = rays.through(pixel);
             let mut nearest: Option<RayHit> = None;
             held.nearest = nearest;
-            tell.tell(held, Event::Pixel { pixel, ray })?;
+            let told = if near.is_given() {
+                ray
+            } else {
+                near.given_ray(pixel)
+            };
+            tell.tell(held, Event::Pixel { pixel, ray: told })?;
             for triangle in &triangles {
                 let (id, found) = (triangle.id, triangle.ask::<R>(surfaces, &rays, &ray));
                 let hit = found.hit::<R>(id, &rays);
                 let is_nearest = hit.is_some_and(|hit| hit.is_nearer::<R>(nearest.as_ref()));
                 if is_nearest {
                     nearest = hit;
-                    held.nearest = nearest;
+                    held.nearest = near.given_nearest(nearest);
                 }
+                let found = if near.is_given() && triangle.by == 0 {
+                    found
+                } else {
+                    near.given_hit(&found, triangle.by)
+                };
                 let event = Event::Ask {
                     id,
                     found,
@@ -169,7 +171,7 @@ impl Method for RayCasting {
             held.so_far.see(pixel, nearest);
             let event = Event::Seen {
                 pixel,
-                hit: nearest,
+                hit: near.given_nearest(nearest),
                 n_asked: held.so_far.n_asked,
             };
             tell.tell(held, event)?;
@@ -211,24 +213,6 @@ impl RayCastingOutput {
             self.depth[place] = depth;
             self.picture.put(pixel, id);
         }
-    }
-}
-
-impl PlaneHit {
-    pub(super) fn hit<R: Real>(&self, id: u32, rays: &Rays) -> Option<RayHit> {
-        let t = self.t.filter(|_| self.meeting == Meeting::Hit)?;
-        let depth = rays.depth(R::new(t)).get().clamp(0.0, 1.0);
-        Some(RayHit { id, t, depth })
-    }
-}
-
-impl RayHit {
-    /// Is it seen before another one? Of two as near, the lower id.
-    pub(super) fn is_nearer<R: Real>(&self, other: Option<&Self>) -> bool {
-        other.is_none_or(|other| {
-            let [t, other_t] = [self.t, other.t].map(R::new);
-            t < other_t || (self.id < other.id && t == other_t)
-        })
     }
 }
 

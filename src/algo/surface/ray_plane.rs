@@ -12,51 +12,16 @@
 
 use std::{cmp::Ordering, ops::Range};
 
-use serde::Serialize;
-
 use crate::{
-    geom::{Sight, sign_of_three},
+    geom::{Sight, minor_extent, sign_of_three},
     trace::Real,
 };
 
-use super::{Ray, Rays, Surfaces, coverage::plane};
+use super::{Meeting, PlaneHit, Ray, Rays, Surfaces, coverage::TrianglePlane};
 
 /// Bounds, and largest components of lines, that f32 takes without running over or under.
 const BOUNDS: Range<f32> = 1e-24..1e18;
 const LARGEST: Range<f32> = 1e-12..1e12;
-
-/// What a line of sight has to do with a triangle.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Meeting {
-    /// Not asked: the triangle is edge-on, or shows its back and such are left out.
-    Culled,
-    /// n·r = 0: they never meet.
-    Parallel,
-    /// t < 0: it would be behind the eye.
-    Behind,
-    /// t < 1: before the near plane.
-    BeforeNear,
-    /// Beyond the far plane.
-    BeyondFar,
-    /// It meets the plane beside the triangle.
-    Beside,
-    /// It meets the triangle.
-    Hit,
-}
-
-/// A question and its answer.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
-pub struct PlaneHit {
-    /// n·o + d
-    pub numerator: f64,
-    /// n·r
-    pub denominator: f64,
-    /// −numerator / denominator; none where the plane is not met.
-    pub t: Option<f64>,
-    /// What is found.
-    pub meeting: Meeting,
-}
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RayTriangle {
@@ -66,6 +31,8 @@ pub(super) struct RayTriangle {
     pub turn: Ordering,
     n: [f64; 3],
     d: f64,
+    /// So many times smaller n and d are, as a power of two.
+    pub by: i32,
     /// Of each edge, Vᵢ × Vⱼ along the lines of sight, and the sums of the products' sizes.
     pub edges: [[[f64; 3]; 2]; 3],
     distances: [f64; 2],
@@ -73,7 +40,7 @@ pub(super) struct RayTriangle {
 
 impl RayTriangle {
     pub fn new(surfaces: &Surfaces, id: u32, corners: &[[f64; 3]; 3]) -> Self {
-        let (n, d) = plane(corners);
+        let TrianglePlane { n, d, by } = TrianglePlane::of(corners);
         let lines = corners.map(|v| surfaces.sight_line(v));
         let edges = [0, 1, 2].map(|i| {
             let [p, q] = [lines[i], lines[(i + 1) % 3]];
@@ -85,10 +52,7 @@ impl RayTriangle {
                 let [left, right] = products(axis);
                 left - right
             });
-            let size = [0, 1, 2].map(|axis| {
-                let [left, right] = products(axis);
-                left.abs() + right.abs()
-            });
+            let size = [0, 1, 2].map(|axis| minor_extent(products(axis)));
             [normal, size]
         });
         let [a, b, c] = corners.map(|[_, _, z]| -z);
@@ -98,6 +62,7 @@ impl RayTriangle {
             turn: surfaces.shown_turn(corners),
             n,
             d,
+            by,
             edges,
             distances: [a.min(b).min(c), a.max(b).max(c)],
         }

@@ -49,10 +49,12 @@ impl Rays {
     /// Through the pixels that these surfaces are asked at.
     #[must_use]
     pub const fn of(surfaces: &Surfaces) -> Self {
-        Self {
-            volume: *surfaces.volume(),
-            size: surfaces.size(),
-        }
+        Self::through_all(*surfaces.volume(), surfaces.size())
+    }
+
+    /// Through all pixels.
+    pub(super) const fn through_all(volume: ViewVolume, size: [u32; 2]) -> Self {
+        Self { volume, size }
     }
 
     /// Through the middle of a pixel.

@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::{
-    geom::{certain_sign, sign_of_four, sign_of_three},
+    geom::{certain_sign, minor_extent, sign_of_four, sign_of_three},
     trace::Real,
 };
 
@@ -56,10 +56,10 @@ fn minor<R: Real, const N: usize>([a, b]: [[R; N]; 2], [i, j]: [usize; 2]) -> R 
     a[i] * b[j] - a[j] * b[i]
 }
 
-/// The magnitudes of a minor's products.
+/// Of a minor's products.
 #[inline]
 fn extent<const N: usize>([a, b]: [[f64; N]; 2], [i, j]: [usize; 2]) -> f64 {
-    (a[i] * b[j]).abs() + (a[j] * b[i]).abs()
+    minor_extent([a[i] * b[j], a[j] * b[i]])
 }
 
 /// Counted as the comparison with 0 that it is.

@@ -4,7 +4,7 @@ use std::{cmp::Ordering, ops::Range, sync::Arc};
 
 use serde::Serialize;
 
-use crate::geom::{Sight, ViewVolume, sign_of_three};
+use crate::geom::{Sight, ViewVolume, sign_of_three, times_power};
 
 use super::Viewport;
 
@@ -96,6 +96,17 @@ impl Surfaces {
         let to = ids.end.min(self.triangles.len());
         Self {
             triangles: self.triangles[ids.start.min(to)..to].into(),
+            ..self.clone()
+        }
+    }
+
+    /// All lengths times 2 to the power of an exponent, by which none becomes infinite.
+    pub(super) fn scaled(&self, exponent: i32) -> Self {
+        let corner = |at: &[f64; 3]| times_power(*at, exponent);
+        let triangles = self.triangles.iter().map(|t| t.each_ref().map(corner));
+        Self {
+            volume: self.volume.times_power(exponent),
+            triangles: triangles.collect(),
             ..self.clone()
         }
     }

@@ -87,10 +87,12 @@ impl VolumeSide {
     #[inline]
     pub(super) fn share<R: Real>(self, ends: [[f64; 4]; 2], [d1, d2]: [R; 2]) -> Share<R> {
         let whole = d1 - d2;
-        if !whole.get().is_finite() {
-            let quarter = ends.map(|at| distance::<R>(self, at.map(|x| 0.25 * x)));
-            return self.share(ends.map(|at| at.map(|x| 0.25 * x)), quarter);
-        }
+        let [d1, d2, whole] = if whole.get().is_finite() {
+            [d1, d2, whole]
+        } else {
+            let [d1, d2] = ends.map(|at| R::new(distance(self, at.map(|x| 0.25 * x))));
+            [d1, d2, R::new(d1.get() - d2.get())]
+        };
         Share {
             weights: [d1, -d2],
             whole,

@@ -33,13 +33,18 @@ pub type HomogeneousLine = LineClip<4, ClipSpace>;
 pub struct ClipSpace;
 
 /// How far both ends lie inside a side; of a quarter of everything where a difference is beyond all numbers.
+#[must_use]
 pub fn side_distances<R: Real>(side: VolumeSide, ends: &Ends<4>) -> [R; 2] {
-    let distances = ends.map(|at| distance::<R>(side, at));
+    in_range(side, ends, ends.map(|at| distance(side, at)))
+}
+
+/// Of both ends as they were computed.
+fn in_range<R: Real>(side: VolumeSide, ends: &Ends<4>, distances: [R; 2]) -> [R; 2] {
     let [d1, d2] = distances.map(R::get);
     if (d1 - d2).is_finite() {
         distances
     } else {
-        ends.map(|at| distance(side, at.map(|x| 0.25 * x)))
+        ends.map(|at| R::new(distance(side, at.map(|x| 0.25 * x))))
     }
 }
 
@@ -88,9 +93,10 @@ impl Bounds<4> for ClipSpace {
         ends: &Ends<4>,
         _: &[R; 4],
     ) -> ([R; 2], PlaneRow) {
-        let [d1, d2] = side_distances::<R>(side, ends);
-        let p_and_q = [d1 - d2, d1];
-        (p_and_q, PlaneRow::of(p_and_q))
+        let told = ends.map(|at| distance::<R>(side, at));
+        let [d1, d2] = in_range(side, ends, told);
+        let told = PlaneRow::of([told[0].get() - told[1].get(), told[0].get()]);
+        ([d1 - d2, d1], told)
     }
 
     fn distances(&self, side: VolumeSide, ends: &Ends<4>) -> [f64; 2] {

@@ -30,6 +30,7 @@ pub use plane_at_a_time::{PlaneAtATime, PlaneAtATimeEvent, PlaneAtATimeHeld};
 pub use plane_cut::{clipped, split};
 pub use plane_line::{PlaneLine, plane_distances};
 pub use point_plane::{PlaneSide, signed_distance, weighted_sum};
+pub(super) use point_plane::{bounded_sum, is_plain};
 pub use side_code::SideCode;
 pub use space_vertex::{CutTriangles, SpaceVertex, TrianglePlanes, has_area};
 

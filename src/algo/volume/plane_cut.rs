@@ -16,7 +16,7 @@ use crate::{
     trace::{Real, Told},
 };
 
-use super::weighted_sum;
+use super::point_plane::{bounded_sum, is_plain, scaled_sums, signed_distance, weighted_sum};
 
 /// Where an edge crosses.
 pub(super) struct PlaneCut<R> {
@@ -29,26 +29,25 @@ pub(super) struct PlaneCut<R> {
     pub is_leaving: bool,
 }
 
-/// n·p + d; too large for f64, the largest number.
+/// n·p + d; beyond the range of f64 the largest or the smallest number, so that the sign is right.
 #[inline]
 pub(super) fn distance<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
     let sum = weighted_sum::<R>(plane, p);
-    if sum.get().is_finite() {
+    if is_plain(sum.get()) {
         sum
     } else {
-        match small_sum::<f64>(plane, p) {
-            0.0 => R::new(0.0),
-            small => R::new(f64::MAX.copysign(small)),
-        }
+        R::new(bounded_sum(plane, p))
     }
 }
 
-/// The same, normal and point by 2⁻⁵¹³ each, so that the largest product of two numbers is less than 2¹⁰²².
-#[cold]
-fn small_sum<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
-    const SMALL: f64 = 3.729_170_365_600_103_4e-155;
-    let [n, p] = [plane.normal(), p].map(|v| v.map(|x| R::new(SMALL * x)));
-    n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + R::new(SMALL * (SMALL * plane.d()))
+/// The distance of a vertex, in lengths of 1, from n·p + d as [`distance`] has it.
+#[inline]
+pub(super) fn told(plane: &Plane, p: [f64; 3], distance: f64) -> f64 {
+    if distance == 0.0 || is_plain(distance) && distance.abs() < f64::MAX {
+        distance / plane.length()
+    } else {
+        signed_distance(plane, p)
+    }
 }
 
 /// An edge's ends and their distances, the inside end first.
@@ -89,14 +88,14 @@ pub(super) fn plane_cut<R: Real>(
     })
 }
 
-/// By the ends' distances, by small ones where these or their difference are too large.
+/// By the ends' distances, by both times a power of two where these or their difference leave the range of f64.
 fn share<R: Real>(plane: &Plane, ends: [[f64; 3]; 2], distances: [R; 2]) -> Share<R> {
-    let is_plain = |d: R| d.get().abs() < f64::MAX;
+    let is_plain = |d: R| is_plain(d.get()) && d.get().abs() < f64::MAX;
     let whole = distances[0] - distances[1];
     let [d1, d2] = if distances.into_iter().all(is_plain) && is_plain(whole) {
         distances
     } else {
-        ends.map(|end| small_sum::<R>(plane, end))
+        scaled_sums(plane, ends).map(R::new)
     };
     Share {
         weights: [d1, -d2],
@@ -159,7 +158,13 @@ fn outside_by(plane: &Plane, at: [f64; 3]) -> f64 {
     let n = plane.normal();
     let size: f64 = (0..3).map(|i| (n[i] * at[i]).abs()).sum();
     let roundings = f64::EPSILON * (size + plane.d().abs());
-    (roundings - distance::<f64>(plane, at).min(0.0)) / plane.length()
+    if is_plain(roundings) {
+        return (roundings - distance::<f64>(plane, at).min(0.0)) / plane.length();
+    }
+    let unit = plane.unit_normal();
+    let size: f64 = (0..3).map(|i| (unit[i] * f64::EPSILON * at[i]).abs()).sum();
+    let roundings = size + f64::EPSILON * (plane.d() / plane.length()).abs();
+    roundings - signed_distance::<f64>(plane, at).min(0.0)
 }
 
 impl Limit<[f64; 3]> for Plane {

@@ -23,25 +23,25 @@ use crate::{
     trace::Real,
 };
 
-use super::weighted_sum;
+use super::point_plane::{is_plain, scaled_sums, weighted_sum};
 
 /// The algorithm; see the module.
 pub type PlaneLine = LineClip<3, Vec<Plane>>;
 
-/// Numbers whose products leave the range of f64 are made smaller by this first: 2⁻⁵⁴⁰.
-const SMALLER: f64 = 2.778_448_436_856_347e-163;
-
-/// n·p + d of both ends; made smaller by the same power of two where they or their difference are beyond all numbers.
+/// n·p + d of both ends; times the same power of two where they or their difference would leave the range of f64.
+#[must_use]
 pub fn plane_distances<R: Real>(plane: &Plane, ends: &Ends<3>) -> [R; 2] {
-    let distances = ends.map(|at| weighted_sum::<R>(plane, at));
-    let [d1, d2] = distances.map(R::get);
-    if (d1 - d2).is_finite() {
-        return distances;
+    in_range(plane, ends, ends.map(|at| weighted_sum(plane, at)))
+}
+
+/// Of both ends as they were computed.
+fn in_range<R: Real>(plane: &Plane, ends: &Ends<3>, sums: [R; 2]) -> [R; 2] {
+    let [d1, d2] = sums.map(R::get);
+    if (d1 - d2).is_finite() && is_plain(d1) && is_plain(d2) {
+        sums
+    } else {
+        scaled_sums(plane, *ends).map(R::new)
     }
-    ends.map(|at| {
-        let products = (0..3).map(|i| (SMALLER * plane.normal()[i]) * (SMALLER * at[i]));
-        R::new(products.sum::<f64>() + SMALLER * (SMALLER * plane.d()))
-    })
 }
 
 /// The coordinate that a plane square to an axis fixes, and the axis.
@@ -64,9 +64,11 @@ impl Bounds<3> for Vec<Plane> {
     }
 
     fn inequality<R: Real>(&self, plane: usize, ends: &Ends<3>, _: &[R; 3]) -> ([R; 2], PlaneRow) {
-        let [d1, d2] = plane_distances::<R>(&self[plane], ends);
-        let p_and_q = [d1 - d2, d1];
-        (p_and_q, PlaneRow::of(p_and_q))
+        let plane = &self[plane];
+        let told = ends.map(|at| weighted_sum::<R>(plane, at));
+        let [d1, d2] = in_range(plane, ends, told);
+        let told = PlaneRow::of([told[0].get() - told[1].get(), told[0].get()]);
+        ([d1 - d2, d1], told)
     }
 
     fn distances(&self, plane: usize, ends: &Ends<3>) -> [f64; 2] {

@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     VolumeRules,
-    plane_cut::{distance, plane_cut},
+    plane_cut::{distance, plane_cut, told},
 };
 
 /// A corner of a triangle in space.
@@ -87,8 +87,8 @@ impl<L: VolumeRules> Limit<SpaceVertex> for LastPlane<'_, L> {
 
     /// In lengths of 1, not of n.
     #[inline]
-    fn told(&self, distance: f64) -> f64 {
-        distance / self.plane.length()
+    fn told(&self, vertex: &SpaceVertex, distance: f64) -> f64 {
+        told(self.plane, vertex.at, distance)
     }
 
     fn crossing<R: Real>(

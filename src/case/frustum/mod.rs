@@ -10,7 +10,8 @@ use crate::{
             PointPlanesInput, SphereCull, SphereCullInput,
         },
         pipeline::{
-            BresenhamInput, LineToPixels, LineToPixelsInput, ViewingPipeline, ViewingPipelineInput,
+            BresenhamInput, LineToPixels, LineToPixelsInput, PipelineSpace, ViewingPipeline,
+            ViewingPipelineInput,
         },
         volume::{
             ClipSpace, ClipVertex, CohenSutherland3d, HomogeneousLine, HomogeneousTriangle,
@@ -285,7 +286,13 @@ impl Solve for ViewingPipeline {
             camera: *fields.need(&CAMERA)?.camera(),
             viewport: fields.need(&SIZE)?,
         };
-        Ok(input)
+        let matrices = PipelineSpace::ALL.map(|into| input.matrix(into).rows());
+        let numbers = matrices.as_flattened().as_flattened();
+        if numbers.iter().all(|x| x.is_finite()) {
+            Ok(input)
+        } else {
+            Err(fields.beyond_range("case-beyond-range"))
+        }
     };
     const VERDICT: Verdict<Self> = |output| {
         let key = match (output.inside, output.screen) {

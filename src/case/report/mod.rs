@@ -14,7 +14,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Case, Detail, Id, Refused, refusal::short};
+use super::{Case, Detail, Id, Numbers, Refused, refusal::short};
 
 use columns::Cell;
 
@@ -84,7 +84,7 @@ impl Solved {
             algorithm: catalog.term(case.solver.card.name_key),
             source: case.solver.card.source,
             given: told.iter().map(|given| given_row(given, catalog)).collect(),
-            steps: has_steps.then(|| step_rows(&*case.problem.run(), catalog)),
+            steps: has_steps.then(|| step_rows(&*case.problem.run(), case.solver.numbers, catalog)),
             verdict: catalog.message(&case.problem.verdict()),
             cost: cost.map(|(key, n)| [catalog.term(key), n.to_string()]),
         }
@@ -115,8 +115,9 @@ impl Refusing<'_> {
     }
 }
 
-/// The problem's statement at step 0 first.
-fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<[Cell; 4]> {
+/// The problem's statement at step 0 first. Arithmetic that leaves the range of f64 on its way is left out.
+fn step_rows(run: &dyn Run, numbers: Numbers, catalog: &Catalog) -> Vec<[Cell; 4]> {
+    let is_told = |value: &Value| value.is_all(|x| numbers.have(x));
     let (mut rows, mut before) = (Vec::new(), None);
     run.visit([0, run.n_steps()], &mut |step, shown| {
         let (caption, mut watch) = (shown.caption(), shown.watch());
@@ -125,13 +126,16 @@ fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<[Cell; 4]> {
         }
         let changed = watch.iter().flat_map(|section| {
             let rows = section.rows.iter().filter(|row| row.has_changed());
-            rows.map(|row| changed_row(section, row, catalog))
+            rows.filter_map(|row| changed_row(section, row, is_told, catalog))
         });
         let arithmetic = caption.arithmetic.iter();
         rows.push([
             vec![step.to_string()],
             vec![catalog.message(&caption.decision)],
-            arithmetic.map(|f| catalog.formula(f)).collect(),
+            arithmetic
+                .filter(|f| is_told(&Value::Formula((*f).clone())))
+                .map(|f| catalog.formula(f))
+                .collect(),
             changed.collect(),
         ]);
         before = Some(watch);
@@ -141,7 +145,15 @@ fn step_rows(run: &dyn Run, catalog: &Catalog) -> Vec<[Cell; 4]> {
 }
 
 /// `code₁ = 0001 (to the left)`, or `left edge: p = −4, q = −1, r = 1/4`.
-fn changed_row(section: &WatchSection, row: &WatchRow, catalog: &Catalog) -> String {
+fn changed_row(
+    section: &WatchSection,
+    row: &WatchRow,
+    is_told: impl Fn(&Value) -> bool,
+    catalog: &Catalog,
+) -> Option<String> {
+    if row.cells.iter().flatten().any(|cell| !is_told(cell)) {
+        return None;
+    }
     let name = catalog.value(&row.name);
     let said = |cell: &Option<Value>| cell.as_ref().map(|cell| catalog.value(cell));
     let cells = row.cells.iter().map(said);
@@ -170,7 +182,7 @@ fn changed_row(section: &WatchSection, row: &WatchRow, catalog: &Catalog) -> Str
             text = catalog.message(&noted.with("note", note));
         }
     }
-    text
+    Some(text)
 }
 
 /// "Case 3", or "Case 3 (id)".

@@ -7,12 +7,10 @@
 //!      area > 0               b: area = 0        area < 0       ● c
 //! ```
 
-use std::cmp::Ordering;
-
 use serde::Serialize;
 
 use crate::{
-    geom::{Point, is_certain, orientation},
+    geom::{Point, doubtful_area, is_certain},
     trace::Real,
 };
 
@@ -42,7 +40,7 @@ impl Corner {
     }
 }
 
-/// Twice the signed area of abc, rounded, with the sign of [`orientation`], whose adaptive predicate is not counted.
+/// Twice the signed area of abc, rounded, with the exact sign, whose adaptive predicate is not counted.
 pub(super) fn double_area<R: Real>(a: Point, b: Point, c: Point) -> R {
     let [[xa, ya], [xb, yb], [xc, yc]] = [a, b, c].map(|p| p.to_array().map(R::new));
     let left = (xb - xa) * (yc - yb);
@@ -52,23 +50,6 @@ pub(super) fn double_area<R: Real>(a: Point, b: Point, c: Point) -> R {
         area
     } else {
         R::new(doubtful_area(a, b, c))
-    }
-}
-
-#[cold]
-fn doubtful_area(a: Point, b: Point, c: Point) -> f64 {
-    let [pa, pb, pc] = [a, b, c].map(|p| robust::Coord { x: p.x(), y: p.y() });
-    let area = robust::orient2d(pa, pb, pc);
-    // Of very large or very small numbers the sign alone is right.
-    let positive = match area.abs() {
-        size if (f64::MIN_POSITIVE..=f64::MAX).contains(&size) => size,
-        0.0 => f64::MIN_POSITIVE,
-        _ => f64::MAX,
-    };
-    match orientation(a, b, c) {
-        Ordering::Greater => positive,
-        Ordering::Less => -positive,
-        Ordering::Equal => 0.0,
     }
 }
 

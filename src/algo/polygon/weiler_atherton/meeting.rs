@@ -17,7 +17,7 @@ use serde::Serialize;
 
 use crate::{
     algo::line::Ratio,
-    geom::{Point, lexicographic},
+    geom::{Point, exponent, lexicographic, times_power},
     trace::Real,
 };
 
@@ -100,21 +100,82 @@ pub fn meetings<R: Real>(s: [Point; 2], c: [Point; 2]) -> [Option<Meeting>; 2] {
     } else {
         List::Clip
     };
+    // Sides have been decided: from here on only the distances' ratio counts.
+    let near = if are_plain([s, c], [a, b]) {
+        Near {
+            edges: [s, c],
+            a,
+            b,
+            by: 0,
+        }
+    } else {
+        Near::of([s, c])
+    };
     let at = match (contact, along) {
-        (Contact::Crossing, List::Subject) => crossing(s, a, c),
-        (Contact::Crossing, List::Clip) => crossing(c, b, s),
+        (Contact::Crossing, along) => near.crossing(along),
         (Contact::ClipVertex, _) => c[0],
         (Contact::SubjectVertex | Contact::BothVertices, _) => s[0],
     };
     let meeting = Meeting {
         contact,
         at,
-        t: ratio(a),
-        u: ratio(b),
+        t: ratio(near.a),
+        u: ratio(near.b),
         along,
         from_right: a[0] < zero,
     };
     [Some(meeting), None]
+}
+
+/// A subject's edge and a clip edge, and their ends' distances as [`meetings`] has them.
+struct Near<R> {
+    edges: [[Point; 2]; 2],
+    a: [R; 2],
+    b: [R; 2],
+    /// So many times larger they were, as a power of two.
+    by: i32,
+}
+
+impl<R: Real> Near<R> {
+    /// Both brought near 1.
+    #[cold]
+    fn of(edges: [[Point; 2]; 2]) -> Self {
+        let coordinates = edges.map(|edge| edge.map(Point::to_array));
+        // One more, so that no difference overflows.
+        let by = 1 + exponent(coordinates.as_flattened().as_flattened());
+        let edges = edges.map(|edge| edge.map(|p| times(p, -by)));
+        let [s, c] = edges;
+        Self {
+            edges,
+            a: s.map(|p| R::new(side(c[0], c[1], p))),
+            b: c.map(|p| R::new(side(s[0], s[1], p))),
+            by,
+        }
+    }
+
+    fn crossing(&self, along: List) -> Point {
+        let [s, c] = self.edges;
+        let at = match along {
+            List::Subject => crossing(s, self.a, c),
+            List::Clip => crossing(c, self.b, s),
+        };
+        if self.by == 0 { at } else { times(at, self.by) }
+    }
+}
+
+/// Do distances, and products of coordinates and distances, keep all their bits?
+fn are_plain<R: Real>(edges: [[Point; 2]; 2], distances: [[R; 2]; 2]) -> bool {
+    let points = edges.as_flattened().iter();
+    let largest = points.fold(0.0_f64, |most, p| most.max(p.x().abs()).max(p.y().abs()));
+    distances.as_flattened().iter().all(|d| {
+        let d = d.get().abs();
+        d == 0.0 || PLAIN.contains(&d) && PLAIN.contains(&(largest * d))
+    })
+}
+
+fn times(p: Point, exponent: i32) -> Point {
+    let [x, y] = times_power(p.to_array(), exponent);
+    Point::from_finite(x, y)
 }
 
 /// Edges on one line: the first end of either may lie on the other.
@@ -184,7 +245,8 @@ fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Poin
         } else if PLAIN.contains(&whole.get()) && PLAIN.contains(&(largest * whole.get())) {
             ((o1 * w2 + o2 * w1) / whole).get()
         } else {
-            scaled_mean(ends, other, axis)
+            let [t1, t2] = [w1, w2].map(|w| (w / whole).get());
+            o1.get() * t2 + o2.get() * t1
         };
         // Rounding may have put it beyond an end.
         let [e, o] = [ends, other].map(|edge| edge.map(axis));
@@ -197,22 +259,3 @@ fn crossing<R: Real>(ends: [Point; 2], sides: [R; 2], other: [Point; 2]) -> Poin
 
 /// Weights and products in this range keep all their bits.
 const PLAIN: std::ops::RangeInclusive<f64> = 1e-270..=1e270;
-
-/// [`crossing`]'s mean with coordinates scaled by a power of two. NaN where even that does not help.
-#[cold]
-fn scaled_mean(ends: [Point; 2], other: [Point; 2], axis: fn(Point) -> f64) -> f64 {
-    let all = [ends, other].map(|edge| edge.map(Point::to_array));
-    let numbers = all.as_flattened().as_flattened();
-    let largest = numbers.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let exponent = (largest.to_bits() >> 52) as i32 - 1023;
-    // In two steps, as 2^1074 is no f64.
-    let down = |x: f64| x * 2f64.powi(-exponent / 2) * 2f64.powi(-exponent - -exponent / 2);
-    let coord = |p: Point| robust::Coord {
-        x: down(p.x()),
-        y: down(p.y()),
-    };
-    let [c1, c2] = other.map(coord);
-    let [w1, w2] = ends.map(|p| robust::orient2d(c1, c2, coord(p)).abs());
-    let [t1, t2] = [w1, w2].map(|w| w / (w1 + w2));
-    axis(ends[0]) * t2 + axis(ends[1]) * t1
-}

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::{
-    geom::{Point, is_certain, lexicographic, orientation},
+    geom::{Point, doubtful_area, is_certain, lexicographic},
     trace::Real,
 };
 
@@ -17,27 +17,11 @@ pub fn side<R: Real>(a: Point, b: Point, c: Point) -> R {
     if is_certain(det.get(), left.get(), right.get()) {
         det
     } else {
-        R::new(doubtful_side(a, b, c))
-    }
-}
-
-/// [`side`] where rounding may have changed the sign.
-#[cold]
-fn doubtful_side(a: Point, b: Point, c: Point) -> f64 {
-    // In one order only, so that every bit is the same for both.
-    let turned = lexicographic(a, b) == Ordering::Greater;
-    let (a, b) = if turned { (b, a) } else { (a, b) };
-    let coord = |p: Point| robust::Coord { x: p.x(), y: p.y() };
-    let area = robust::orient2d(coord(a), coord(b), coord(c)).abs();
-    let size = if area > 0.0 && area.is_finite() {
-        area
-    } else {
-        f64::MIN_POSITIVE
-    };
-    match (orientation(a, b, c), turned) {
-        (Ordering::Equal, _) => 0.0,
-        (Ordering::Greater, false) | (Ordering::Less, true) => size,
-        _ => -size,
+        // In one order only, so that every bit is the same for both.
+        R::new(match lexicographic(a, b) {
+            Ordering::Greater => -doubtful_area(b, a, c) + 0.0,
+            Ordering::Less | Ordering::Equal => doubtful_area(a, b, c),
+        })
     }
 }
 
