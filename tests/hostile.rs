@@ -282,3 +282,87 @@ fn a_filter_fits_a_pipeline() {
     assert_eq!(full(&["trace", "cases"]), Some(2));
     assert_eq!(full(&["check"]), Some(2));
 }
+
+/// One outline with so many teeth, each longer than all teeth together are wide: upright, or lying.
+fn comb(n_teeth: usize, is_lying: bool) -> String {
+    let width = 2 * n_teeth;
+    let mut points = vec![[0.0, -1.0], [width as f64, -1.0]];
+    for i in (0..n_teeth).rev() {
+        let [x, tip] = [2.0 * i as f64, width as f64 + 1.0];
+        points.extend([
+            [x + 1.6, 0.0],
+            [x + 1.5, tip],
+            [x + 0.6, tip],
+            [x + 0.5, 0.0],
+        ]);
+    }
+    if is_lying {
+        points = points
+            .iter()
+            .rev()
+            .map(|[x, y]| [y - 0.5, x + 0.1])
+            .collect();
+    }
+    format!("{points:?}")
+}
+
+fn on_raster(algorithm: &str, size: [u32; 2], triangles: &str) -> String {
+    format!(
+        r#"{{"algorithm":"{algorithm}","size":{size:?},"frustum":{{"fov_y_deg":90,"aspect":1,"near":1,"far":100}},{triangles}}}"#
+    )
+}
+
+/// Triangles that fill the picture, each behind the one before.
+fn fills(n: usize) -> Vec<String> {
+    let depth = |i: usize| -1.5 - 0.01 * i as f64;
+    let fill = |z: f64| format!("[[-100,-100,{z}],[100,-100,{z}],[0,150,{z}]]");
+    (0..n).map(|i| fill(depth(i))).collect()
+}
+
+#[test]
+fn work_beyond_a_budget_is_refused_before_it_takes_long() {
+    let desk = Desk::new();
+    let (whole, many) = ([4096, 4096], fills(2000));
+    let triangles = format!(r#""triangles":[{}]"#, many.join(","));
+    let one = format!(r#""triangles":[{}]"#, many[0]);
+    let objects = format!(r#""objects":[[{}]]"#, many.join("],["));
+    let combs = |n: usize| {
+        let (clip, polygon) = (comb(n, true), comb(n, false));
+        format!(r#"{{"algorithm":"weiler-atherton","clip":{clip},"polygon":{polygon}}}"#)
+    };
+    let too_many = "The run would have more than";
+    for (case, code, says) in [
+        (
+            on_raster("depth-buffer", [2048, 2048], &one),
+            0,
+            "\"depth\":[",
+        ),
+        (
+            on_raster("ray-casting", [320, 240], &triangles),
+            0,
+            "\"counts\"",
+        ),
+        (on_raster("painter", whole, &triangles), 1, too_many),
+        (
+            on_raster("occlusion", whole, &objects),
+            1,
+            "The triangles cover 33554432000 pixels",
+        ),
+        (
+            format!(
+                r#"{{"algorithm":"ear-clipping","polygon":{}}}"#,
+                comb(12_500, false)
+            ),
+            0,
+            "\"vertices\"",
+        ),
+        (combs(500), 0, "\"relation\":\"crossing\""),
+        (combs(2000), 1, too_many),
+    ] {
+        desk.write("case", &case);
+        let output = desk.run(&["trace", "case", "--events", "false"]);
+        let said = said(&output);
+        assert_eq!(output.status.code(), Some(code), "{case:.200}: {said:.500}");
+        assert!(said.contains(says), "{case:.200}: {said:.500}");
+    }
+}

@@ -147,6 +147,15 @@ impl<'a> Fields<'a> {
         Refusal::of(&path(self.within, part.name()), fault.into())
     }
 
+    /// It is too much: the field that takes the most room is to blame.
+    pub(super) fn too_much(&self, problem: Message) -> Refusal {
+        let longest = self.given.iter().max_by_key(|(_, raw)| raw.get().len());
+        match longest {
+            Some((name, _)) => Refusal::at(Code::TooLarge, &path(self.within, name), problem),
+            None => Refusal::whole(Code::TooLarge, problem),
+        }
+    }
+
     /// Were all numbers that have been read such that nothing worked out of them can leave the range of f64?
     pub(super) const fn is_moderate(&self) -> bool {
         self.is_moderate.get()

@@ -33,6 +33,7 @@
     clippy::return_self_not_must_use
 )]
 
+mod budget;
 mod fields;
 mod finite;
 mod frustum;
@@ -50,6 +51,7 @@ mod stream;
 mod style;
 mod surfaces;
 
+pub use budget::{Meter, OverBudget};
 pub use fields::Fields;
 pub use finite::Numbers;
 pub use line::{CaseLine, CaseLines, MAX_LINE_BYTES};

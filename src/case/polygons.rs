@@ -5,7 +5,10 @@ use crate::{
         ClipRegion, ClippedRing, EarClipping, Pipeline, RingOutcome, SutherlandHodgman,
         SutherlandHodgmanInput, Textured, TriangulateAndClip, TriangulateAndClipInput,
         Triangulation, Vertex,
-        weiler_atherton::{Relation, WeilerAtherton, WeilerAthertonInput, WeilerAthertonOutput},
+        weiler_atherton::{
+            Relation, WeilerAtherton, WeilerAthertonEvent, WeilerAthertonInput,
+            WeilerAthertonOutput,
+        },
     },
     geom::{Point, Polygon, Region, SimplePolygon},
     input::{CLIP, CONVEX_CLIP, HOLES, MOST_VERTICES, POLYGON, WINDOW},
@@ -151,6 +154,7 @@ fn to_clip(fields: &Fields<'_>) -> Result<SutherlandHodgmanInput, Refusal> {
 impl Solve for SutherlandHodgman {
     const FIELDS: &'static [Field] = &TEXTURED;
     const OUTPUT: &'static [Field] = &TEXTURED_RING;
+    const BUDGET: u64 = 300_000_000;
     const READ: Reading<Self> = to_clip;
     const VERDICT: Verdict<Self> = ring;
 }
@@ -158,6 +162,7 @@ impl Solve for SutherlandHodgman {
 impl Solve for SutherlandHodgman<Textured> {
     const FIELDS: &'static [Field] = &TEXTURED;
     const OUTPUT: &'static [Field] = &TEXTURED_RING;
+    const BUDGET: u64 = 300_000_000;
     const READ: Reading<Self> = |fields| {
         let plain = to_clip(fields)?;
         let (uvs, n_vertices) = (fields.need(&UV)?, plain.vertices.len());
@@ -186,12 +191,22 @@ impl Solve for Pipeline {
 impl Solve for WeilerAtherton {
     const FIELDS: &'static [Field] = &WITH_HOLES;
     const OUTPUT: &'static [Field] = &[RINGS, RELATION];
+    /// A crossing takes 170 bytes.
+    const BUDGET: u64 = 45_000_000;
     const READ: Reading<Self> = |fields| {
         let (clip, n_clip_edges) = simple_clip(fields)?;
         let subject = region(fields, n_clip_edges)?;
         Ok(WeilerAthertonInput { subject, clip })
     };
     const VERDICT: Verdict<Self> = pieces;
+
+    /// All crossings are found before the first is inserted, labelled and walked past: what comes is counted with what is found.
+    fn cost(_: &Self::Input, _: &Self::Held, event: &Self::Event) -> u64 {
+        match event {
+            WeilerAthertonEvent::Found { .. } => 5,
+            _ => 1,
+        }
+    }
 }
 
 impl Solve for EarClipping {
@@ -213,6 +228,7 @@ impl Solve for EarClipping {
 impl Solve for TriangulateAndClip {
     const FIELDS: &'static [Field] = &CLIPPED;
     const OUTPUT: &'static [Field] = &[RINGS];
+    const BUDGET: u64 = 250_000_000;
     const READ: Reading<Self> = |fields| {
         let region = convex_region(fields)?;
         let polygon = simple_polygon(fields, region.n_edges())?;

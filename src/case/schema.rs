@@ -15,7 +15,11 @@ impl Solvers {
     #[must_use]
     pub fn schema(self) -> Json {
         let schemas = |solver: &Solver| {
-            let schemas = json!({ "case": of_cases(solver), "answer": of_answers(solver) });
+            let schemas = json!({
+                "case": of_cases(solver),
+                "answer": of_answers(solver),
+                "budget": { "steps": solver.budget },
+            });
             (solver.card.id.to_owned(), schemas)
         };
         let algorithms: Map<String, Json> = self.iter().map(schemas).collect();

@@ -1,16 +1,21 @@
 //! How an algorithm joins, and what it makes of a case.
 
-use std::{convert::Infallible, io};
+use std::io;
 
 use serde::Serialize;
 
 use crate::{
     figure::Run,
     labs::{Answer, MethodCard, recorded::Recorded, telling::Telling},
-    trace::{Counted, Listening, Method, Told, held_after, silent},
+    trace::{Counted, Listening, Method, Real, Told, silent},
 };
 
-use super::{Fields, finite::Numbers, prelude::*};
+use super::{
+    Fields,
+    budget::{Meter, OverBudget},
+    finite::Numbers,
+    prelude::*,
+};
 
 /// Makes an algorithm's input of checked fields, or refuses the first whose value means nothing.
 pub type Reading<A> = fn(&Fields<'_>) -> Result<<A as Method>::Input, Refusal>;
@@ -26,12 +31,33 @@ pub trait Solve: Telling {
     /// The field by which a case is refused whose report would have more steps than [`Detail::MOST_STEPS`]; `None` where
     /// the limits on the fields' sizes are enough.
     const LONG_BY: Option<&'static str> = None;
+    /// So many steps a case may be: a few seconds of work, and less than 1 GB.
+    const BUDGET: u64 = 500_000_000;
     /// What the numbers of its answer and of its events may be.
     const NUMBERS: Numbers = Numbers::Finite;
     /// Its input.
     const READ: Reading<Self>;
     /// Its answer in one sentence.
     const VERDICT: Verdict<Self>;
+
+    /// For how many steps an event counts that has just been told: the pixels that are painted with it.
+    #[inline(always)]
+    fn cost(_input: &Self::Input, _held: &Self::Held, _event: &Self::Event) -> u64 {
+        1
+    }
+
+    /// The run that is made where no step is asked for: the taught one, unless there is one that comes to the same answer sooner.
+    ///
+    /// # Errors
+    /// It is over its budget.
+    #[inline(always)]
+    fn answer_alone<R: Real>(
+        input: &Self::Input,
+        meter: &mut Meter,
+    ) -> Told<OverBudget, Self::Output> {
+        let (held, _) = metered::<Self, R>(input, meter)?;
+        Told::Continue(Self::output(held))
+    }
 
     /// The answer's `output`, from that of its run.
     fn told(_input: &Self::Input, output: &Self::Output) -> impl Serialize {
@@ -47,6 +73,8 @@ pub struct Solver {
     pub fields: &'static [Field],
     /// [`Solve::OUTPUT`].
     pub output: &'static [Field],
+    /// [`Solve::BUDGET`].
+    pub budget: u64,
     /// [`Solve::NUMBERS`].
     pub numbers: Numbers,
     pub(super) read: ReadProblem,
@@ -62,6 +90,7 @@ impl Solver {
             card: MethodCard::of::<A>(),
             fields: A::FIELDS,
             output: A::OUTPUT,
+            budget: A::BUDGET,
             numbers: A::NUMBERS,
             read: read_problem::<A>,
         }
@@ -110,11 +139,28 @@ pub trait Solvable {
 
 pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
     let input = A::READ(fields)?;
-    if let Some(field) = A::LONG_BY {
-        check_steps::<A>(&input, field, fields.detail())?;
+    let mut meter = Meter::new(A::BUDGET);
+    let (run, counts) = Counts::of(|| match fields.detail() {
+        Detail::Answers => match A::answer_alone::<Counted>(&input, &mut meter) {
+            Told::Continue(output) => Ok((output, 0)),
+            Told::Break(over) => Err(over),
+        },
+        Detail::Steps => match metered::<A, Counted>(&input, &mut meter) {
+            Told::Continue((held, n_steps)) => Ok((A::output(held), n_steps)),
+            Told::Break(over) => Err(over),
+        },
+    });
+    let (output, n_steps) = run.map_err(|OverBudget| {
+        fields.too_much(Message::new("case-over-budget").with("max", A::BUDGET as usize))
+    })?;
+    if let Some(field) = A::LONG_BY
+        && n_steps > Detail::MOST_STEPS
+    {
+        let problem = Message::new("case-too-many-steps")
+            .with("found", n_steps)
+            .with("max", Detail::MOST_STEPS);
+        return Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem));
     }
-    let (held, counts) = Counts::of(|| held_after::<A, Counted>(&input));
-    let output = A::output(held);
     if !fields.is_moderate() {
         check_range::<A>(&input, &output, fields)?;
     }
@@ -125,30 +171,18 @@ pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solv
     }))
 }
 
-/// Refuses a report of too many steps.
-fn check_steps<A: Solve>(
+/// The memory after a run over the scalar `R`, and how many steps it tells.
+fn metered<A: Solve, R: Real>(
     input: &A::Input,
-    field: &'static str,
-    detail: Detail,
-) -> Result<(), Refusal> {
-    let most = detail.limit(Detail::MOST_STEPS);
-    // The bound may be far above what there will be.
-    if A::max_events(input) <= most {
-        return Ok(());
-    }
-    let mut n_steps = 0;
-    let mut counting = Listening(|_: &A::Held, _| {
-        n_steps += 1;
-        Told::<Infallible>::Continue(())
+    meter: &mut Meter,
+) -> Told<OverBudget, (<A as Method>::Held, usize)> {
+    let (mut held, mut n_told) = (A::begin(input), 0);
+    let mut counting = Listening(|held: &A::Held, event| {
+        n_told += 1;
+        meter.add(A::cost(input, held, &event))
     });
-    let Told::Continue(()) = A::run::<f64, _>(input, &mut A::begin(input), &mut counting);
-    if n_steps <= most {
-        return Ok(());
-    }
-    let problem = Message::new("case-too-many-steps")
-        .with("found", n_steps)
-        .with("max", most);
-    Err(Refusal::at(Code::TooLarge, &Path::Field(field), problem))
+    A::run::<R, _>(input, &mut held, &mut counting)?;
+    Told::Continue((held, n_told))
 }
 
 /// Refuses what has a number in its answer, or in a step that is told, which would be larger than any.

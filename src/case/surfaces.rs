@@ -4,17 +4,18 @@ use serde::Serialize;
 
 use crate::{
     algo::surface::{
-        Bsp, BspChoice, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Occlusion,
-        OcclusionInput, Painter, PainterAnswer, Picture, RayCasting, RayCastingInput, Surfaces,
-        Viewport,
+        Bsp, BspChoice, BspEvent, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Hierarchy,
+        Occlusion, OcclusionEvent, OcclusionInput, Painter, PainterAnswer, PainterEvent, Picture,
+        RayCasting, RayCastingInput, Surfaces, Viewport,
     },
     geom::ViewVolume,
     input::{CULL, FRUSTUM, SIZE},
     labs::{surfaces::with_occluders, telling::Each},
+    trace::{Real, Told},
 };
 
 use super::{
-    Fields, Numbers, Solve, Solver,
+    Fields, Meter, Numbers, OverBudget, Solve, Solver,
     prelude::*,
     solver::{Reading, Verdict},
 };
@@ -115,6 +116,7 @@ impl Solve for DepthBuffer {
     const OUTPUT: &'static [Field] = &SEEN;
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
     const NUMBERS: Numbers = Numbers::OrInfinite;
+    const BUDGET: u64 = 2_000_000_000;
     const READ: Reading<Self> = |fields| Ok(DepthBufferInput::new(surfaces(fields)?));
     const VERDICT: Verdict<Self> = |output| seen(&output.picture);
 }
@@ -129,6 +131,14 @@ impl Solve for RayCasting {
         Ok(RayCastingInput { surfaces, pixel })
     };
     const VERDICT: Verdict<Self> = |output| seen(&output.picture);
+
+    fn answer_alone<R: Real>(
+        input: &Self::Input,
+        meter: &mut Meter,
+    ) -> Told<OverBudget, Self::Output> {
+        let surfaces = &input.surfaces;
+        Hierarchy::new(surfaces).picture_while::<R, _>(surfaces, |n_asked| meter.add(1 + n_asked))
+    }
 }
 
 impl Solve for Painter {
@@ -139,6 +149,7 @@ impl Solve for Painter {
         Field::choice("cycle", &Shape::COUNTS),
     ];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+    const BUDGET: u64 = 8_000_000_000;
     const READ: Reading<Self> = surfaces;
     const VERDICT: Verdict<Self> = |output| match &output.answer {
         PainterAnswer::Order { order, .. } => {
@@ -148,12 +159,20 @@ impl Solve for Painter {
             Message::new("case-painter-cycle").with("ids", listed(cycle))
         }
     };
+
+    fn cost(surfaces: &Self::Input, _: &Self::Held, event: &Self::Event) -> u64 {
+        match *event {
+            PainterEvent::Paint { id } => 1 + surfaces.n_covered(id),
+            _ => 1,
+        }
+    }
 }
 
 impl Solve for Bsp {
     const FIELDS: &'static [Field] = &ON_RASTER;
     const OUTPUT: &'static [Field] = &[IDS, Field::required("n_pieces", &Shape::COUNT)];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
+    const BUDGET: u64 = 8_000_000_000;
     const READ: Reading<Self> = |fields| {
         let input = BspInput::new(surfaces(fields)?, BspChoice::First);
         input.map_err(|BspTooLarge| {
@@ -166,6 +185,17 @@ impl Solve for Bsp {
     const VERDICT: Verdict<Self> = |output| {
         with_seen(Message::new("case-bsp-pieces"), &output.picture).with("pieces", output.n_pieces)
     };
+
+    /// Each pixel of a piece's triangle is asked for its side of every plane that cut it.
+    fn cost(input: &Self::Input, held: &Self::Held, event: &Self::Event) -> u64 {
+        match *event {
+            BspEvent::Paint { piece, id, .. } => {
+                let n_cuts = held.pieces[piece as usize].cuts.len() as u64;
+                1 + (1 + n_cuts) * input.surfaces().n_covered(id)
+            }
+            _ => 1,
+        }
+    }
 }
 
 impl Solve for Occlusion {
@@ -177,6 +207,13 @@ impl Solve for Occlusion {
         let objects = fields.need(&OBJECTS)?;
         let counts: Vec<usize> = objects.iter().map(Vec::len).collect();
         let surfaces = on_raster(fields, raster, &OBJECTS, (objects.concat(), false))?;
+        let n_covered: u64 = surfaces.ids().map(|id| surfaces.n_covered(id)).sum();
+        if n_covered > Self::BUDGET {
+            let problem = Message::new("case-too-many-fragments")
+                .with("found", n_covered as usize)
+                .with("max", Self::BUDGET as usize);
+            return Err(too_large(fields, &OBJECTS, problem));
+        }
         let objects = with_occluders(&surfaces, counts.into_iter());
         Ok(OcclusionInput { surfaces, objects })
     };
@@ -185,6 +222,14 @@ impl Solve for Occlusion {
             .with("skipped", output.skipped.len())
             .with("objects", output.drawn.len() + output.skipped.len())
     };
+
+    /// What is asked is counted here, what is drawn before the run.
+    fn cost(_: &Self::Input, _: &Self::Held, event: &Self::Event) -> u64 {
+        match event {
+            OcclusionEvent::Query { result, .. } => 1 + result.asked,
+            _ => 1,
+        }
+    }
 
     /// The objects seen instead of their triangles, and those that were skipped.
     fn told(input: &Self::Input, output: &Self::Output) -> impl Serialize {

@@ -58,7 +58,7 @@ pub fn answer_alone(case: &str) -> Json {
     serde_json::from_str(&answers(case, ANSWERS)).expect("one answer of JSON")
 }
 
-/// Without its steps an answer is the same, and each of them has a name.
+/// Without its steps an answer is the same, and each of them has a name; only rays cost less, as they ask boxes first.
 pub fn steps_are_all_that_is_left_out(case: &str) {
     let mut with = answer(case);
     let events = with.as_object_mut().and_then(|a| a.remove("events"));
@@ -68,7 +68,12 @@ pub fn steps_are_all_that_is_left_out(case: &str) {
     for event in events {
         assert!(event["event"].is_string(), "{event} has a name");
     }
-    assert_eq!(with, answer_alone(case));
+    let mut alone = answer_alone(case);
+    if with["algorithm"] == "ray-casting" {
+        let [taught, made] = [&mut with, &mut alone].map(|answer| answer["counts"].take());
+        assert!(made["mul"].as_u64() <= taught["mul"].as_u64(), "{made}");
+    }
+    assert_eq!(with, alone);
 }
 
 /// A case of these fields.

@@ -158,3 +158,11 @@ fn an_occluded_object_is_skipped() {
     let expected = json!({"ids": [1, 1, 3, 3], "skipped": [0, 2]});
     assert_eq!(found["output"], expected, "{found}");
 }
+
+#[test]
+fn every_algorithm_has_a_budget() {
+    for (id, schemas) in SCHEMA["algorithms"].as_object().expect("an object") {
+        let steps = schemas["budget"]["steps"].as_u64();
+        assert!(steps.is_some_and(|steps| steps >= 1_000_000), "{id}");
+    }
+}

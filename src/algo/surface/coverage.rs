@@ -220,10 +220,37 @@ impl Rows {
     }
 
     pub fn paint(&self, picture: &mut Picture, id: u32) {
-        for &(row, [first, end]) in &self.0 {
-            for column in first..end {
-                picture.put([column, row], id);
+        for (row, columns) in &self.0 {
+            picture.put_row(*row, columns, id);
+        }
+    }
+}
+
+impl Surfaces {
+    /// How many pixels a triangle covers, seen or not.
+    #[must_use]
+    pub fn n_covered(&self, id: u32) -> u64 {
+        let widths = Rows::of(self, id).0;
+        widths
+            .iter()
+            .map(|(_, [first, end])| u64::from(end - first))
+            .sum()
+    }
+
+    /// At how many pixels some of the triangles are seen, if there are no others. The picture shows none of them before, and them after.
+    #[must_use]
+    pub fn n_covered_by_all(&self, ids: Range<u32>, picture: &mut Picture) -> usize {
+        let (mark, mut n_covered) = (ids.start, 0);
+        for id in ids {
+            for (row, [first, end]) in Rows::of(self, id).0 {
+                for pixel in (first..end).map(|column| [column, row]) {
+                    if picture.at(pixel) != Some(mark) {
+                        picture.put(pixel, mark);
+                        n_covered += 1;
+                    }
+                }
             }
         }
+        n_covered
     }
 }

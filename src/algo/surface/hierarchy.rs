@@ -16,6 +16,10 @@
 //! ([`FourBoxes`]), no triangle that is hit is taken for missed, and no box begins beyond the t that is told of what is in it,
 //! rounding and all ([`RayTriangle::reach`]).
 
+use std::convert::Infallible;
+
+use crate::trace::{Real, Told};
+
 use super::{
     Ray, RayCastingOutput, RayHit, Rays, Surfaces,
     box_division::{Boxed, Division, MOST_WAITING, divide},
@@ -70,45 +74,76 @@ impl Hierarchy {
     /// What a ray of the camera hits first, and how many triangles were asked, be it roughly.
     #[must_use]
     pub fn cast(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> (Option<RayHit>, u64) {
+        self.cast_over::<f64>(surfaces, rays, ray)
+    }
+
+    #[inline]
+    fn cast_over<R: Real>(
+        &self,
+        surfaces: &Surfaces,
+        rays: &Rays,
+        ray: &Ray,
+    ) -> (Option<RayHit>, u64) {
         if self.near.is_given() {
-            return self.cast_near(surfaces, rays, ray);
+            return self.cast_near::<R>(surfaces, rays, ray);
         }
         let surfaces = &self.near.surfaces;
         let (rays, ray) = (Rays::of(surfaces), self.near.ray(ray));
-        let (hit, n_asked) = self.cast_near(surfaces, &rays, &ray);
+        let (hit, n_asked) = self.cast_near::<R>(surfaces, &rays, &ray);
         (self.near.given_nearest(hit), n_asked)
     }
 
     #[inline]
-    fn cast_near(&self, surfaces: &Surfaces, rays: &Rays, ray: &Ray) -> (Option<RayHit>, u64) {
+    fn cast_near<R: Real>(
+        &self,
+        surfaces: &Surfaces,
+        rays: &Rays,
+        ray: &Ray,
+    ) -> (Option<RayHit>, u64) {
         // A short list is ready sooner than a long one.
         if self.most_waiting <= FEW_WAITING {
-            self.descend::<FEW_WAITING>(surfaces, rays, ray)
+            self.descend::<R, FEW_WAITING>(surfaces, rays, ray)
         } else {
-            self.descend::<MOST_WAITING>(surfaces, rays, ray)
+            self.descend::<R, MOST_WAITING>(surfaces, rays, ray)
         }
     }
 
     /// A ray for every pixel: what [`RayCasting`](super::RayCasting) answers, but for how many were asked.
     #[must_use]
     pub fn picture(&self, surfaces: &Surfaces) -> RayCastingOutput {
+        let on = |_| Told::<Infallible>::Continue(());
+        let Told::Continue(picture) = self.picture_while::<f64, _>(surfaces, on);
+        picture
+    }
+
+    /// [`Hierarchy::picture`] over the scalar `R`, as long as what is told how many triangles a ray has asked lets it go on. What is asked
+    /// roughly, in f32, is not counted: as guards are not, it decides nothing.
+    ///
+    /// # Errors
+    /// What it was stopped for.
+    pub fn picture_while<R: Real, S>(
+        &self,
+        surfaces: &Surfaces,
+        mut goes_on: impl FnMut(u64) -> Told<S>,
+    ) -> Told<S, RayCastingOutput> {
         let rays = Rays::of(surfaces);
         let mut output = RayCastingOutput::empty(surfaces);
         let [width, height] = surfaces.size();
         for row in 0..height {
             for column in 0..width {
                 let pixel = [column, row];
-                let (hit, n_asked) = self.cast(surfaces, &rays, &rays.through(pixel));
+                let (hit, n_asked) = self.cast_over::<R>(surfaces, &rays, &rays.through(pixel));
                 output.n_asked += n_asked;
                 output.see(pixel, hit);
+                goes_on(n_asked)?;
             }
         }
-        output
+        Told::Continue(output)
     }
 
     /// From the outermost boxes inward, with a list of those that wait, the nearest last: where each begins, and its number.
     #[inline]
-    fn descend<const N: usize>(
+    fn descend<R: Real, const N: usize>(
         &self,
         surfaces: &Surfaces,
         rays: &Rays,
@@ -148,9 +183,9 @@ impl Hierarchy {
                         continue;
                     }
                     let triangle = &self.triangles[i];
-                    let found = triangle.ask::<f64>(surfaces, rays, ray);
-                    if let Some(hit) = found.hit::<f64>(triangle.id, rays)
-                        && hit.is_nearer::<f64>(nearest.as_ref())
+                    let found = triangle.ask::<R>(surfaces, rays, ray);
+                    if let Some(hit) = found.hit::<R>(triangle.id, rays)
+                        && hit.is_nearer::<R>(nearest.as_ref())
                     {
                         limit = RayInBoxes::limit(hit.t);
                         nearest = Some(hit);

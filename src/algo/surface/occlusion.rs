@@ -223,8 +223,9 @@ fn query<R: Real>(
         unasked: bounds.is_some_and(|bounds| reaches_near(surfaces, &bounds)),
     };
     if let Some(bounds) = bounds.as_ref().filter(|_| !result.unasked) {
-        let depths = &held.drawing.so_far.depth;
-        ask::<R>(surfaces, bounds, depths, |pixel, passes| {
+        let so_far = &held.drawing.so_far;
+        let stored = |pixel: [u32; 2]| so_far.depth[so_far.picture.place(pixel)];
+        ask::<R>(surfaces, bounds, stored, |pixel, passes| {
             result.asked += 1;
             result.passed += u64::from(passes);
             held.asked.push((pixel, passes));
@@ -288,12 +289,12 @@ fn reaches_near(surfaces: &Surfaces, bounds: &AlignedBox) -> bool {
 fn ask<R: Real>(
     surfaces: &Surfaces,
     bounds: &AlignedBox,
-    depths: &[f64],
+    stored: impl Fn([u32; 2]) -> f64,
     mut tell: impl FnMut([u32; 2], bool),
 ) {
     let corners = bounds.corners();
     let faces: Vec<[[f64; 3]; 3]> = FACES.map(|face| face.map(|i| corners[i])).to_vec();
-    let (format, places) = (DepthFormat::default(), Picture::empty(surfaces.size()));
+    let format = DepthFormat::default();
     let Some(faces) = Surfaces::new(surfaces.size(), *surfaces.volume(), faces, true) else {
         return;
     };
@@ -305,11 +306,8 @@ fn ask<R: Real>(
             let [first, end] = span.columns;
             for column in first..end {
                 let pixel = [column, span.row];
-                let stored = depths[places.place(pixel)];
-                tell(
-                    pixel,
-                    !format.is_nearer::<R>(stored, span.depth::<R>(column)),
-                );
+                let depth = span.depth::<R>(column);
+                tell(pixel, !format.is_nearer::<R>(stored(pixel), depth));
             }
         });
     }

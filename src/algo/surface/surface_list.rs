@@ -213,4 +213,10 @@ impl Picture {
         // Ids are below 2³¹.
         self.ids[place] = id as i32;
     }
+
+    /// From the first of two columns up to, but without, the other.
+    pub(super) fn put_row(&mut self, row: u32, [first, end]: &[u32; 2], id: u32) {
+        let places = self.place([*first, row])..self.place([*end, row]);
+        self.ids[places].fill(id as i32);
+    }
 }

@@ -6,7 +6,7 @@ mod parts;
 use crate::{
     algo::{
         cull::{
-            BackFace, BackFaceInput, BoxCull, BoxCullInput, Containment, PointPlanes,
+            BackFace, BackFaceInput, BoxCull, BoxCullEvent, BoxCullInput, Containment, PointPlanes,
             PointPlanesInput, SphereCull, SphereCullInput,
         },
         pipeline::{
@@ -110,6 +110,19 @@ impl Solve for BoxCull {
             Containment::Straddles => "case-cull-straddles",
         })
     };
+
+    /// After the last plane that does not reject the box come the signs by which is found whether anything of it is inside.
+    fn cost(input: &Self::Input, held: &Self::Held, event: &Self::Event) -> u64 {
+        let n = input.planes.len() as u64 + 6;
+        match *event {
+            BoxCullEvent::Plane { plane_idx, .. }
+                if plane_idx + 1 == input.planes.len() && held.class == Containment::Straddles =>
+            {
+                1 + 2 * n * n * n
+            }
+            _ => 1,
+        }
+    }
 }
 
 impl Solve for BackFace {
@@ -236,6 +249,7 @@ fn left(n_triangles: usize) -> Message {
 impl Solve for PlaneAtATime {
     const FIELDS: &'static [Field] = &CUT;
     const OUTPUT: &'static [Field] = &LEFT;
+    const BUDGET: u64 = 100_000_000;
     const READ: Reading<Self> = read_planes;
     const VERDICT: Verdict<Self> = |output| left(output.triangles.len());
 }

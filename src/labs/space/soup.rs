@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::{
-    algo::surface::{DepthBuffer, DepthBufferInput, Surfaces},
+    algo::surface::{Picture, Surfaces},
     labs::{prelude::*, split_mix::SplitMix64},
 };
 
@@ -39,8 +39,8 @@ pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {
 
 /// At how many pixels some of the triangles are seen, if there are no others.
 pub fn pixels_covered(surfaces: &Surfaces, ids: Range<usize>) -> usize {
-    let alone = DepthBufferInput::new(surfaces.part(ids));
-    silent::<DepthBuffer>(&alone).tally.pixels as usize
+    let ids = ids.start as u32..ids.end as u32;
+    surfaces.n_covered_by_all(ids, &mut Picture::empty(surfaces.size()))
 }
 
 pub fn order(n_triangles: usize, shuffle: Option<u64>) -> Vec<u32> {

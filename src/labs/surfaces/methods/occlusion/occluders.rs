@@ -3,8 +3,8 @@
 use std::cmp::Reverse;
 
 use crate::{
-    algo::surface::{OcclusionObject, Surfaces},
-    labs::space::{Scene, soup::pixels_covered},
+    algo::surface::{OcclusionObject, Picture, Surfaces},
+    labs::space::Scene,
 };
 
 /// A longer run cannot be followed.
@@ -33,9 +33,10 @@ pub fn with_occluders(
             object
         })
         .collect();
+    let mut picture = Picture::empty(surfaces.size());
     let covered = |object: &OcclusionObject| {
-        let first = object.first as usize;
-        pixels_covered(surfaces, first..first + object.n_triangles as usize)
+        let ids = object.first..object.first + object.n_triangles;
+        surfaces.n_covered_by_all(ids, &mut picture)
     };
     let covers = objects.iter().map(covered).enumerate();
     let mut in_picture: Vec<(usize, usize)> = covers.filter(|(_, covers)| *covers > 0).collect();
