@@ -220,8 +220,8 @@ impl Rows {
     }
 
     pub fn paint(&self, picture: &mut Picture, id: u32) {
-        for (row, columns) in &self.0 {
-            picture.put_row(*row, columns, id);
+        for &(row, columns) in &self.0 {
+            picture.put_row(row, columns, id);
         }
     }
 }

@@ -215,8 +215,8 @@ impl Picture {
     }
 
     /// From the first of two columns up to, but without, the other.
-    pub(super) fn put_row(&mut self, row: u32, [first, end]: &[u32; 2], id: u32) {
-        let places = self.place([*first, row])..self.place([*end, row]);
+    pub(super) fn put_row(&mut self, row: u32, [first, end]: [u32; 2], id: u32) {
+        let places = self.place([first, row])..self.place([end, row]);
         self.ids[places].fill(id as i32);
     }
 }
