@@ -21,6 +21,7 @@ const OPTIONS: Options = Options {
     theme: ThemeKind::Light,
     lang: Lang::En,
     steps: Steps::Figures,
+    asks: false,
 };
 
 #[test]

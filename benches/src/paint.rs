@@ -57,6 +57,7 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
             theme: ThemeKind::Light,
             size_px: SIZE_PX,
             steps: Steps::Figures,
+            asks: false,
         },
         title: None,
     }

@@ -17,12 +17,19 @@ fuzz_target!(|bytes: &[u8]| {
     let mut n_lines = 0;
     while let Some((_, line)) = lines.next_line().expect("memory can be read") {
         let answer = &with_steps[n_lines];
-        let mut recorded = answer.clone();
+        let [mut recorded, mut alone] = [answer.clone(), without[n_lines].clone()];
         if let Some(fields) = recorded.as_object_mut() {
             fields.remove("events");
         }
-        if answer["error"]["code"] != "too-large" {
-            assert_eq!(recorded, without[n_lines], "steps change no answer");
+        if answer["algorithm"] == "ray-casting" {
+            // Boxes are asked first.
+            recorded["counts"].take();
+            alone["counts"].take();
+        }
+        // What is too much to be told, or too large, may still be answered.
+        let code = &answer["error"]["code"];
+        if code != "too-large" && code != "not-finite" {
+            assert_eq!(recorded, alone, "steps change no answer");
         }
         match read(Solvers::standard(), line, Detail::Steps) {
             Ok(case) => check_answer(line, &case, answer),
@@ -124,15 +131,7 @@ fn check_sphere(given: &Json, answer: &Json) {
     let (Some(class), Some(&radius)) = (answer["output"]["class"].as_str(), sphere.last()) else {
         return;
     };
-    let told = &answer["output"]["distances"];
-    let distances = numbers(told);
-    if told
-        .as_array()
-        .is_none_or(|told| told.len() > distances.len())
-    {
-        // Beyond the range of an f64.
-        return;
-    }
+    let distances = numbers(&answer["output"]["distances"]);
     let expected = if distances.iter().any(|&d| d < -radius) {
         "outside"
     } else if distances.iter().all(|&d| d >= radius) {
@@ -151,7 +150,7 @@ fn check_reversed(mut given: Json, ends: &[f64]) {
     let Ok(case) = read(
         Solvers::standard(),
         CaseLine::Bytes(line.as_bytes()),
-        Detail::Steps,
+        Detail::Answers,
     ) else {
         panic!("{line} is refused, its reverse is not");
     };

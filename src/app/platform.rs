@@ -155,6 +155,7 @@ impl Platform for Desktop {
                 } else {
                     export::Steps::Figures
                 },
+                asks: false,
             },
         };
         Ok(studio.draw(&figure).to_png())

@@ -9,7 +9,7 @@ use clap::{
 
 use crate::{
     app::{App, Page, Settings},
-    export::{Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, run},
+    export::{Content, Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Diagnostic, Lang, Message},
@@ -28,6 +28,7 @@ Examples:
   clipscope export 03-outcodes --out slides --theme projector --scale 2
   clipscope export --out figuras --lang pt-BR --steps all
   clipscope export scene.toml --out figures
+  clipscope export 03-outcodes --out handout --questions --alt
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
 
@@ -61,6 +62,12 @@ pub(super) struct Args {
     /// The whole window of the app instead of the stage alone
     #[arg(long)]
     pub window: bool,
+    /// Beside each picture a text file of its name: title and sentence, for who cannot see it
+    #[arg(long)]
+    pub alt: bool,
+    /// What is asked instead of what is answered: the step before, and what might come
+    #[arg(long, conflicts_with = "window")]
+    pub questions: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -116,6 +123,7 @@ pub(super) fn export(args: &Args) -> Outcome {
         theme: args.theme,
         lang: args.lang,
         steps: args.steps,
+        asks: args.questions,
     };
     let jobs = match drawn_once(&chosen, options.steps) {
         Ok(jobs) => jobs,
@@ -137,15 +145,16 @@ pub(super) fn export(args: &Args) -> Outcome {
         lessons: chosen.lessons.clone(),
     };
     let mut progress = Progress::new(jobs.len() as u64);
-    let png = |job: &Job<'_>, studio: &mut Studio| {
-        if args.window {
+    let draw = |job: &Job<'_>, studio: &mut Studio| Content {
+        alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
+        png: if args.window {
             window_png(job, &course, studio.table(), args)
         } else {
             job.png(studio, options)
-        }
+        },
     };
     let done = || progress.advance(1);
-    let failures = run(&jobs, options.theme, &args.out, png, done);
+    let failures = run(&jobs, options.theme, &args.out, draw, done);
     drop(progress);
     let n_drawn = jobs.len() - failures.len();
     for Failure { path, error } in failures {

@@ -3,10 +3,14 @@
 #[cfg(test)]
 mod tests;
 
+use std::ops::ControlFlow;
+
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Need, Run, Spacing, ViewId, needs, sentences},
+    figure::{
+        Body, Caption, Choice, ColumnLayout, Frame, Need, Run, Spacing, ViewId, needs, sentences,
+    },
     labs::{Difference, MethodCard, Scene},
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
     text::{Catalog, Lang, Message},
@@ -52,6 +56,8 @@ pub struct Options {
     pub lang: Lang,
     /// Which steps are drawn, so that a picture leaves room for what the others say.
     pub steps: Steps,
+    /// What is asked is drawn, and what might come, in place of what comes.
+    pub asks: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -88,15 +94,42 @@ impl Studio {
         self.drawn(picture).0
     }
 
+    /// In words what the figure shows: its title, and under each method's name its sentence.
+    pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
+        let catalog = Catalog::of(picture.options.lang);
+        let columns = recorded(&mut self.last, picture.scene).columns(picture);
+        let sentence = |column: &Column| {
+            let said = column.frame.caption.text(catalog);
+            if columns.len() > 1 {
+                let name = catalog.message(&Message::new(column.method.name_key));
+                catalog.message(
+                    &Message::new("named-sentence")
+                        .with("name", name)
+                        .with("said", said),
+                )
+            } else {
+                said
+            }
+        };
+        let title = picture.title.map(str::to_owned);
+        let lines: Vec<String> = title
+            .into_iter()
+            .chain(columns.iter().map(sentence))
+            .collect();
+        lines.join("\n") + "\n"
+    }
+
     /// The figure, and the views that have no room even on the largest page.
     fn drawn(&mut self, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
-        let known = self.last.take();
-        let known = known.filter(|known| known.scene == *picture.scene);
-        let recorded = known.unwrap_or_else(|| Recorded::new(picture.scene));
-        let drawn = drawn(&mut self.table, &recorded, picture);
-        self.last = Some(recorded);
-        drawn
+        let Self { table, last } = self;
+        drawn(table, recorded(last, picture.scene), picture)
     }
+}
+
+/// What is kept of this scene; another one's goes.
+fn recorded<'a>(last: &'a mut Option<Recorded>, scene: &Scene) -> &'a Recorded {
+    last.take_if(|known| known.scene != *scene);
+    last.get_or_insert_with(|| Recorded::new(scene))
 }
 
 /// A scene with its runs, and what they want of a page.
@@ -119,17 +152,38 @@ impl Recorded {
         }
     }
 
-    /// Each method, at the step that stands beside this one of the first.
-    fn columns(&self, step: usize) -> Vec<Column> {
+    /// Each method, at the step that stands beside this one of the first; or before the last question that has been answered by then.
+    fn columns(&self, picture: &Picture<'_>) -> Vec<Column> {
         let methods = self.scene.document().methods().into_iter();
         let runs = self.runs.iter().map(|run| &**run);
         let columns = methods.zip(runs).enumerate();
-        let column = |(i, (method, run)): (usize, (_, &dyn Run))| match i {
-            0 => Column::new(method, run, step),
-            _ => Column::new(method, run, run.beside(&*self.runs[0], step)),
+        let column = |(i, (method, run)): (usize, (_, &dyn Run))| {
+            let step = match i {
+                0 => picture.step,
+                _ => run.beside(&*self.runs[0], picture.step),
+            };
+            let asked = picture.options.asks.then(|| question(run, step)).flatten();
+            let Some((step, choice)) = asked else {
+                return Column::new(method, run, step);
+            };
+            let mut column = Column::new(method, run, step - 1);
+            column.frame.caption = Caption::new(choice.asked(Catalog::of(picture.options.lang)));
+            column
         };
         columns.map(column).collect()
     }
+}
+
+/// The last step up to this one that answers a question, and what might have come there.
+fn question(run: &dyn Run, step: usize) -> Option<(usize, Choice)> {
+    (1..=step.min(run.n_steps())).rev().find_map(|step| {
+        let mut choice = None;
+        run.visit([step, step], &mut |_, shown| {
+            choice = shown.options();
+            ControlFlow::Break(())
+        });
+        Some((step, choice?))
+    })
 }
 
 fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
@@ -144,7 +198,7 @@ fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (I
         },
         recorded,
     };
-    let columns = recorded.columns(picture.step);
+    let columns = recorded.columns(picture);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
@@ -246,12 +300,12 @@ impl Page<'_> {
         let height = |said: &mut dyn Iterator<Item = Caption>| {
             height_for_all(ui.painter(), self.look, said, width)
         };
+        let shown = || columns.iter().map(|column| column.frame.caption.clone());
         match self.picture.options.steps {
-            Steps::Figures if columns.len() > 1 => {
-                height(&mut columns.iter().map(|column| column.frame.caption.clone()))
-            }
+            Steps::Figures if columns.len() > 1 => height(&mut shown()),
             Steps::Figures | Steps::All => {
-                height(&mut self.recorded.runs.iter().flat_map(|run| sentences(&**run)))
+                let said = self.recorded.runs.iter().flat_map(|run| sentences(&**run));
+                height(&mut said.chain(shown()))
             }
         }
     }

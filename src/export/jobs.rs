@@ -16,7 +16,6 @@ use crate::{
     labs::Scene,
     lesson::{Lesson, LessonStep, SceneFile},
     paint::ThemeKind,
-    text::Lang,
 };
 
 use super::{
@@ -87,8 +86,11 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
 }
 
 impl Job<'_> {
-    pub fn title(&self, lang: Lang) -> Option<&str> {
+    /// The step's own, unless it may be what is asked.
+    pub fn title(&self, options: Options) -> Option<&str> {
+        let lang = options.lang;
         match self.source {
+            Source::Step(lesson, _) if options.asks => Some(lesson.title(lang)),
             Source::Step(lesson, step) => lesson.title_of(&step.id, lang),
             Source::File(_) => None,
         }
@@ -96,7 +98,7 @@ impl Job<'_> {
 
     pub fn picture(&self, options: Options) -> Picture<'_> {
         Picture {
-            title: self.title(options.lang),
+            title: self.title(options),
             scene: self.source.scene(),
             step: self.position,
             options,
@@ -107,13 +109,24 @@ impl Job<'_> {
         studio.draw(&self.picture(options)).to_png()
     }
 
-    fn write(&self, png: &[u8], out: &Path) -> io::Result<()> {
+    fn write(&self, content: &Content, out: &Path) -> io::Result<()> {
         let path = out.join(&self.path);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        write_whole(&path, png)
+        if let Some(alternative) = &content.alternative {
+            write_whole(&path.with_extension("txt"), alternative.as_bytes())?;
+        }
+        write_whole(&path, &content.png)
     }
+}
+
+/// What is written of a job.
+#[derive(Debug)]
+pub struct Content {
+    pub png: Vec<u8>,
+    /// In words, beside it.
+    pub alternative: Option<String>,
 }
 
 #[derive(Debug)]
@@ -122,13 +135,13 @@ pub struct Failure {
     pub error: io::Error,
 }
 
-/// Draws with `png` and writes all pictures on all cores; `done` hears of each on the calling thread. The
+/// Draws with `draw` and writes all pictures on all cores; `done` hears of each on the calling thread. The
 /// failures come in the order of the jobs.
 pub fn run(
     jobs: &[Job<'_>],
     theme: ThemeKind,
     out: &Path,
-    png: impl Fn(&Job<'_>, &mut Studio) -> Vec<u8> + Sync,
+    draw: impl Fn(&Job<'_>, &mut Studio) -> Content + Sync,
     mut done: impl FnMut(),
 ) -> Vec<Failure> {
     let next = AtomicUsize::new(0);
@@ -140,7 +153,7 @@ pub fn run(
         let (finished, each_finished) = mpsc::channel();
         for _ in 0..n_threads {
             let finished = finished.clone();
-            let (next, failures, png) = (&next, &failures, &png);
+            let (next, failures, draw) = (&next, &failures, &draw);
             scope.spawn(move || {
                 let mut studio = Studio::new(theme);
                 let take = || {
@@ -148,7 +161,7 @@ pub fn run(
                     Some((i, jobs.get(i)?))
                 };
                 while let Some((i, job)) = take() {
-                    if let Err(error) = job.write(&png(job, &mut studio), out) {
+                    if let Err(error) = job.write(&draw(job, &mut studio), out) {
                         let path = out.join(&job.path).display().to_string();
                         if let Ok(mut failures) = failures.lock() {
                             failures.push((i, Failure { path, error }));

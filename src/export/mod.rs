@@ -7,4 +7,4 @@ mod jobs;
 
 pub use figure::{Options, Picture, Steps, Studio};
 pub use files::write_whole;
-pub use jobs::{Failure, Job, Source, jobs, jobs_of, run};
+pub use jobs::{Content, Failure, Job, Source, jobs, jobs_of, run};

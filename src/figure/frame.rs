@@ -1,7 +1,7 @@
 //! What a step of a run shows, whichever method it is of.
 
 use crate::{
-    text::{Formula, Message, Value},
+    text::{Catalog, Formula, Message, Value},
     trace::Counts,
 };
 
@@ -25,6 +25,19 @@ impl Caption {
             decision,
             arithmetic: Vec::new(),
         }
+    }
+
+    /// As one line, for where nothing can be drawn.
+    pub fn text(&self, catalog: &Catalog) -> String {
+        let decision = catalog.message(&self.decision);
+        let formulas = self
+            .arithmetic
+            .iter()
+            .map(|formula| catalog.formula(formula));
+        let formulas: Vec<String> = formulas.collect();
+        format!("{decision} {}", formulas.join(", "))
+            .trim_end()
+            .to_owned()
     }
 
     pub fn so(mut self, formula: Formula) -> Self {
@@ -124,4 +137,16 @@ pub struct Choice {
     pub question: &'static str,
     pub options: Vec<Value>,
     pub right: usize,
+}
+
+impl Choice {
+    /// What comes next, and what might.
+    pub fn asked(&self, catalog: &Catalog) -> Message {
+        let option = |option: &Value| {
+            let option = catalog.value(option);
+            option.trim_end_matches(['.', '。']).to_owned()
+        };
+        let options: Vec<String> = self.options.iter().map(option).collect();
+        Message::new("what-comes-next").with("options", options.join(" · "))
+    }
 }

@@ -187,3 +187,6 @@ run-later = The scene is too large to follow a drag: its run is recorded when yo
 
 view-empty = nothing is left
 view-more = … { $count } more
+
+what-comes-next = What comes next? { $options }
+named-sentence = { $name }: { $said }

@@ -187,3 +187,6 @@ run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado
 
 view-empty = no queda nada
 view-more = … { $count } más
+
+what-comes-next = ¿Qué viene ahora? { $options }
+named-sentence = { $name }: { $said }

@@ -187,3 +187,6 @@ run-later = Ao soltar, a execução é registrada de novo: a cena é grande dema
 
 view-empty = não sobra nada
 view-more = … mais { $count }
+
+what-comes-next = O que vem agora? { $options }
+named-sentence = { $name }: { $said }

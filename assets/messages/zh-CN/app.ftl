@@ -175,3 +175,6 @@ run-later = 松开后重新记录：场景太大，无法边拖动边运行。
 
 view-empty = 什么也不剩
 view-more = …… 还有 { $count } 项
+
+what-comes-next = 下一步会怎样？{ $options }
+named-sentence = { $name }：{ $said }

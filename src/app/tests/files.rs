@@ -127,6 +127,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
                 theme: figures.theme,
                 size_px: figures.size_px,
                 steps: Steps::All,
+                asks: false,
             },
         };
         let drawn = Studio::new(figures.theme).draw(&picture).to_png();

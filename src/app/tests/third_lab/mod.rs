@@ -98,6 +98,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
             theme: ThemeKind::Light,
             size_px: [1280, 720],
             steps: export::Steps::Figures,
+            asks: false,
         },
         title: None,
     };
