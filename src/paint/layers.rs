@@ -2,7 +2,7 @@
 
 use egui::{Pos2, vec2};
 
-use crate::figure::{Link, Mark, Role};
+use crate::figure::{Link, Mark, Role, Shape};
 
 use super::{
     Theme, Viewport,
@@ -15,9 +15,11 @@ use super::{
 pub enum Layer {
     /// Shaded half-planes: the window's area covers them.
     Wash,
-    /// Lines that may be missed do not cross the window.
+    /// Lines that may be missed lie under all that stands in space.
     Construction,
     Area,
+    /// In the plane they lie over areas: a line runs on through the window.
+    Extension,
     Casing,
     Glow,
     Stroke,
@@ -42,6 +44,9 @@ pub fn pieces<'a>(
     marks: &'a [Mark],
     lit: Option<Link>,
 ) -> Vec<LayeredPart<'a>> {
+    let is_flat = !marks
+        .iter()
+        .any(|mark| matches!(mark.shape, Shape::Solids(_)));
     let mut pieces = Vec::new();
     for mark in marks {
         let is_lit = lit.is_some() && mark.link == lit;
@@ -59,7 +64,10 @@ pub fn pieces<'a>(
                 }),
             );
             pieces.push(LayeredPart {
-                layer: layer_of(&part, mark.role),
+                layer: match layer_of(&part, mark.role) {
+                    Layer::Construction if is_flat => Layer::Extension,
+                    layer => layer,
+                },
                 mark,
                 part,
             });
@@ -108,7 +116,7 @@ mod tests {
     use egui::pos2;
 
     use super::*;
-    use crate::{figure::Shape, paint::ThemeKind};
+    use crate::paint::ThemeKind;
 
     #[test]
     fn markers_lie_over_strokes_and_arrows_stop_short_of_them() {

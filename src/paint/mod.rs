@@ -9,6 +9,7 @@ mod headless;
 mod labels;
 mod layers;
 mod line;
+mod overlap;
 mod parts;
 mod pen;
 mod solid_outlines;

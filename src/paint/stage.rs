@@ -11,6 +11,7 @@ use super::{
     labels::{Around, Labels, Obstacle, Placed},
     layers::{Layer, LayeredPart, pieces},
     line::{Line, crowd},
+    overlap::leave_out_covered,
     parts::{HEAD, Marker, Part},
     pen::{Pen, radius},
     solids::solids,
@@ -36,7 +37,7 @@ impl Look<'_> {
             theme,
             lit,
         };
-        let pieces = pieces(viewport, theme, marks, lit);
+        let pieces = drawn(viewport, theme, marks, lit);
         for piece in &pieces {
             match piece.layer {
                 Layer::Glow => stage.glow(piece),
@@ -44,6 +45,7 @@ impl Look<'_> {
                 Layer::Wash
                 | Layer::Construction
                 | Layer::Area
+                | Layer::Extension
                 | Layer::Stroke
                 | Layer::Head
                 | Layer::Marker => stage.part(piece),
@@ -62,12 +64,29 @@ impl Look<'_> {
         marks: &[Mark],
         before: &[Placed],
     ) -> (Vec<Placed>, Vec<Obstacle>) {
-        let pieces = pieces(viewport, self.theme, marks, None);
+        let pieces = drawn(viewport, self.theme, marks, None);
         let covered = &[];
         let around = Around { before, covered };
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
         (labels.placed, labels.obstacles)
     }
+}
+
+fn drawn<'a>(
+    viewport: &Viewport,
+    theme: &Theme,
+    marks: &'a [Mark],
+    lit: Option<Link>,
+) -> Vec<LayeredPart<'a>> {
+    let mut pieces = pieces(viewport, theme, marks, lit);
+    leave_out_covered(&mut pieces, |piece| {
+        let is_line = matches!(
+            piece.layer,
+            Layer::Extension | Layer::Construction | Layer::Stroke
+        );
+        is_line.then(|| Pen::of(theme, piece.mark).is_dashed)
+    });
+    pieces
 }
 
 struct Stage<'a> {

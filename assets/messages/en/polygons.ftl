@@ -269,6 +269,7 @@ wa-in = in
 wa-out = out
 wa-touches = touches
 wa-pinches = pinches
+wa-intersection = intersection
 wa-mark-entering = entering
 wa-mark-leaving = leaving
 wa-start = A walk starts at { $node }, in the subject’s list.

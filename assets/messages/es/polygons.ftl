@@ -272,6 +272,7 @@ wa-in = de entrada
 wa-out = de salida
 wa-touches = contacto
 wa-pinches = estrangulamiento
+wa-intersection = intersección
 wa-mark-entering = de entrada
 wa-mark-leaving = de salida
 wa-start = Un recorrido empieza en { $node }, en la lista del polígono que se recorta.

@@ -270,6 +270,7 @@ wa-in = entrada
 wa-out = saída
 wa-touches = toque
 wa-pinches = estrangulamento
+wa-intersection = interseção
 wa-mark-entering = de entrada
 wa-mark-leaving = de saída
 wa-start = Um percurso começa em { $node }, na lista do polígono a recortar.

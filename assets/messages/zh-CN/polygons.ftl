@@ -272,6 +272,7 @@ wa-in = 入
 wa-out = 出
 wa-touches = 接触
 wa-pinches = 对顶
+wa-intersection = 交点
 wa-mark-entering = 入点
 wa-mark-leaving = 出点
 wa-start = 从 { $node } 出发，沿被裁剪多边形的顶点表行走。

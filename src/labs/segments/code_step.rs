@@ -6,7 +6,7 @@ use crate::{
 };
 
 use super::{
-    ends::{ENDS, end_named, is_point, left_in, place},
+    ends::{ENDS, is_point, left_in, place},
     prelude::*,
 };
 
@@ -72,6 +72,7 @@ pub struct CodeStep<'a, const N: usize, I: Coded<N>> {
     or: Option<I::Code>,
     and: Option<I::Code>,
     pub cuts: Vec<[f64; N]>,
+    n_cuts: [usize; 2],
     /// The answer, once known: a bit in common rejects as soon as it is seen.
     pub verdict: Option<VisibleLine<N>>,
 }
@@ -86,6 +87,7 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             or: None,
             and: None,
             cuts: Vec::new(),
+            n_cuts: [0; 2],
             verdict: None,
         };
         for event in step.past {
@@ -108,6 +110,7 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             CodeEvent::Cut { end, to, .. } => {
                 self.codes[end.idx()] = None;
                 self.cuts.push(to);
+                self.n_cuts[end.idx()] += 1;
             }
             CodeEvent::Accept { ends } => self.verdict = Some(Some(ends)),
             CodeEvent::Choose { .. } | CodeEvent::Reject { .. } => {}
@@ -185,6 +188,13 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
         }
     }
 
+    /// What has been cut has a name of its own; what is being cut is what was there before.
+    fn told_end(&self, end: End) -> Named {
+        let is_cut = matches!(self.event, Some(CodeEvent::Cut { .. }));
+        let n_before = self.n_cuts[end.idx()] - usize::from(is_cut);
+        Named::from(end_name_now(end, n_before > 0)).linked(end_link(end))
+    }
+
     fn watched(&self, code: Option<I::Code>, is_of_end: bool) -> Named {
         let shown = Named::maybe(code.map(|code| name(code.to_string())));
         let note = code.and_then(|code| self.input.note(code, is_of_end));
@@ -203,7 +213,7 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
             "code₂" => self.watched(self.codes[1], true),
             "OR" => self.watched(self.or, false),
             "AND" => self.watched(self.and, false),
-            "end" => end_named(self.end_now()?),
+            "end" => self.told_end(self.end_now()?),
             "code" => name(CODE_SYMBOLS[self.end_now()?.idx()]).into(),
             "bits" | "and" => name(self.bits_now()?.to_string()).into(),
             "segment" => Named::empty().linked("segment"),

@@ -90,7 +90,9 @@ fn spoken(look: Look<'_>, list: &ListColumn) -> String {
 }
 
 fn legend(slate: &mut Slate<'_>, lists: &Lists, mut at: Pos2) {
-    for (marker, meaning) in &lists.legend {
+    let rows = || lists.lists.iter().flat_map(|list| &list.entries);
+    let is_drawn = |marker: ItemMarker| rows().any(|row| row.marker == Some(marker));
+    for (marker, meaning) in lists.legend.iter().filter(|(marker, _)| is_drawn(*marker)) {
         let style = (Face::Plain, SMALL_SIZE, slate.theme().soft);
         let meaning = slate.low(meaning, style);
         let middle = at + vec2(slate.pts(0.3 * MARKER), 0.0);

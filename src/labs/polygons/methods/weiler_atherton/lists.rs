@@ -24,14 +24,15 @@ pub fn lists(step: &Step<'_, WeilerAtherton>) -> Lists {
 }
 
 fn legend(step: &Step<'_, WeilerAtherton>) -> Vec<(ItemMarker, Value)> {
-    let has = |label: IntersectionLabel| step.held.labels.iter().any(|known| known.label == label);
+    let labels = &step.held.labels;
+    let has = |label: IntersectionLabel| labels.iter().any(|known| known.label == label);
     let rare = [Touching, Pinching].into_iter().filter(|&label| has(label));
     let said = |label| (standing::marker(Some(label)), label_value(label));
-    [Entering, Leaving]
-        .into_iter()
-        .chain(rare)
-        .map(said)
-        .collect()
+    let labelled = [Entering, Leaving].into_iter().chain(rare).map(said);
+    // One that touches has the same mark.
+    let unlabelled = (standing::marker(None), Value::Term("wa-intersection"));
+    let unlabelled = (!has(Touching)).then_some(unlabelled);
+    labelled.chain(unlabelled).collect()
 }
 
 fn shown(
