@@ -209,28 +209,28 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     marks
 }
 
+/// n and e begin in V₀, as they are computed.
 fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
     let triangle = &input.triangle;
     let mut marks = corner_marks(triangle);
     let [a, b, c] = triangle.map(DVec3::from);
-    let middle = (a + b + c) / 3.0;
     let mut normal_tip = None;
     if let Some(n) = known.normal {
         let size = (b - a).length().max((c - a).length());
-        let tip = middle + DVec3::from(n).normalize_or_zero() * NORMAL_PART * size;
-        let arrow = Shape3::Arrow([middle.into(), tip.into()]);
+        let tip = a + DVec3::from(n).normalize_or_zero() * NORMAL_PART * size;
+        let arrow = Shape3::Arrow([a.into(), tip.into()]);
         marks.push(Mark3::new(Role::Signal, arrow).labelled(name("n")).strong());
         normal_tip = Some(tip);
     }
     if known.to_viewer.is_some() {
         let tip = match input.viewer {
             Viewer::Eye(eye) => DVec3::from(eye),
-            Viewer::Direction(view) => middle - DVec3::from(view) * 2.0,
+            Viewer::Direction(view) => a - DVec3::from(view) * 2.0,
         };
-        let arrow = Shape3::Arrow([middle.into(), tip.into()]);
+        let arrow = Shape3::Arrow([a.into(), tip.into()]);
         marks.push(Mark3::new(Role::Ink, arrow).labelled(name("e")).strong());
         if let Some(normal) = normal_tip {
-            let angle = [middle, normal, tip].map(Into::into);
+            let angle = [a, normal, tip].map(Into::into);
             marks.push(Mark3::new(Role::Signal, Shape3::Angle(angle)));
         }
     }

@@ -44,6 +44,12 @@ pub fn ribbon<L: Variant>(at: &At<'_, Funnel<L>>) -> Ribbon {
         triangles: given.map(|object| object.triangles.len()).sum(),
     };
     let has_begun = !at.step.past.is_empty();
+    let is_done = matches!(at.step.event(), Some(Event::Done));
+    // Nothing is said of a gate before the first comes there.
+    let has_arrived = |i: usize| {
+        let is_asked = i == 0 || is_done || at_work >= Some(i);
+        is_asked || levels[i..].iter().any(|level| level.triangles > 0)
+    };
     let stage = |i: usize| {
         let is_so_far = i == 0 && has_begun;
         let Level { objects, triangles } = if i == 0 && !has_begun {
@@ -61,7 +67,7 @@ pub fn ribbon<L: Variant>(at: &At<'_, Funnel<L>>) -> Ribbon {
                 .with("triangles", triangles),
             amount: triangles,
             change: change.filter(|change| *change != 0 || to_come[i] == 0),
-            is_to_come: triangles == 0 && levels[0].triangles == 0,
+            is_to_come: !has_arrived(i),
         }
     };
     Ribbon {

@@ -152,7 +152,7 @@ impl LineLook<3> for Vec<Plane> {
     const SOURCE: &'static str = "Cyrus & Beck, 1978";
     const SYMBOLS: [&'static str; 2] = ["a", "a"];
     const HEADER: [&'static str; 2] = ["d₁", "d₂"];
-    const QUOTIENT: [&'static [&'static str]; 2] = [&["n·(p₀ − P₁)"], &["n·(P₂ − P₁)"]];
+    const QUOTIENT: [&'static [&'static str]; 2] = [&["d₁"], &["d₁", "d₂"]];
     const KEYS: LineKeys = keys("space-line-opening-planes");
     const PARALLEL: &'static str = "d₁ = ";
     const NOTES: [&'static str; 2] = ["space-line-note-enter", "space-line-note-leave"];
