@@ -4,6 +4,8 @@
 //! difference), then run
 //! `CLIPSCOPE_BLESS=1 cargo test --test all figures::` to accept.
 
+use std::collections::BTreeMap;
+
 use clipscope::{
     export::{Options, Steps, Studio, jobs},
     lesson::Course,
@@ -57,4 +59,24 @@ fn a_figure_is_the_same_whatever_was_drawn_before() {
         "{} depends on what was drawn before it",
         last.path
     );
+}
+
+/// Between the title and the sentence of a quarter-size figure, in rows of pixels.
+const BODY: std::ops::Range<usize> = 34..212;
+
+#[test]
+fn no_two_figures_show_the_same() {
+    let course = Course::embedded();
+    let mut studio = Studio::new(OPTIONS.theme);
+    let mut known: BTreeMap<Vec<u8>, String> = BTreeMap::new();
+    let mut alike = Vec::new();
+    for job in jobs(&course.lessons, OPTIONS.steps) {
+        let image = studio.draw(&job.picture(OPTIONS));
+        let row = 4 * SIZE_PX[0] as usize;
+        let body = image.rgba[BODY.start * row..BODY.end * row].to_vec();
+        if let Some(first) = known.insert(body, job.path.clone()) {
+            alike.push([first, job.path]);
+        }
+    }
+    assert!(alike.is_empty(), "{alike:#?}");
 }
