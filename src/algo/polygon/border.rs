@@ -165,6 +165,11 @@ impl Border {
     }
 
     #[cold]
+    fn told_huge(&self, p: Point) -> f64 {
+        self.as_computed(p)
+    }
+
+    #[cold]
     fn huge_distance(&self, p: Point, overflown: f64) -> f64 {
         let sign = match self.line {
             BorderLine::Upright { .. } => overflown,
@@ -352,7 +357,7 @@ impl<V: Vertex> Limit<V> for NthBorder<'_> {
         if distance.abs() < f64::MAX {
             distance
         } else {
-            self.border().as_computed::<f64>(vertex.at())
+            self.border().told_huge(vertex.at())
         }
     }
 

@@ -287,7 +287,7 @@ fn edge<V: Copy, R: Real, S>(
     tell(Happening::Test(EdgeTest {
         idx,
         ends: [s.at, p.at],
-        distances: [s, p].map(|end| limit.told(&end.at, end.distance)),
+        distances: [limit.told(&s.at, s.distance), limit.told(&p.at, p.distance)],
         rule,
     }))?;
     let distances = distances.map(R::new);
