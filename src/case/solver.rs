@@ -140,19 +140,17 @@ pub trait Solvable {
 pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
     let input = A::READ(fields)?;
     let mut meter = Meter::new(A::BUDGET);
-    let (run, counts) = Counts::of(|| match fields.detail() {
-        Detail::Answers => match A::answer_alone::<Counted>(&input, &mut meter) {
-            Told::Continue(output) => Ok((output, 0)),
-            Told::Break(over) => Err(over),
-        },
-        Detail::Steps => match metered::<A, Counted>(&input, &mut meter) {
-            Told::Continue((held, n_steps)) => Ok((A::output(held), n_steps)),
-            Told::Break(over) => Err(over),
-        },
+    let (made, counts) = Counts::of(|| match fields.detail() {
+        Detail::Answers => {
+            A::answer_alone::<Counted>(&input, &mut meter).map_continue(|output| (output, 0))
+        }
+        Detail::Steps => metered::<A, Counted>(&input, &mut meter)
+            .map_continue(|(held, n_steps)| (A::output(held), n_steps)),
     });
-    let (output, n_steps) = run.map_err(|OverBudget| {
-        fields.too_much(Message::new("case-over-budget").with("max", A::BUDGET as usize))
-    })?;
+    let Told::Continue((output, n_steps)) = made else {
+        let problem = Message::new("case-over-budget").with("max", A::BUDGET as usize);
+        return Err(fields.too_much(problem));
+    };
     if let Some(field) = A::LONG_BY
         && n_steps > Detail::MOST_STEPS
     {

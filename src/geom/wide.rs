@@ -67,8 +67,14 @@ impl Wide {
     pub fn near_one<const N: usize>(numbers: [Self; N]) -> ([f64; N], i32) {
         let nonzero = numbers.iter().filter(|x| x.near_one != 0.0);
         let by = nonzero.map(|x| x.by).max().unwrap_or(0);
-        let over = numbers.map(|x| Self::with(x.near_one, x.by - by).bounded());
+        let over = numbers.map(|x| x.times_power(-by).bounded());
         (over, by)
+    }
+
+    /// Times 2 to the power of an exponent.
+    #[must_use]
+    pub const fn times_power(self, exponent: i32) -> Self {
+        Self::with(self.near_one, self.by + exponent)
     }
 
     /// The number near 1, or 0, and the exponent of the power of two.
@@ -91,7 +97,7 @@ impl Add for Wide {
             return Self::with(self.near_one + other.near_one, by);
         }
         let by = self.by.max(other.by);
-        let [a, b] = [self, other].map(|x| Self::with(x.near_one, x.by - by).get());
+        let [a, b] = [self, other].map(|x| x.times_power(-by).get());
         Self::normal(a + b, by)
     }
 }

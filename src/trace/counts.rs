@@ -9,7 +9,7 @@ use std::{
 
 use serde::Serialize;
 
-use crate::geom::Wide;
+use crate::geom::{Wide, times_power};
 
 /// The scalar that an algorithm computes with: `f64` in production, [`Counted`] when its cost is asked, [`Wide`] where a number has
 /// turned out to leave the range of `f64`.
@@ -47,6 +47,15 @@ impl Real for Wide {
     fn get(self) -> f64 {
         self.get()
     }
+}
+
+/// Of what has been worked out already, all but the division, which is counted.
+#[must_use]
+pub fn wide_quotient<R: Real>(num: Wide, den: Wide) -> R {
+    let ((num, by), (den, own)) = (num.parts(), den.parts());
+    let quotient = R::new(num) / R::new(den);
+    let [quotient] = times_power([quotient.get()], by - own);
+    R::new(quotient)
 }
 
 /// How many operations of each kind a run has done.

@@ -17,7 +17,7 @@ mod method;
 mod recording;
 mod transport;
 
-pub use counts::{Counted, Counts, Real};
+pub use counts::{Counted, Counts, Real, wide_quotient};
 pub use method::{Includes, Listening, Method, Silent, Tell, Told, held_after, silent};
 pub use recording::{Recording, Step};
 pub use transport::Transport;

@@ -2,7 +2,7 @@
 //! the segment crosses, (P₁·d2 − P₂·d1) / (d2 − d1).
 
 use crate::{
-    geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment, exponent, times_power},
+    geom::{Axis, ConvexPolygon, HalfPlane, Point, Segment, Wide},
     trace::Real,
 };
 
@@ -72,21 +72,6 @@ pub fn in_range<R: Real>(segment: &Segment, plane: &HalfPlane, distances: [R; 2]
     if (d2 - d1).is_finite() {
         distances
     } else {
-        End::BOTH.map(|end| {
-            let p = end.of(segment).to_array();
-            R::new(scaled_distance(
-                p,
-                plane.normal(),
-                plane.origin().to_array(),
-            ))
-        })
+        Wide::near_one(told_distances(segment, plane)).0.map(R::new)
     }
-}
-
-/// n·(P − E) with a normal near length 1 and all coordinates divided by 8: no sum of four of them overflows.
-#[cold]
-pub fn scaled_distance(p: [f64; 2], normal: [f64; 2], origin: [f64; 2]) -> f64 {
-    let normal = times_power(normal, -exponent(&normal));
-    let product = |axis: usize| normal[axis] * (0.125 * p[axis] - 0.125 * origin[axis]);
-    product(0) + product(1)
 }

@@ -7,8 +7,8 @@
 use serde::Serialize;
 
 use crate::{
-    geom::{Wide, times_power},
-    trace::Real,
+    geom::Wide,
+    trace::{Real, wide_quotient},
 };
 
 /// Differences beyond this range, or products of such, could overflow or lose bits to underflow: they are scaled first.
@@ -68,9 +68,7 @@ fn wide_mean<R: Real>([o1, o2]: [R; 2], raw: [f64; 3]) -> R {
     let (forward, back) = ([c - a1, a2 - c, a2 - a1], [a1 - c, c - a2, a1 - a2]);
     let [w1, w2, whole] = if a1 < a2 { forward } else { back };
     let sum = Wide::new(o1.get()) * w2 + Wide::new(o2.get()) * w1;
-    let ((sum, by), (whole, own)) = (sum.parts(), whole.parts());
-    let quotient = R::new(sum) / R::new(whole);
-    let [mean] = times_power([quotient.get()], by - own);
+    let mean = wide_quotient::<R>(sum, whole).get();
     // The border may be so far outside the segment that its crossing has no coordinate.
     R::new(mean.clamp(f64::MIN, f64::MAX))
 }

@@ -13,13 +13,13 @@
 //! is settled inside by its own distances ([`Borders::settle`]): that is why clipping again changes nothing.
 
 use crate::{
-    geom::{Axis, HalfPlane, Point, Segment},
+    geom::{Axis, HalfPlane, Point, Segment, Wide},
     trace::Real,
 };
 
 use super::{
     super::line::{
-        convex_border::{plane_distances, scaled_distance},
+        convex_border::plane_distances,
         crossing::{join, split},
     },
     super::{
@@ -116,7 +116,7 @@ impl Border {
         if d.get().is_finite() {
             d
         } else {
-            R::new(self.huge_distance(p, d.get()))
+            R::new(self.huge_distance(p))
         }
     }
 
@@ -170,13 +170,8 @@ impl Border {
     }
 
     #[cold]
-    fn huge_distance(&self, p: Point, overflown: f64) -> f64 {
-        let sign = match self.line {
-            BorderLine::Upright { .. } => overflown,
-            BorderLine::Oblique { normal, origin } => {
-                scaled_distance(p.to_array(), normal, origin.to_array())
-            }
-        };
+    fn huge_distance(&self, p: Point) -> f64 {
+        let sign = self.as_computed::<Wide>(p).bounded();
         if sign == 0.0 {
             0.0
         } else {

@@ -180,10 +180,7 @@ impl TrianglePlane {
         let (n, d) = plane::<Wide>(triangle);
         let (_, by) = Wide::near_one(n);
         let by = by + 4;
-        let over_power = |x: Wide| {
-            let (x, own) = x.parts();
-            times_power([x], own - by)[0]
-        };
+        let over_power = |x: Wide| x.times_power(-by).get();
         Self {
             n: n.map(over_power),
             d: over_power(d),

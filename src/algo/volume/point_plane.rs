@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::{
-    geom::{Plane, Wide, times_power},
-    trace::Real,
+    geom::{Plane, Wide},
+    trace::{Real, wide_quotient},
 };
 
 /// The three answers.
@@ -84,15 +84,13 @@ fn wide_distance<R: Real>(plane: &Plane, p: [f64; 3]) -> R {
     if length == 1.0 {
         return R::new(sum.get());
     }
-    let ((sum, by), (length, own)) = (sum.parts(), Wide::new(length).parts());
-    let quotient = R::new(sum) / R::new(length);
-    let [distance] = times_power([quotient.get()], by - own);
-    R::new(distance)
+    wide_quotient(sum, Wide::new(length))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::times_power;
 
     fn distance(plane: [f64; 4], p: [f64; 3]) -> f64 {
         signed_distance(&Plane::new(plane).unwrap(), p)
