@@ -209,6 +209,7 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
             cells.chain(&row.arrows).map(value).collect()
         }
+        Body::Costs(costs) => costs.names.iter().map(value).collect(),
         Body::Story(story) => said_in_story(story, catalog),
         Body::Graph(graph) => said_in_graph(graph, catalog),
         Body::Lists(lists) => {

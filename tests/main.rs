@@ -22,6 +22,7 @@ mod newcomer;
 mod polygon_exactness;
 mod questions;
 mod shared;
+mod signs;
 mod space_bytes;
 mod space_exactness;
 mod surface_exactness;

@@ -56,7 +56,7 @@ impl App {
             Command::CloseOutline => self.close_outline(now),
             Command::View(id, to) => self.stage.move_to(id, to),
             Command::Turn(id, eye) => self.stage.turn(id, eye),
-            Command::FitView => self.stage.fit(self.history.now()),
+            Command::FitView => self.fit(),
             Command::Zoom(factor) => self.stage.zoom(ctx, factor),
             command => self.apply_to_window(ctx, command, now),
         }
@@ -142,7 +142,7 @@ impl App {
             self.playback.rerecord(self.history.now());
         }
         if fits {
-            self.stage.fit(self.history.now());
+            self.fit();
         }
         Ok(())
     }
@@ -208,7 +208,13 @@ impl App {
             self.edit(Edit::Replace(scene), None, now);
             self.seek(position);
         }
+        self.fit();
+    }
+
+    /// Shows what is to be seen now, from where it is seen best.
+    fn fit(&mut self) {
         self.stage.fit(self.history.now());
+        self.playback.look_anew();
     }
 
     fn cancel(&mut self, ctx: &Context) {

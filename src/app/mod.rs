@@ -272,7 +272,8 @@ impl App {
         if self.playback.is_late && !is_dragging {
             self.playback.rerecord(self.history.now());
         }
-        self.playback.prepare();
+        let scene = self.history.now();
+        self.playback.prepare(scene, self.stage.bounds());
 
         self.install_theme(ui);
         self.name_window(&ctx);

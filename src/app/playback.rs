@@ -3,7 +3,7 @@
 use web_time::Instant;
 
 use crate::{
-    figure::{Frame, Need, Run, Tick, needs},
+    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, needs},
     labs::{Difference, MethodCard, Scene},
     trace::{Counts, Transport},
 };
@@ -26,6 +26,12 @@ pub struct Playback {
     pub reached: usize,
     /// What the views of each run want; empty until a frame of it is made.
     pub needs: Vec<Vec<Need>>,
+    /// How they stand beside each other, from when these methods were opened: dragging does not change it. Others, which are
+    /// put there afterwards, are each seen by themselves.
+    comparison: (Vec<&'static str>, Comparison),
+    together: Option<Frame>,
+    /// Found with the first frames, and kept whatever is dragged; none where they are to be found anew.
+    pub eyes: Option<Eyes>,
     /// Another number for every recording.
     pub recording: u64,
     /// How many of the last recordings one after the other took too long for a drag.
@@ -50,6 +56,10 @@ impl Playback {
         let (runs, difference) = runs(scene);
         let mut transport = Transport::new(runs[0].n_steps());
         transport.seek(position);
+        let methods = scene.document().methods();
+        let has_faulty = methods.iter().any(|method| method.is_faulty);
+        let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
+        let comparison = (ids(&methods), Comparison::between(&all, has_faulty));
         Self {
             transport,
             phases: phases(&*runs[0]),
@@ -60,6 +70,9 @@ impl Playback {
             framed_at: None,
             reached: 0,
             needs: Vec::new(),
+            comparison,
+            together: None,
+            eyes: None,
             recording: 0,
             n_slow: 0,
             is_late: false,
@@ -119,8 +132,8 @@ impl Playback {
         }
     }
 
-    /// Makes the frames of the present step, unless they are there already.
-    pub fn prepare(&mut self) {
+    /// Makes the frames of the present step, unless they are there already, of which these bounds of the plane are to be seen.
+    pub fn prepare(&mut self, scene: &Scene, bounds: [[f64; 2]; 2]) {
         let position = self.transport.position();
         if self.framed_at == Some(position) {
             return;
@@ -129,9 +142,40 @@ impl Playback {
         self.frames = runs.map(|(run, [step, _])| run.frame(step)).collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
-        if self.needs.is_empty() {
-            self.needs = self.runs().map(needs).collect();
+        let methods = scene.document().methods();
+        let ids = ids(&methods);
+        if self.comparison.0 != ids {
+            self.comparison = (ids, Comparison::Apart);
         }
+        let comparison = self.comparison.1;
+        let mut prospect = Prospect::default();
+        if self.needs.is_empty() {
+            let needs = |run| needs(run, bounds, |views| prospect.add(views));
+            let wanted: Vec<_> = self.runs().map(needs).collect();
+            self.needs = comparison.needs(&wanted);
+        }
+        let eyes = self.eyes.take().unwrap_or_else(|| {
+            let views = self.frames.iter().map(|frame| &frame.views[..]);
+            prospect.eyes(&views.collect::<Vec<_>>())
+        });
+        for frame in &mut self.frames {
+            eyes.turn(&mut frame.views);
+        }
+        self.eyes = Some(eyes);
+        let names: Vec<_> = methods.iter().map(|method| method.name()).collect();
+        self.together = comparison.together(&self.frames, &names);
+    }
+
+    /// Finds the eyes anew, for what is shown now.
+    pub fn look_anew(&mut self) {
+        (self.eyes, self.framed_at) = (None, None);
+        self.needs.clear();
+    }
+
+    /// What the stage shows: of methods that do the same, one.
+    pub fn on_stage(&self) -> &[Frame] {
+        let together = self.together.as_ref().map(std::slice::from_ref);
+        together.unwrap_or(&self.frames)
     }
 
     /// Of each run, where it stands and how many steps it has.
@@ -166,6 +210,10 @@ fn phases(run: &dyn Run) -> Vec<usize> {
 }
 
 /// One run at least, and how they differ.
+fn ids(methods: &[&'static MethodCard]) -> Vec<&'static str> {
+    methods.iter().map(|method| method.id).collect()
+}
+
 fn runs(scene: &Scene) -> (Vec<Box<dyn Run>>, Option<Difference>) {
     let runs = scene.document().record();
     let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();

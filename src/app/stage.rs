@@ -12,7 +12,8 @@ use crate::{
     panels::{Reach, spots},
     widgets::{
         Canvas, CanvasShown, Composition, Spot, covered, gripped, height_for_all, link_at,
-        picture_viewport, projected, rect_of, title_ground, title_of_space, under_title,
+        picture_viewport, place_inset, projected, rect_of, title_ground, title_of_space,
+        under_title,
     },
 };
 
@@ -25,7 +26,7 @@ const SPACING: Spacing = Spacing {
     margin: 0.0,
     gutter: 0.0,
     inset: INDENT,
-    under_title: INDENT,
+    titled: 2.0 * INDENT,
     name: 44.0,
     over_caption: 0.0,
     is_fixed: true,
@@ -41,8 +42,9 @@ fn title(app: &App) -> Option<&str> {
 
 pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let rect = ui.max_rect();
-    let frames = &app.playback.frames;
+    let frames = app.playback.on_stage();
     let methods = app.scene().document().methods();
+    let methods = &methods[..frames.len().min(methods.len())];
     // A place that is clicked while an outline is drawn is a point of it.
     let handles = match state.sketch {
         Some(_) => Vec::new(),
@@ -56,11 +58,11 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let composition = Composition {
         look: app.look(),
         spacing: &SPACING,
-        methods: &methods,
+        methods,
         difference: app.playback.difference,
     };
     let layout = lay_out(app, ui, state, (rect, &composition));
-    let columns = frames.iter().zip(&methods).zip(&layout.columns);
+    let columns = frames.iter().zip(methods).zip(&layout.columns);
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
         let column = Column {
@@ -110,7 +112,13 @@ fn lay_out(
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];
-    let layout = composition.lay_out(ui, rect, title(app), heights, &app.playback.needs);
+    let playback = &app.playback;
+    let mut layout = composition.lay_out(ui, rect, title(app), heights, &playback.needs);
+    if let Some(eyes) = &playback.eyes {
+        for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
+            place_inset(ui, app.look(), places, &frame.views, eyes);
+        }
+    }
     let views = layout.columns.iter().flat_map(|column| &column.views);
     state.places = views.copied().collect();
     layout

@@ -82,6 +82,10 @@ impl StageState {
         self.bounds = scene.document().bounds();
     }
 
+    pub const fn bounds(&self) -> [[f64; 2]; 2] {
+        self.bounds
+    }
+
     pub fn chosen(&self) -> Option<Handle> {
         self.focused.or(self.selected)
     }

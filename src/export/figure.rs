@@ -1,39 +1,42 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
+mod recorded;
 #[cfg(test)]
 mod tests;
-
-use std::ops::ControlFlow;
 
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{
-        Body, Caption, Choice, ColumnLayout, Frame, Need, Run, Spacing, ViewId, needs, sentences,
-    },
-    labs::{Difference, MethodCard, Scene},
+    figure::{Body, Caption, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId, sentences},
+    labs::Scene,
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
     text::{Catalog, Lang, Message},
     widgets::{
-        Bars, Composition, Cost, covered, height_for_all, most_of_a_kind, rect_of, space, view,
+        Bars, Composition, Cost, covered, height_for_all, most_of_a_kind, place_inset, rect_of,
+        space, view,
     },
 };
+
+use recorded::{Column, Recorded};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
 /// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
 /// high, the text 17, the caption 19, the margin 64.
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
-/// Where a view has no room, the page is enlarged by so much, and again, until all have: what is on it becomes smaller.
+/// Where a view of one method has no room, the page is enlarged by so much, and again, until all have: what is on it
+/// becomes smaller, but where text is large on purpose.
 const ENLARGED_BY: f32 = 0.1;
 const MOST_ENLARGED: f32 = 1.4;
-const MARGIN_PTS: f32 = 26.0;
+const MARGIN_PTS: f32 = 24.0;
+/// A sentence has room for two lines, in all themes: the body of the page is equally high.
+const CAPTION_PTS: f32 = 62.0;
 const SPACING: Spacing = Spacing {
     margin: 48.0,
     gutter: 40.0,
     inset: 0.0,
-    under_title: 20.0,
+    titled: 46.0,
     name: 36.0,
-    over_caption: 18.0,
+    over_caption: 8.0,
     is_fixed: false,
 };
 const OVER_COST_PTS: f32 = 8.0;
@@ -70,6 +73,13 @@ pub struct Picture<'a> {
     pub options: Options,
 }
 
+impl Picture<'_> {
+    /// The language in which it is asked what comes, if it is.
+    fn asked_in(&self) -> Option<Lang> {
+        self.options.asks.then_some(self.options.lang)
+    }
+}
+
 /// Draws figures. One that has drawn others draws faster, and records the run of a scene once, however many of its steps
 /// it draws; the bytes are the same.
 pub struct Studio {
@@ -97,7 +107,8 @@ impl Studio {
     /// In words what the figure shows: its title, and under each method's name its sentence.
     pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
         let catalog = Catalog::of(picture.options.lang);
-        let columns = recorded(&mut self.last, picture.scene).columns(picture);
+        let columns =
+            recorded(&mut self.last, picture.scene).columns(picture.step, picture.asked_in());
         let sentence = |column: &Column| {
             let said = column.frame.caption.text(catalog);
             if columns.len() > 1 {
@@ -132,60 +143,6 @@ fn recorded<'a>(last: &'a mut Option<Recorded>, scene: &Scene) -> &'a Recorded {
     last.get_or_insert_with(|| Recorded::new(scene))
 }
 
-/// A scene with its runs, and what they want of a page.
-struct Recorded {
-    scene: Scene,
-    runs: Vec<Box<dyn Run>>,
-    needs: Vec<Vec<Need>>,
-    difference: Option<Difference>,
-}
-
-impl Recorded {
-    fn new(scene: &Scene) -> Self {
-        let runs = scene.document().record();
-        let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-        Self {
-            scene: scene.clone(),
-            needs: all.iter().map(|&run| needs(run)).collect(),
-            difference: Difference::between(&scene.document().methods(), &all),
-            runs,
-        }
-    }
-
-    /// Each method, at the step that stands beside this one of the first; or before the last question that has been answered by then.
-    fn columns(&self, picture: &Picture<'_>) -> Vec<Column> {
-        let methods = self.scene.document().methods().into_iter();
-        let runs = self.runs.iter().map(|run| &**run);
-        let columns = methods.zip(runs).enumerate();
-        let column = |(i, (method, run)): (usize, (_, &dyn Run))| {
-            let step = match i {
-                0 => picture.step,
-                _ => run.beside(&*self.runs[0], picture.step),
-            };
-            let asked = picture.options.asks.then(|| question(run, step)).flatten();
-            let Some((step, choice)) = asked else {
-                return Column::new(method, run, step);
-            };
-            let mut column = Column::new(method, run, step - 1);
-            column.frame.caption = Caption::new(choice.asked(Catalog::of(picture.options.lang)));
-            column
-        };
-        columns.map(column).collect()
-    }
-}
-
-/// The last step up to this one that answers a question, and what might have come there.
-fn question(run: &dyn Run, step: usize) -> Option<(usize, Choice)> {
-    (1..=step.min(run.n_steps())).rev().find_map(|step| {
-        let mut choice = None;
-        run.visit([step, step], &mut |_, shown| {
-            choice = shown.options();
-            ControlFlow::Break(())
-        });
-        Some((step, choice?))
-    })
-}
-
 fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
@@ -198,51 +155,33 @@ fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (I
         },
         recorded,
     };
-    let columns = recorded.columns(picture);
+    let mut columns = recorded.columns(picture.step, picture.asked_in());
+    let eyes = recorded.turned(&mut columns, picture.options.steps == Steps::All);
+    let columns = recorded.drawn(columns);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
-        let mut lost = Vec::new();
+        let mut layout = Layout::default();
         let image = table.draw(size / pixels_per_point, pixels_per_point, |ui| {
-            lost = page.show(ui, &columns);
+            layout = page.show(ui, &columns, &eyes);
         });
-        if lost.is_empty() || page_scale >= MOST_ENLARGED {
+        let may_grow = columns.len() == 1 && !page.look.theme.has_large_text();
+        let lost = lost(&recorded.needs, &layout);
+        if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
             return (image, lost);
         }
         page_scale += ENLARGED_BY;
     }
 }
 
-struct Column {
-    method: &'static MethodCard,
-    frame: Frame,
-    /// The step that is shown, and how many there are.
-    step: [usize; 2],
-    /// Could the method take the scene? What it has not done has no cost.
-    has_run: bool,
-}
-
-impl Column {
-    fn new(method: &'static MethodCard, run: &dyn Run, step: usize) -> Self {
-        Self {
-            method,
-            frame: run.frame(step.min(run.n_steps())),
-            step: [step.min(run.n_steps()), run.n_steps()],
-            has_run: run.n_steps() > 0,
-        }
-    }
-
-    const fn at_end(&self) -> bool {
-        let [step, n_steps] = self.step;
-        step >= n_steps
-    }
-
-    /// `step 9 of 21`: where it is not the end, two methods are not at the same of their steps.
-    fn moment(&self, catalog: &Catalog) -> Option<String> {
-        let [step, total] = self.step;
-        let message = Message::new("transport-step").with("step", step);
-        (!self.at_end()).then(|| catalog.message(&message.with("total", total)))
-    }
+/// The views there is no room for.
+fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
+    let lost = |(needs, places): (&Vec<Need>, &ColumnLayout)| {
+        let ids = needs.iter().map(|need| need.id);
+        ids.filter(|&id| places.slot(id).is_none())
+            .collect::<Vec<_>>()
+    };
+    needs.iter().zip(&layout.columns).flat_map(lost).collect()
 }
 
 struct Page<'a> {
@@ -252,8 +191,8 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// Draws it; the views there is no room for.
-    fn show(&self, ui: &mut Ui, columns: &[Column]) -> Vec<ViewId> {
+    /// Draws it, and says where everything stands.
+    fn show(&self, ui: &mut Ui, columns: &[Column], eyes: &Eyes) -> Layout {
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
         let methods: Vec<_> = columns.iter().map(|column| column.method).collect();
         let composition = Composition {
@@ -271,9 +210,13 @@ impl Page<'_> {
         let cost = bars
             .first()
             .map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
-        let heights = [self.caption_height(ui, columns, width), cost];
+        let caption = self.caption_height(ui, columns, width);
+        let heights = [caption.max(CAPTION_PTS), cost];
         let (title, needs) = (self.picture.title, &self.recorded.needs);
-        let layout = composition.lay_out(ui, area, title, heights, needs);
+        let mut layout = composition.lay_out(ui, area, title, heights, needs);
+        for (column, places) in columns.iter().zip(&mut layout.columns) {
+            place_inset(ui, self.look, places, &column.frame.views, eyes);
+        }
         for (i, (column, places)) in columns.iter().zip(&layout.columns).enumerate() {
             self.drawing(ui, i, column, places);
             let moment = column.moment(self.look.catalog);
@@ -285,13 +228,7 @@ impl Page<'_> {
                 bars.paint(ui.painter(), rect);
             }
         }
-        let lost = |(needs, places): (&Vec<Need>, &ColumnLayout)| {
-            let lost = needs.iter().map(|need| need.id);
-            let lost = lost.filter(|&id| places.slot(id).is_none());
-            lost.collect::<Vec<ViewId>>()
-        };
-        let columns = needs.iter().zip(&layout.columns);
-        columns.flat_map(lost).collect()
+        layout
     }
 
     /// Of the highest sentence, so that pictures of a run that follow each other stay where they are. Two methods leave

@@ -20,6 +20,10 @@ const LONG: usize = 1024;
 /// Entries of a list beyond these are folded wherever it stands.
 const MOST_ENTRIES: usize = 16;
 
+/// What is wider, or higher, than so many times its other side has room beside it after all.
+const FLATTEST: f64 = 3.0;
+/// Width over height of what is seen of a space.
+pub const SEEN: f32 = 1.4;
 const DRAWING: [[f32; 2]; 2] = [[22.0, 7.5], [30.0, 24.0]];
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -33,7 +37,7 @@ pub enum Stand {
     Across,
     Over,
     Beside,
-    /// A small picture in the lower right corner of the drawing, whose natural width over height it keeps.
+    /// A small picture in a corner of the drawing, whose natural width over height it keeps.
     Inset,
 }
 
@@ -44,8 +48,10 @@ pub struct Need {
     pub stand: Stand,
     /// Less than this is not worth drawing.
     pub least: [f32; 2],
-    /// More than this does it no good.
+    /// Its size with text of one size; more does it no good.
     pub natural: [f32; 2],
+    /// Width over height of what is drawn, which grows with its room: none of what has text alone.
+    pub aspect: Option<f32>,
 }
 
 impl View {
@@ -97,7 +103,7 @@ impl View {
                 // The result has its room before it is asked for.
                 let rows = bits.rows.len() as f32 + 1.0;
                 let least = [4.2 + 2.5 * columns, 5.8 + 2.9 * rows];
-                let natural = [7.0 + 6.6 * columns, 9.0 + 6.6 * rows];
+                let natural = [3.6 + 4.7 * columns, 7.4 + 4.6 * rows];
                 (Stand::Beside, least, natural)
             }
             Body::Table(table) => {
@@ -105,8 +111,15 @@ impl View {
                 let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
                 // Rows are folded where there is no room for all.
                 let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes];
-                let natural = [6.0 + 4.0 * columns, 4.5 + 3.8 * rows + 2.0 * notes];
+                let natural = [6.0 + 3.0 * columns, 3.0 + 3.2 * rows + 2.0 * notes];
                 (Stand::Beside, least, natural)
+            }
+            Body::Costs(costs) => {
+                let n = costs.counts.len() as f32;
+                // Of two a row has both; of more each has its own.
+                let rows = if n > 2.0 { n + 2.1 } else { 4.5 };
+                let natural = [27.0, 2.5 + 5.0 * rows];
+                (Stand::Beside, natural.map(|side| 0.6 * side), natural)
             }
             Body::Graph(graph) => graph_need(graph),
             Body::Story(story) => {
@@ -128,6 +141,21 @@ impl View {
             stand,
             least,
             natural,
+            aspect: self.aspect(),
+        }
+    }
+
+    fn aspect(&self) -> Option<f32> {
+        match &self.body {
+            Body::Plane(_) => Some(1.0),
+            Body::Space(space) => {
+                Some(Lens::from(space.seer).aspect().map_or(SEEN, |of| of as f32))
+            }
+            Body::Raster(raster) => {
+                let [columns, rows] = raster.size.map(|n| n.max(1) as f32);
+                Some(columns / rows)
+            }
+            _ => None,
         }
     }
 }
@@ -156,18 +184,19 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
     let legend = if lists.legend.is_empty() { 0.0 } else { 1.0 };
     let least_width = 5.0 * n + 2.5 * (n - 1.0) + 2.0;
     let least = [least_width, 2.9 + 1.65 * seen + 1.4 * legend];
-    let width = 6.5 * n + 4.5 * columns as f32 + 5.0 * (n - 1.0);
-    let height = 3.5 + 2.0 * rows + 2.0 * legend;
-    // Few entries may be larger than many.
-    let grown = (26.0 / height).clamp(1.0, 1.2);
-    (Stand::Beside, least, [grown * width, height])
+    let width = 6.5 * n + 4.5 * columns as f32 + 4.0 * (n - 1.0);
+    let height = 3.5 + 2.3 * rows + 2.0 * legend;
+    (Stand::Beside, least, [width, height])
 }
 
-/// What the views of a run want, in the order in which a step shows them: enough for every step.
-pub fn needs(run: &dyn Run) -> Vec<Need> {
+/// What the views of a run want, in the order in which a step shows them: enough for every step; `look` sees them, too. A
+/// drawing of the plane has the shape of these bounds, its least corner and its largest.
+pub fn needs(run: &dyn Run, [min, max]: [[f64; 2]; 2], mut look: impl FnMut(&[View])) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
     ask(run, MOST_ASKED, |shown| {
-        for view in &shown.views() {
+        let views = shown.views();
+        look(&views);
+        for view in &views {
             let more = view.need();
             match needs.iter_mut().find(|need| need.id == more.id) {
                 Some(need) => need.widen(&more),
@@ -175,6 +204,11 @@ pub fn needs(run: &dyn Run) -> Vec<Need> {
             }
         }
     });
+    let [width, height] = [0, 1].map(|i| (max[i] - min[i]).max(f64::MIN_POSITIVE));
+    let shape = (width / height).clamp(FLATTEST.recip(), FLATTEST) as f32;
+    for need in needs.iter_mut().filter(|need| need.id == ViewId::PLANE) {
+        need.aspect = Some(shape);
+    }
     needs
 }
 

@@ -65,6 +65,11 @@ impl Frame {
         plane.unwrap_or_default()
     }
 
+    pub fn body(&self, id: ViewId) -> Option<&Body> {
+        let view = self.views.iter().find(|view| view.id == id);
+        view.map(|view| &view.body)
+    }
+
     pub fn space(&self) -> Option<&Space> {
         let Body::Space(space) = &self.views.first()?.body else {
             return None;

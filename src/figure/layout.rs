@@ -15,26 +15,28 @@
 //!
 //! Everything is settled by what a whole run wants ([`super::needs`]), so that no step moves anything.
 
+mod arranged;
 mod groups;
 mod places;
+mod stand;
 #[cfg(test)]
 mod tests;
 
 use super::{extent::Need, view::ViewId};
 
-use groups::{Groups, Way};
+use arranged::{Arranged, drawings, drop_last};
+use groups::Way;
 
 pub use self::places::{ColumnLayout, Slot};
 
-/// Of its column's width a drawing keeps this part at least, and of its height.
-const DRAWING: [f32; 2] = [0.45, 0.42];
 /// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
 const READABLE: f32 = 13.0;
-/// The same of its width, where there is no room otherwise, or text is larger: what is read has it first.
-const NARROW: f32 = 0.36;
-const INSET: [f32; 2] = [0.27, 0.4];
-/// Between a drawing and what stands beside it, and under it; in ems.
-const GAP: [f32; 2] = [3.0, 1.0];
+/// What stands beside the drawing has its natural width, and only where nothing else has room a part of it.
+const PARTS: [f32; 3] = [1.0, 0.85, 0.7];
+/// A drawing that is smaller by less is as large.
+const SAME: f32 = 0.99;
+/// Of methods side by side each drawing keeps so much of the side that it has alone.
+const BESIDE_OTHERS: f32 = 0.75;
 
 /// The white space of a page, or of the window's stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -43,7 +45,8 @@ pub struct Spacing {
     pub gutter: f32,
     /// White space that a view beside the drawing keeps from the edges of its column.
     pub inset: f32,
-    pub under_title: f32,
+    /// A title on one line has so much room, whatever its size.
+    pub titled: f32,
     pub name: f32,
     /// White space between the views and the hairline over the caption.
     pub over_caption: f32,
@@ -62,7 +65,7 @@ pub struct Sheet {
     pub cost: f32,
 }
 
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Layout {
     pub title: Slot,
     pub columns: Vec<ColumnLayout>,
@@ -95,33 +98,96 @@ impl Sheet {
         Layout { title, columns }
     }
 
-    /// The views of all columns: in the first way that has room for all of them, or in the one that has for most.
+    /// The views of all columns, arranged so that the drawings are as large as they can be. Where text is larger it shrinks,
+    /// and views go from the last on, before a drawing is smaller than it is beside text of the readable size; and where
+    /// methods stand side by side, before it is much smaller than it is alone.
     fn views(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
-        let count = |views: &[Vec<(ViewId, Slot)>]| views.iter().map(Vec::len).sum::<usize>();
-        let n_wanted: usize = needs.iter().map(Vec::len).sum();
-        let mut best = Vec::new();
-        let is_portrait = stages.iter().all(|stage| stage.size()[0] < stage.size()[1]);
-        let low = self.spacing.is_fixed.then_some(Way::Low);
-        for way in Way::roomy(is_portrait).into_iter().chain(low) {
-            let views = self.views_in(way, stages, needs);
-            if best.is_empty() || count(&views) > count(&best) {
-                best = views;
+        let readable = Self {
+            em: self.em.min(READABLE),
+            ..*self
+        };
+        // Who looks into a window may choose another theme, or one method; a page is as it is.
+        let may_go = !self.spacing.is_fixed;
+        let wanted = if may_go && needs.len() > 1 {
+            let alone = readable.largest(
+                stages,
+                &needs
+                    .iter()
+                    .map(|needs| drawings(needs))
+                    .collect::<Vec<_>>(),
+            );
+            alone.scale * BESIDE_OTHERS.powi(needs.len() as i32)
+        } else {
+            let all = readable.largest(stages, needs);
+            if self.em <= READABLE {
+                return all.views;
             }
-            if count(&best) == n_wanted {
+            SAME * all.scale
+        };
+        let mut needs = needs.to_vec();
+        let mut best = Arranged::default();
+        loop {
+            for part in PARTS {
+                let arranged = self.largest_of(part, stages, &needs);
+                if arranged.has_all(&needs) && arranged.scale >= wanted {
+                    return arranged.views;
+                }
+                if arranged.is_better_than(&best) {
+                    best = arranged;
+                }
+            }
+            let fewer = needs.iter_mut().map(drop_last);
+            if !may_go || !fewer.fold(false, |any, has_one| any | has_one) {
+                return best.views;
+            }
+        }
+    }
+
+    /// Of all arrangements that have room for most views, the one with the largest drawings.
+    fn largest(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Arranged {
+        let mut best = Arranged::default();
+        for part in PARTS {
+            let arranged = self.largest_of(part, stages, needs);
+            if arranged.is_better_than(&best) {
+                best = arranged;
+            }
+            if best.has_all(needs) {
                 break;
             }
         }
         best
     }
 
-    fn views_in(&self, way: Way, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
+    fn largest_of(&self, part: f32, stages: &[Slot], needs: &[Vec<Need>]) -> Arranged {
+        let mut best = Arranged::default();
+        for way in Way::ALL {
+            if way == Way::Low && !self.spacing.is_fixed {
+                continue;
+            }
+            for share in way.shares(needs) {
+                let views = self.views_in((way, part, share), stages, needs);
+                let arranged = Arranged::new(views, needs);
+                if arranged.is_better_than(&best) {
+                    best = arranged;
+                }
+            }
+        }
+        best
+    }
+
+    fn views_in(
+        &self,
+        how: (Way, f32, Option<f32>),
+        stages: &[Slot],
+        needs: &[Vec<Need>],
+    ) -> Vec<Vec<(ViewId, Slot)>> {
         let mut common = [f32::MAX; 2];
         let mut views = Vec::new();
         // The second time each drawing knows how large the others can be.
-        for _ in 0..2 {
+        for _ in 0..stages.len().min(2) {
             let columns = stages.iter().zip(needs);
             views = columns
-                .map(|(&stage, needs)| self.stand(way, stage, &way.wanted(needs), common))
+                .map(|(&stage, needs)| self.stand(how, stage, needs, common))
                 .collect::<Vec<_>>();
             for (_, slot) in views.iter().filter_map(|views| views.first()) {
                 let size = slot.size();
@@ -147,188 +213,5 @@ impl Sheet {
             cost,
         };
         (column, stage)
-    }
-
-    /// The drawing, no larger than `most`, and then the others; none where what stands beside it has no room.
-    fn stand(
-        &self,
-        way: Way,
-        mut stage: Slot,
-        needs: &[Need],
-        most: [f32; 2],
-    ) -> Vec<(ViewId, Slot)> {
-        let Some(Groups {
-            drawing,
-            insets,
-            over,
-            across,
-            under,
-            beside,
-        }) = Groups::of(needs, way)
-        else {
-            return Vec::new();
-        };
-        let over = self.across(way, &mut stage, drawing, over, Slot::take_top);
-        let across = self.across(way, &mut stage, drawing, across, Slot::take_bottom);
-        let [width, height] = stage.size();
-        let (em, least_width) = self.least_width(way, drawing, width);
-        let gap_x = GAP[0] * em;
-        let room = width - least_width - gap_x - self.spacing.inset;
-        let side_width = beside.iter().map(|need| need.natural[0] * self.em);
-        let side_width = side_width.fold(0.0, f32::max).min(room);
-        if beside.iter().any(|need| need.least[0] * em > side_width) {
-            return Vec::new();
-        }
-        let mut left = stage;
-        if !beside.is_empty() {
-            left.max[0] -= (side_width + gap_x + self.spacing.inset).round();
-        }
-        let least_height = least_height(way, drawing, height);
-        let strips = self.heights(&under, height - least_height - self.spacing.inset);
-        // As far as they all are seen, the drawing keeps half.
-        let half = self.heights(&under, 0.5 * height);
-        let is_enough = half.len() == strips.len();
-        let strips = if is_enough { half } else { strips };
-        let taken: f32 = strips.iter().map(|strip| strip + self.gap()).sum();
-        let size = left.size();
-        let inset = if strips.is_empty() {
-            0.0
-        } else {
-            self.spacing.inset
-        };
-        let high = (height - taken - inset).round();
-        let drawn = Slot::new(left.min, [size[0].min(most[0]), high.min(most[1])]);
-        let mut slots = vec![(drawing.id, drawn)];
-        let mut below = Slot {
-            min: [drawn.min[0] + self.spacing.inset, drawn.max[1]],
-            max: [drawn.max[0] - self.spacing.inset, stage.max[1]],
-        };
-        below.take_top(self.gap());
-        slots.extend(self.stack(below, &under, &strips));
-        let side = Slot {
-            min: [
-                left.max[0] + gap_x.round(),
-                stage.min[1] + self.spacing.inset,
-            ],
-            max: [
-                stage.max[0] - self.spacing.inset,
-                stage.max[1] - self.spacing.inset,
-            ],
-        };
-        let mut heights = self.heights(&beside, side.size()[1] + self.gap());
-        // The last one may grow into what is left.
-        if heights.len() == beside.len()
-            && let Some(last) = heights.last_mut()
-        {
-            *last = f32::MAX;
-        }
-        slots.extend(self.stack(side, &beside, &heights));
-        slots.extend(over);
-        slots.extend(across);
-        slots.extend(self.insets(drawn, &insets));
-        slots
-    }
-
-    /// The size of text that views beside a drawing are measured by, and what that keeps of a column's width.
-    fn least_width(&self, way: Way, drawing: &Need, width: f32) -> (f32, f32) {
-        let readable = READABLE.min(self.em);
-        match way {
-            Way::Beside => {
-                let is_large = self.em > READABLE;
-                let part = if is_large { NARROW } else { DRAWING[0] };
-                let least = drawing.least[0] * readable;
-                (self.em, least.max(part * width))
-            }
-            Way::Narrow => (readable, NARROW * width),
-            Way::Under | Way::Low => (self.em, width),
-        }
-    }
-
-    fn insets(&self, drawing: Slot, needs: &[&Need]) -> Vec<(ViewId, Slot)> {
-        let gap = self.gap();
-        let mut right = drawing.max[0] - gap;
-        let mut slots = Vec::new();
-        for need in needs {
-            let [width, height] = [0, 1].map(|i| INSET[i] * drawing.size()[i]);
-            let part = (width / need.natural[0]).min(height / need.natural[1]);
-            let size = need.natural.map(|side| (part * side).round());
-            let min = [right - size[0], drawing.max[1] - gap - size[1]];
-            slots.push((need.id, Slot::new(min, size)));
-            right = min[0] - gap;
-        }
-        slots
-    }
-
-    fn gap(&self) -> f32 {
-        GAP[1] * READABLE.min(self.em)
-    }
-
-    fn across(
-        &self,
-        way: Way,
-        stage: &mut Slot,
-        drawing: &Need,
-        mut needs: Vec<&Need>,
-        take: fn(&mut Slot, f32) -> Slot,
-    ) -> Vec<(ViewId, Slot)> {
-        let [width, height] = stage.size();
-        needs.retain(|need| need.least[0] * READABLE <= width - 2.0 * self.spacing.inset);
-        let room = height - least_height(way, drawing, height) - self.spacing.inset;
-        let heights = self.heights(&needs, room);
-        if heights.is_empty() {
-            return Vec::new();
-        }
-        let gap = self.gap();
-        let taken: f32 = heights.iter().map(|height| height + gap).sum();
-        let mut strips = take(stage, taken + self.spacing.inset);
-        strips.min[0] += self.spacing.inset;
-        strips.max[0] -= self.spacing.inset;
-        // On the side that the other views are on.
-        let is_under = strips.max[1] > stage.min[1];
-        strips.take_top(if is_under { gap } else { self.spacing.inset });
-        self.stack(strips, &needs, &heights)
-    }
-
-    fn stack(&self, mut rest: Slot, needs: &[&Need], heights: &[f32]) -> Vec<(ViewId, Slot)> {
-        let mut slots = Vec::new();
-        for (need, &height) in needs.iter().zip(heights) {
-            let mut slot = rest.take_top(height);
-            // What stands under the drawing for want of room is no wider than it would be beside it.
-            let natural = (slot.min[0] + need.natural[0] * self.em).round();
-            slot.max[0] = slot.max[0].min(natural);
-            slots.push((need.id, slot));
-            rest.take_top(self.gap());
-        }
-        slots
-    }
-
-    /// Each with a gap after it, between least and natural; the last ones get none where there is too little.
-    fn heights(&self, needs: &[&Need], room: f32) -> Vec<f32> {
-        let least = |need: &Need| need.least[1] * READABLE.min(self.em);
-        let natural = |need: &Need| need.natural[1] * self.em;
-        let gap = self.gap();
-        let mut needs = needs.to_vec();
-        let sum = |needs: &[&Need], of: &dyn Fn(&Need) -> f32| -> f32 {
-            needs.iter().map(|need| of(need) + gap).sum()
-        };
-        while !needs.is_empty() && sum(&needs, &least) > room {
-            needs.pop();
-        }
-        let (low, high) = (sum(&needs, &least), sum(&needs, &natural));
-        let part = if high > room {
-            (room - low) / (high - low)
-        } else {
-            1.0
-        };
-        let height = |need: &&Need| least(need) + part * (natural(need) - least(need));
-        needs.iter().map(height).collect()
-    }
-}
-
-fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {
-    let least = drawing.least[1] * READABLE;
-    match way {
-        Way::Beside | Way::Under | Way::Narrow => least.max(DRAWING[1] * height),
-        Way::Low => least,
     }
 }

@@ -1,7 +1,9 @@
 //! What a picture of a step says, with no colours, no pixels, no language: those are chosen when it is drawn.
 
 mod code_links;
+mod comparison;
 mod extent;
+mod eye;
 mod frame;
 mod graph;
 mod layout;
@@ -20,7 +22,11 @@ mod watch;
 mod words;
 
 pub use code_links::CodeLinks;
+pub use comparison::Comparison;
 pub use extent::{Need, Stand, needs, sentences, watches};
+#[cfg(test)]
+pub(crate) use eye::judged;
+pub use eye::{Eyes, Prospect};
 pub use frame::{Caption, Choice, Decides, Frame, Shown};
 pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
@@ -41,7 +47,7 @@ pub use small_pictures::{
 pub use solids::{SolidMesh, SolidPicture, Solids};
 pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};
 pub use values::{
-    BitRow, Bits, Cell, Gauge, Gauges, ItemMarker, ListColumn, ListLink, ListRow, Lists,
+    BitRow, Bits, Cell, Costs, Gauge, Gauges, ItemMarker, ListColumn, ListLink, ListRow, Lists,
     MatrixProduct, MatrixRow, Measured, Product, Products, Table, TableNote, TableRow, Vector,
 };
 pub use view::{

@@ -80,12 +80,30 @@ pub trait Run {
         (1..=self.n_steps()).filter(fits).nth(nth - 1)
     }
 
-    /// The step to show beside `step` of another run: as many steps in, and its end beside the other's end.
+    /// The step to show beside `step` of another run: its end beside the other's end. As long as both do the same, as many
+    /// steps in; where they part, what this run does in place of the other, or, where the other only does more, the last that
+    /// both did; from then on the same moment, or where that never comes, as many steps in.
     fn beside(&self, other: &dyn Run, step: usize) -> usize {
         if step >= other.n_steps() {
-            self.n_steps()
-        } else {
-            step.min(self.n_steps())
+            return self.n_steps();
+        }
+        let as_many = step.min(self.n_steps());
+        if self.n_steps().max(other.n_steps()) > LONG {
+            return as_many;
+        }
+        let [mut own, mut others] = [Words::default(), Words::default()];
+        let mut is_parted = |step: &usize| {
+            self.read_words(*step, &mut own);
+            other.read_words(*step, &mut others);
+            own != others
+        };
+        match (1..=as_many).find(&mut is_parted) {
+            None => as_many,
+            Some(parted) if parted < step => self.find(&other.moment(step)).unwrap_or(as_many),
+            Some(_) => {
+                other.read_words(step + 1, &mut others);
+                as_many - usize::from(own == others)
+            }
         }
     }
 

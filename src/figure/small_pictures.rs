@@ -143,7 +143,11 @@ impl RasterMark {
 pub enum RasterShape {
     Line([[f64; 2]; 2]),
     Dot([f64; 2]),
+    Ring([f64; 2]),
+    /// What is not so: another surface is in front there.
     Cross([f64; 2]),
+    /// A place on an edge between two pixels, by a short stroke along this axis, across that edge.
+    Tick([f64; 2], usize),
 }
 
 #[derive(Clone, PartialEq, Debug)]

@@ -74,6 +74,8 @@ pub enum Shape3 {
     Arrow([[f64; 3]; 2]),
     /// From point to point and back to the first, dashed where a solid hides it.
     Outline(Vec<[f64; 3]>),
+    /// The outline of a part of a plane: what is about the plane is seen as well on its edge.
+    Sheet(Vec<[f64; 3]>),
     Wash(Vec<[f64; 3]>),
     /// The outline of a ball as it is seen: centre and radius. Seen through everything.
     Ball([f64; 3], f64),

@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use crate::text::{Formula, Message, Value};
+use crate::{
+    text::{Formula, Message, Value},
+    trace::Counts,
+};
 
 use super::role::{Link, Role};
 
@@ -24,6 +27,14 @@ pub struct BitRow {
     /// [`Role::Signal`] where it was found at this step, else [`Role::Ink`].
     pub role: Role,
     pub link: Option<Link>,
+}
+
+/// What methods cost on one input: of two, bars stand back to back.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Costs {
+    pub names: Vec<Value>,
+    /// One a method.
+    pub counts: Vec<Counts>,
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -226,6 +237,9 @@ pub struct ListRow {
 pub enum ItemMarker {
     Dot,
     Ring,
+    /// Partly so: a part is inside.
+    HalfDot,
+    /// Not so: it does not count.
     Cross,
     CrossedRing,
 }

@@ -8,7 +8,7 @@ use super::{
     role::Link,
     small_pictures::{Multiples, Raster, Ribbon, Screens, SpaceRow, Story},
     space::Space,
-    values::{Bits, Gauges, Lists, MatrixProduct, Products, Table},
+    values::{Bits, Costs, Gauges, Lists, MatrixProduct, Products, Table},
 };
 
 /// The same from step to step and for compared methods: pan, zoom and orbit are remembered under it.
@@ -58,6 +58,7 @@ pub enum Body {
     Spaces(SpaceRow),
     Graph(Graph),
     Story(Story),
+    Costs(Costs),
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -16,6 +16,7 @@ pub struct Orbit {
     pitch_deg: f64,
     distance: f64,
     fov_y_deg: f64,
+    aspect: f64,
 }
 
 /// Straight above and below there is no telling which way is up.
@@ -24,6 +25,8 @@ const MAX_PITCH_DEG: f64 = 89.0;
 const DISTANCES: [f64; 2] = [1e-6, 1e6];
 /// A long lens and a wide one.
 const FOVS_DEG: [f64; 2] = [1.0, 120.0];
+/// Of what has to be seen, width over height, where nothing else is asked for.
+const ASPECT: f64 = 1.4;
 /// What is nearer than this part of the distance is not seen.
 const NEAR: f64 = 0.01;
 
@@ -45,7 +48,20 @@ impl Orbit {
             pitch_deg: within(pitch_deg, [-MAX_PITCH_DEG, MAX_PITCH_DEG]),
             distance: within(distance, DISTANCES),
             fov_y_deg: within(fov_y_deg, FOVS_DEG),
+            aspect: ASPECT,
         }
+    }
+
+    /// The same eye, where so much is to be seen from left to right as its height times `aspect`.
+    #[must_use]
+    pub const fn wide(self, aspect: f64) -> Self {
+        Self { aspect, ..self }
+    }
+
+    /// Of what has to be seen, its width over its height.
+    #[must_use]
+    pub const fn aspect(&self) -> f64 {
+        self.aspect
     }
 
     /// What it goes round.
@@ -76,14 +92,14 @@ impl Orbit {
     #[must_use]
     pub fn turned(self, [yaw_deg, pitch_deg]: [f64; 2]) -> Self {
         let angles = [self.yaw_deg + yaw_deg, self.pitch_deg + pitch_deg];
-        Self::new(self.target(), angles, self.distance, self.fov_y_deg)
+        self.at(self.target(), angles, self.distance)
     }
 
     /// Nearer by this factor.
     #[must_use]
     pub fn zoomed(self, factor: f64) -> Self {
         let distance = self.distance / factor;
-        Self::new(self.target(), self.angles_deg(), distance, self.fov_y_deg)
+        self.at(self.target(), self.angles_deg(), distance)
     }
 
     /// Moved sideways, by so much of half the picture's height: what is seen goes the other way.
@@ -92,8 +108,11 @@ impl Orbit {
         let [right, up, _] = self.basis();
         let half = self.distance * self.half_height();
         let target = self.target + (right * x + up * y) * half;
-        let angles = self.angles_deg();
-        Self::new(target.into(), angles, self.distance, self.fov_y_deg)
+        self.at(target.into(), self.angles_deg(), self.distance)
+    }
+
+    fn at(self, target: [f64; 3], angles_deg: [f64; 2], distance: f64) -> Self {
+        Self::new(target, angles_deg, distance, self.fov_y_deg).wide(self.aspect)
     }
 
     /// Where the eye is, in world coordinates.

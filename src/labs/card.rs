@@ -1,5 +1,7 @@
 //! What is known of a method without running it.
 
+use crate::text::Value;
+
 #[derive(Clone, Copy, Debug)]
 pub struct MethodCard {
     /// As the command line, JSON and lesson files spell it; unique among all labs.
@@ -10,6 +12,12 @@ pub struct MethodCard {
     pub code: &'static [CodeLine],
     /// Is it wrong on purpose, to be compared with the right one?
     pub is_faulty: bool,
+}
+
+impl MethodCard {
+    pub const fn name(&self) -> Value {
+        Value::Term(self.name_key)
+    }
 }
 
 #[derive(Clone, Copy, Debug)]

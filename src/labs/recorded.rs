@@ -109,7 +109,11 @@ impl<M: Telling> Run for Recorded<M> {
         if self.differs_at == Some(step) {
             return Tick::Reject;
         }
-        self.row(step).map_or(Tick::Phase, |row| row.tick)
+        match self.row(step).map_or(Tick::Phase, |row| row.tick) {
+            // What has gone another way than the right one is not accepted at its end.
+            Tick::Accept if self.differs_at.is_some() => Tick::Phase,
+            tick => tick,
+        }
     }
 
     fn code_line(&self, step: usize) -> Option<usize> {

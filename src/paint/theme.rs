@@ -164,6 +164,11 @@ impl Theme {
         }
     }
 
+    /// Made to be read from afar: what has no room goes.
+    pub const fn has_large_text(&self) -> bool {
+        self.text_scale > 1.0
+    }
+
     /// A line of a figure, `width` px wide before the theme's factor.
     pub fn stroke(&self, width: f32, color: Color32) -> Stroke {
         Stroke::new(width * self.stroke_scale, color)

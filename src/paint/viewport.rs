@@ -11,10 +11,8 @@ pub struct Viewport {
     pub scale: f64,
 }
 
-/// Room left around what is fitted, as a part of the shorter side: labels of the outer regions stand there.
-const MARGIN: f64 = 0.14;
-/// In points: a label has room over the outermost line, also of a small drawing, of which it is a quarter at most.
-const LEAST_MARGIN_PTS: f64 = 26.0;
+/// Room left around what is fitted: a label stands there. Of a small drawing it is less.
+const MARGIN_PTS: f64 = 26.0;
 
 #[cfg(test)]
 impl Viewport {
@@ -30,7 +28,7 @@ impl Viewport {
     pub fn fit(rect: Rect, [min, max]: [[f64; 2]; 2]) -> Self {
         let available = [f64::from(rect.width()), f64::from(rect.height())].map(|s| s.max(1.0));
         let shorter = available[0].min(available[1]);
-        let margin = (MARGIN * shorter).max(LEAST_MARGIN_PTS.min(0.25 * shorter));
+        let margin = MARGIN_PTS.min(0.15 * shorter);
         let fits = |i: usize| {
             // Bounds of any finite size: halves cannot overflow.
             let half = 0.5 * max[i] - 0.5 * min[i];

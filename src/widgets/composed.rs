@@ -11,6 +11,7 @@ use super::{caption, headings::column_title, prelude::*, views::view};
 /// The size of text in points, at scale 1: what a [`Slot`]'s ems are.
 pub const TEXT_PTS: f32 = 13.0;
 const TITLE_PTS: f32 = 19.5;
+const LEAST_UNDER_TITLE: f32 = 8.0;
 
 #[derive(Clone, Copy)]
 pub struct Composition<'a> {
@@ -50,7 +51,9 @@ impl Composition<'_> {
             area: Slot { min, max },
             em: TEXT_PTS * theme.text_scale,
             spacing,
-            title: height.map_or(0.0, |height| height + spacing.under_title),
+            title: height.map_or(0.0, |height| {
+                (height + LEAST_UNDER_TITLE).max(spacing.titled)
+            }),
             name: name * theme.title_scale,
             caption,
             cost,

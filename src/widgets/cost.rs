@@ -23,9 +23,9 @@ pub fn most_of_a_kind(runs: &[Counts]) -> u64 {
     counts.max().unwrap_or_default()
 }
 
-type Kind = (&'static str, &'static str, fn(&Counts) -> u64);
+pub type Kind = (&'static str, &'static str, fn(&Counts) -> u64);
 
-const KINDS: [Kind; 4] = [
+pub const KINDS: [Kind; 4] = [
     ("cost-divisions", "cost-divisions", |c| c.div),
     ("cost-multiplications", "cost-multiplications", |c| c.mul),
     ("cost-sums", "cost-additions", |c| c.add),

@@ -34,6 +34,7 @@ pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use timeline::Timeline;
 pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
 pub use views::{
-    covered, picture_viewport, projected, space, title_ground, title_of_space, under_title, view,
+    covered, picture_viewport, place_inset, projected, space, title_ground, title_of_space,
+    under_title, view,
 };
 pub use watch::{WatchRoom, WatchShown, WatchTable, watch};

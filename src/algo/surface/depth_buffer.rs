@@ -350,19 +350,43 @@ impl DepthBufferOutput {
 /// Every fragment that reaches a pixel, in order: one run, at this pixel only.
 #[must_use]
 pub fn pixel_story<L: SurfaceRules>(input: &DepthBufferInput, pixel: [u32; 2]) -> Vec<Fragment> {
+    let mut story = Vec::new();
+    each_fragment::<L>(input, Some(pixel), |fragment| story.push(fragment));
+    story
+}
+
+/// How often each pixel is computed, row by row, by the first so many fragments of a run at all pixels.
+#[must_use]
+pub fn times_computed<L: SurfaceRules>(input: &DepthBufferInput, n_fragments: u64) -> Vec<u32> {
+    let mut times = vec![0; input.surfaces.n_pixels()];
+    let [width, _] = input.surfaces.size();
+    let mut n_left = n_fragments;
+    each_fragment::<L>(input, None, |fragment| {
+        let [column, row] = fragment.pixel;
+        if n_left > 0 {
+            n_left -= 1;
+            times[(row * width + column) as usize] += 1;
+        }
+    });
+    times
+}
+
+fn each_fragment<L: SurfaceRules>(
+    input: &DepthBufferInput,
+    pixel: Option<[u32; 2]>,
+    mut look: impl FnMut(Fragment),
+) {
     let input = DepthBufferInput {
-        pixel: Some(pixel),
+        pixel,
         steps: DepthSteps::Fragments,
         ..input.clone()
     };
-    let mut story = Vec::new();
     let mut listening = Listening(|_: &DepthBufferHeld, event| {
         if let DepthBufferEvent::Fragment { fragment, .. } = event {
-            story.push(fragment);
+            look(fragment);
         }
         Told::<Infallible>::Continue(())
     });
     let mut held = DepthBuffer::<L>::begin(&input);
     let Told::Continue(()) = DepthBuffer::<L>::run::<f64, _>(&input, &mut held, &mut listening);
-    story
 }

@@ -37,7 +37,7 @@ pub use bsp::{Bsp, BspEvent, BspHeld, BspInput, BspOutput, BspTooLarge};
 pub use bsp_tree::{BspChoice, BspNode, BspPiece, BspSide};
 pub use depth_buffer::{
     DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferInput, DepthBufferOutput,
-    DepthSteps, Fragment, FragmentTally, pixel_story,
+    DepthSteps, Fragment, FragmentTally, pixel_story, times_computed,
 };
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
 pub use hierarchy::Hierarchy;

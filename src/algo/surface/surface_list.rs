@@ -84,6 +84,15 @@ impl Surfaces {
         self.culls_backs
     }
 
+    /// The same, backs and all.
+    #[must_use]
+    pub fn with_backs(&self) -> Self {
+        Self {
+            culls_backs: false,
+            ..self.clone()
+        }
+    }
+
     /// The same with no more than the first so many triangles.
     #[must_use]
     pub fn first(&self, n_triangles: usize) -> Self {

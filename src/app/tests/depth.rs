@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::*;
+use crate::figure::Seer;
 
 /// The free scene of the frustum lab, the camera's handle in focus.
 fn focused() -> (Bench, Handle) {
@@ -24,7 +25,11 @@ fn place(bench: &Bench, handle: Handle) -> DVec3 {
 #[test]
 fn full_stop_takes_a_handle_away_from_the_eye() {
     let (mut bench, handle) = focused();
-    let eye = DVec3::from(bench.space().eye.position());
+    let seer = bench.app.playback.frames[0].space().map(|space| space.seer);
+    let Some(Seer::Eye(eye)) = seer else {
+        panic!("an eye sees the scene: {seer:?}");
+    };
+    let eye = DVec3::from(eye.position());
     let before = place(&bench, handle);
     bench.key(Key::Period);
     let after = place(&bench, handle);

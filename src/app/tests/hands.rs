@@ -27,7 +27,7 @@ fn a_drag_keeps_to_the_grid_and_the_background_pans() {
     bench.drag(bench.on_screen(p1), bench.on_screen([-1.61, -0.72]));
     assert_eq!(ends(&bench)[0], [-1.5, -0.5]);
     let scene = bench.app.scene().clone();
-    let fixed = [2.4, -1.3];
+    let fixed = [1.6, -1.2];
     let from = bench.on_screen(fixed);
     bench.drag(from, from + vec2(40.0, 30.0));
     assert_eq!(bench.app.scene(), &scene, "nothing but the view moved");

@@ -183,8 +183,10 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
         let (mut drawn, mut longest) = (Vec::new(), 0);
         for step in 0..=n_steps {
             bench.app.seek(step);
-            bench.app.playback.prepare();
-            let frames = bench.app.playback.frames.iter();
+            let bounds = bench.app.stage.bounds();
+            let scene = bench.app.scene().clone();
+            bench.app.playback.prepare(&scene, bounds);
+            let frames = bench.app.playback.on_stage().iter();
             let said = |frame: &Frame| caption_text(Catalog::of(Lang::En), &frame.caption);
             let length = frames.clone().map(|frame| said(frame).len()).max();
             let length = length.unwrap_or(0);
@@ -259,7 +261,7 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
                 let sides = ["left", "right", "bottom", "top"].map(Link::from);
                 let is_side = sides.contains(&link) || (0..6).any(|i| link == Link::nth("side", i));
                 // A row of a matrix is about its sum, which stands beside it; a pixel about itself.
-                let is_itself = ["matrix", "raster"].contains(&id.0);
+                let is_itself = ["matrix", "raster", "raster-before"].contains(&id.0);
                 assert!(is_there || is_side || is_itself, "{place} {id:?} {link:?}");
             }
         }

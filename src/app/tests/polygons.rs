@@ -102,7 +102,7 @@ fn backspace_takes_a_point_back_and_escape_leaves_everything_as_it_was() {
     let before = bench.app.scene().clone();
     bench.key(Key::D);
     bench.click_at(TRIANGLE[0]);
-    bench.click_at([2.0, 0.0]);
+    bench.click_at([1.25, 0.5]);
     bench.key(Key::Backspace);
     bench.undo();
     let sketch = bench.app.stage.sketch.as_ref().expect("still drawing");

@@ -9,6 +9,7 @@ pub struct Groups<'a> {
     pub across: Vec<&'a Need>,
     pub under: Vec<&'a Need>,
     pub beside: Vec<&'a Need>,
+    pub row: Vec<&'a Need>,
 }
 
 impl<'a> Groups<'a> {
@@ -27,6 +28,7 @@ impl<'a> Groups<'a> {
             across: standing(&[Stand::Across]),
             under: standing(&[Stand::Under, Stand::Foot]),
             beside: standing(&[Stand::Drawing, Stand::Beside]),
+            row: Vec::new(),
         };
         groups.go(way);
         Some(groups)
@@ -35,8 +37,10 @@ impl<'a> Groups<'a> {
     fn go(&mut self, way: Way) {
         match way {
             Way::Beside => {}
+            Way::Aside => self.beside.append(&mut self.under),
             Way::Under | Way::Low => self.under.append(&mut self.beside),
-            Way::Narrow => {
+            Way::Row => self.row.append(&mut self.beside),
+            Way::Across => {
                 let wider = self.under.extract_if(.., |need| need.stand == Stand::Under);
                 self.across.splice(..0, wider).for_each(drop);
             }
@@ -44,37 +48,47 @@ impl<'a> Groups<'a> {
     }
 }
 
-const LOW: f32 = 0.82;
-
-/// Where that stands which belongs beside the drawing.
-#[derive(Clone, Copy)]
+/// Where that stands which belongs beside the drawing, and what measures the drawing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Way {
+    /// Beside the drawing, and under it.
     Beside,
+    /// Both beside it.
+    Aside,
+    /// Beside it, and across all of the column.
+    Across,
+    /// In a row under it.
+    Row,
+    /// All under it.
     Under,
-    /// Beside the drawing after all, which is narrow itself: the column is low, too. What measures it is wider.
-    Narrow,
+    /// The same, as low as can be read.
     Low,
 }
 
-impl Way {
-    /// What is tried first in columns of this shape: what is higher than it is wide has more room under the drawing.
-    pub fn roomy(is_portrait: bool) -> [Self; 3] {
-        if is_portrait {
-            [Self::Under, Self::Beside, Self::Narrow]
-        } else {
-            [Self::Beside, Self::Under, Self::Narrow]
-        }
-    }
+/// Of a column's width, what stands beside a drawing has so much where that is a drawing, too.
+const SHARES: [f32; 8] = [0.5, 0.3, 0.35, 0.4, 0.45, 0.55, 0.6, 0.65];
 
-    pub fn wanted(self, needs: &[Need]) -> Vec<Need> {
-        let part = match self {
-            Self::Beside | Self::Under | Self::Narrow => 1.0,
-            Self::Low => LOW,
+impl Way {
+    /// What comes first is taken where the drawing is as large in what comes later.
+    pub const ALL: [Self; 6] = [
+        Self::Beside,
+        Self::Aside,
+        Self::Across,
+        Self::Row,
+        Self::Under,
+        Self::Low,
+    ];
+
+    /// The parts of the width that may stand beside the drawing; none where text alone does, which has a width of its own.
+    pub fn shares(self, needs: &[Vec<Need>]) -> impl Iterator<Item = Option<f32>> + use<> {
+        let drawings = |needs: &Vec<Need>| {
+            let drawings = needs.iter().filter(|need| need.stand == Stand::Drawing);
+            drawings.count()
         };
-        let lower = |need: &Need| Need {
-            least: [need.least[0], part * need.least[1]],
-            ..*need
-        };
-        needs.iter().map(lower).collect()
+        let is_side = matches!(self, Self::Beside | Self::Aside | Self::Across);
+        let is_shared = is_side && needs.iter().map(drawings).max() > Some(1);
+        let shares = is_shared.then_some(SHARES.map(Some));
+        let alone = (!is_shared).then_some(None);
+        shares.into_iter().flatten().chain(alone)
     }
 }

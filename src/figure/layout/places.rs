@@ -9,6 +9,9 @@ pub struct Slot {
     pub max: [f32; 2],
 }
 
+/// Of a drawing's width and height.
+const INSET: [f32; 2] = [0.27, 0.4];
+
 impl Slot {
     pub const fn new(min: [f32; 2], size: [f32; 2]) -> Self {
         let max = [min[0] + size[0], min[1] + size[1]];
@@ -17,6 +20,14 @@ impl Slot {
 
     pub const fn size(&self) -> [f32; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]
+    }
+
+    /// A small picture of this shape in the lower right corner, so far from the edges.
+    pub fn inset(&self, natural: [f32; 2], gap: f32) -> Self {
+        let [width, height] = [0, 1].map(|i| INSET[i] * self.size()[i]);
+        let part = (width / natural[0]).min(height / natural[1]);
+        let size = natural.map(|side| (part * side).round());
+        Self::new([0, 1].map(|i| self.max[i] - gap - size[i]), size)
     }
 
     pub(super) fn take_top(&mut self, height: f32) -> Self {
@@ -58,6 +69,14 @@ impl ColumnLayout {
         slots.filter(move |slot| {
             (0..2).all(|i| slot.min[i] < under.max[i] && under.min[i] < slot.max[i])
         })
+    }
+
+    /// Moves a view that has a slot.
+    pub fn put(&mut self, id: ViewId, to: Slot) {
+        let mut views = self.views.iter_mut();
+        if let Some((_, slot)) = views.find(|(of, _)| *of == id) {
+            *slot = to;
+        }
     }
 
     pub fn slot(&self, id: ViewId) -> Option<Slot> {

@@ -10,6 +10,7 @@ fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> N
         stand,
         least,
         natural,
+        aspect: None,
     }
 }
 
@@ -21,7 +22,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
             margin: 48.0,
             gutter: 40.0,
             inset: 0.0,
-            under_title: 0.0,
+            titled: 0.0,
             name: 0.0,
             over_caption: 18.0,
             is_fixed: false,
@@ -83,18 +84,39 @@ fn a_table_stands_beside_the_drawing_from_its_height_and_an_axis_under_it_at_its
     assert!(row.min[1] > line.max[1]);
 }
 
+/// Wide over high is a number that the drawing keeps: where height is short the axis goes beside it, where width is short
+/// everything goes under it.
 #[test]
-fn what_is_narrow_stays_under_a_narrow_drawing() {
-    let mut needs = needs();
-    needs.truncate(2);
-    needs.push(need("foot", Stand::Foot, [10.0, 6.0], [60.0, 8.0]));
-    needs.push(need("lists", Stand::Beside, [17.0, 12.0], [24.0, 20.0]));
-    let layout = sheet([560.0, 540.0], 13.0).lay_out(&[needs]);
-    let slot = |id| layout.columns[0].slot(ViewId(id)).unwrap();
-    let [plane, line, foot, lists] = ["plane", "line", "foot", "lists"].map(slot);
-    assert!(lists.min[0] > plane.max[0], "it is narrow");
-    assert_eq!([foot.min[0], foot.max[0]], [plane.min[0], plane.max[0]]);
-    assert_eq!([line.min[0], line.max[0]], [plane.min[0], lists.max[0]]);
+fn of_all_ways_the_one_with_the_largest_drawing_is_taken() {
+    let slots = |aspect: f32| {
+        let mut needs = needs();
+        needs.truncate(2);
+        needs.push(need("table", Stand::Beside, [17.0, 3.0], [24.0, 4.0]));
+        (needs[0].aspect, needs[1].natural[0]) = (Some(aspect), f32::MAX);
+        let layout = sheet([960.0, 540.0], 13.0).lay_out(&[needs]);
+        let slot = |id| layout.columns[0].slot(ViewId(id)).expect("it has room");
+        ["plane", "line", "table"].map(slot)
+    };
+    let [plane, line, table] = slots(1.0);
+    assert!(table.min[0] > plane.max[0] && line.min[0] > plane.max[0]);
+    assert!(plane.size()[1] > 400.0, "it has all of the height");
+    let [plane, line, table] = slots(2.8);
+    assert!(table.min[1] >= plane.max[1] && line.min[1] >= plane.max[1]);
+    assert!(plane.size()[0] > 850.0, "it has all of the width");
+}
+
+#[test]
+fn larger_text_makes_no_drawing_smaller() {
+    for aspect in [0.6, 1.0, 1.4, 2.0] {
+        let mut needs = needs();
+        needs[0].aspect = Some(aspect);
+        let drawn = |em| {
+            let layout = sheet([960.0, 540.0], em).lay_out(&[needs.clone()]);
+            let [width, height] = layout.columns[0].views[0].1.size();
+            (width - 48.0).min(aspect * (height - 48.0))
+        };
+        assert!(drawn(18.2) > 0.98 * drawn(13.0), "{aspect}");
+    }
 }
 
 #[test]

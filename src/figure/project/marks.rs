@@ -42,7 +42,7 @@ impl Seen {
         match &mark.shape {
             Shape3::Wash(_) => Vec::new(),
             Shape3::Segment(ends) => self.line(mark, &[*ends]),
-            Shape3::Outline(corners) => {
+            Shape3::Outline(corners) | Shape3::Sheet(corners) => {
                 let next = corners.iter().cycle().skip(1);
                 let ends: Vec<_> = corners.iter().zip(next).map(|(&a, &b)| [a, b]).collect();
                 self.line(mark, &ends)

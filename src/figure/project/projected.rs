@@ -100,7 +100,12 @@ fn is_outlined(space: &Space) -> bool {
 }
 
 fn hides(space: &Space) -> bool {
-    let is_line = |mark: &Mark3| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_));
+    let is_line = |mark: &Mark3| {
+        matches!(
+            mark.shape,
+            Shape3::Segment(_) | Shape3::Outline(_) | Shape3::Sheet(_)
+        )
+    };
     !is_outlined(space) || space.marks.iter().any(is_line)
 }
 

@@ -16,15 +16,18 @@ pub struct RasterPlan {
     pub tones: Tones,
 }
 
-/// What the tones of a depth buffer tell.
+/// What the pixels of a depth buffer tell, by tone and in writing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Tones {
-    #[default]
-    Triangles,
     /// The depth as it is stored.
-    Stored,
+    #[default]
+    Depth,
     /// The distance that it stands for.
     Distance,
+    /// Whose they are.
+    Triangles,
+    /// How often each has been computed.
+    Counts,
 }
 
 impl Default for RasterPlan {
@@ -56,6 +59,12 @@ impl RasterPlan {
     /// Rows as they were asked for.
     pub const fn rows(&self) -> u32 {
         self.rows
+    }
+
+    /// Have pixels no room for numbers, so that tones alone tell how deep they are?
+    pub fn is_toned_alone(&self) -> bool {
+        const MOST_NUMBERED: u32 = 24;
+        self.rows > MOST_NUMBERED && matches!(self.tones, Tones::Depth | Tones::Distance)
     }
 
     /// Columns and rows for a camera of this shape: pixels are square, unless it is very wide or very narrow.

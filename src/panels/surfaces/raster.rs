@@ -65,9 +65,10 @@ fn choices(ui: &mut Ui, look: Look<'_>, plan: &mut RasterPlan) {
     }
     ui.label(look.say("raster-tones"));
     for (tones, key) in [
-        (Tones::Triangles, "raster-tones-triangles"),
-        (Tones::Stored, "raster-tones-stored"),
+        (Tones::Depth, "raster-tones-stored"),
         (Tones::Distance, "raster-tones-distance"),
+        (Tones::Triangles, "raster-tones-triangles"),
+        (Tones::Counts, "raster-tones-counts"),
     ] {
         ui.radio_value(&mut plan.tones, tones, look.say(key));
     }

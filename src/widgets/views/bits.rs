@@ -24,7 +24,6 @@ const NAME_SIZE: f32 = 15.0;
 const HEADER_SIZE: f32 = 12.5;
 const NOTE_SIZE: f32 = 13.0;
 const DIGIT_SIZE: f32 = 24.0;
-const MOST_GROWN: f32 = 1.35;
 
 struct Plan<'b> {
     bits: &'b Bits,
@@ -92,7 +91,9 @@ impl<'b> Plan<'b> {
             let is_result = nth == self.bits.rows.len();
             let (fill, ink) = match bit {
                 Some(true) if is_deciding && is_result => (theme.signal, theme.background),
-                _ if is_deciding || is_now => (wash(theme, Role::Signal), theme.signal_text),
+                // Of a code that is all zeros nothing stands out: it says that there is nothing.
+                Some(true) if is_now => (wash(theme, Role::Signal), theme.signal_text),
+                _ if is_deciding => (wash(theme, Role::Signal), theme.signal_text),
                 _ if is_lit => (theme.accent_wash, theme.ink),
                 _ => (theme.panel, theme.ink),
             };
@@ -110,8 +111,7 @@ impl<'b> Plan<'b> {
 }
 
 impl OnSlate for Bits {
-    fn slate<'a>(&self, mut natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        natural.scale *= MOST_GROWN;
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         // Digits are large: they can become smaller than other text, also where that is large.
         natural.shrunk_to(LEAST_SCALE, room, |slate| {
             let plan = Plan::of(slate, self, Pos2::ZERO);

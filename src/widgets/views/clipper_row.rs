@@ -22,7 +22,6 @@ const COORDINATE_SIZE: f32 = 12.5;
 const LEAST_SHOWN: usize = 4;
 const MOST_SHOWN: usize = 6;
 const MARGIN: Vec2 = vec2(4.0, 8.0);
-const MOST_GROWN: f32 = 1.2;
 const PAD: Vec2 = vec2(7.0, 5.0);
 const LEAST_ARROW: f32 = 32.0;
 const MOST_ARROW: f32 = 96.0;
@@ -35,7 +34,7 @@ const ENDS: [f32; 2] = [16.0, 24.0];
 impl OnSlate for ClipperRow {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let wanted = |slate: &Slate<'_>| natural_size(is_stacked(slate, room)) * slate.scale;
-        natural.grown_in(room, MOST_GROWN, wanted)
+        natural.fitted_in(room, wanted)
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {

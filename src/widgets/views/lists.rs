@@ -10,6 +10,8 @@
 
 mod plan;
 
+use std::f32::consts::PI;
+
 use crate::figure::{ItemMarker, ListColumn, ListLink, ListRow, Lists};
 
 use super::{prelude::*, slate::cross};
@@ -303,6 +305,14 @@ fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: ItemMarker, role: Role) {
         }
         ItemMarker::Ring => {
             slate.painter.circle(at, r, theme.background, stroke);
+        }
+        ItemMarker::HalfDot => {
+            slate.painter.circle(at, r, theme.background, stroke);
+            let half = (0..=16).map(|i| at - r * Vec2::angled((0.5 + i as f32 / 16.0) * PI));
+            let half = half.collect();
+            slate
+                .painter
+                .add(egui::Shape::convex_polygon(half, colour, Stroke::NONE));
         }
         ItemMarker::Cross => draw_cross(r),
         ItemMarker::CrossedRing => {

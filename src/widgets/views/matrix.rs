@@ -26,13 +26,11 @@ const BETWEEN: f32 = 16.0;
 const WITHIN: f32 = 10.0;
 const APART: f32 = 14.0;
 const HOOK: f32 = 5.0;
-const MOST_GROWN: f32 = 1.25;
 /// And of what that comes to at least this part: smaller numbers are not read any more.
 const LEAST_PART: f32 = 0.34;
 
 impl OnSlate for MatrixProduct {
-    fn slate<'a>(&self, mut natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        natural.scale *= MOST_GROWN;
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let least = LEAST_PART * natural.scale;
         let slate = natural.writing(Notation::Decimals);
         // All rows have their room from the start.

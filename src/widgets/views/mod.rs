@@ -2,6 +2,7 @@
 
 mod bits;
 mod clipper_row;
+mod costs;
 mod fold;
 mod gauges;
 mod graph;
@@ -29,7 +30,8 @@ use crate::figure::{Body, View};
 use prelude::*;
 
 pub use space::{
-    covered, picture_viewport, projected, space, title as title_of_space, title_ground, under_title,
+    covered, picture_viewport, place_inset, projected, space, title as title_of_space,
+    title_ground, under_title,
 };
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.
@@ -72,5 +74,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Spaces(body) => body,
         Body::Graph(body) => body,
         Body::Story(body) => body,
+        Body::Costs(body) => body,
     })
 }

@@ -218,6 +218,18 @@ impl<'r> Pixels<'r> {
                     .painter
                     .circle(self.place(at), slate.pts(4.0), ink, rim);
             }
+            RasterShape::Ring(at) => {
+                let (at, r) = (self.place(at), slate.pts(3.5));
+                slate
+                    .painter
+                    .circle_filled(at, r + slate.pts(2.0), slate.theme().background);
+                slate.painter.circle_stroke(at, r, slate.stroke(2.0, ink));
+            }
+            RasterShape::Tick(at, axis) => {
+                let half = [vec2(1.0, 0.0), vec2(0.0, 1.0)][axis] * slate.pts(ARM);
+                let at = self.place(at);
+                cased(slate, [at - half, at + half], 2.0, ink);
+            }
             RasterShape::Cross([x, y]) if self.is_written(slate, [x, y]) => {
                 let at = self.place([x + ASIDE[0], y + ASIDE[1]]);
                 draw_cross(slate, at, ASIDE_ARM * self.width, ink);

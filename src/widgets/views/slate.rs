@@ -60,15 +60,10 @@ impl<'a> Slate<'a> {
         Self { notation, ..self }
     }
 
-    /// As large as `room` lets it be, and at most so many times its size; `wanted` is what a slate of some scale needs.
-    pub fn grown_in(self, room: Vec2, most: f32, wanted: impl Fn(&Self) -> Vec2) -> Self {
-        let least = LEAST_SCALE * self.scale;
-        let scale = self.scale * most;
-        Self { scale, ..self }.shrunk_to(least, room, wanted)
-    }
-
+    /// As large as `room` lets it be, and never larger than other text; `wanted` is what a slate of some scale needs.
     pub fn fitted_in(self, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {
-        self.grown_in(room, 1.0, wanted)
+        let least = LEAST_SCALE * self.scale;
+        self.shrunk_to(least, room, wanted)
     }
 
     pub fn shrunk_to(mut self, least: f32, room: Vec2, wanted: impl Fn(&Self) -> Vec2) -> Self {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Context, Role as Access};
 
-use crate::figure::{ColumnLayout, Lens, Mark, Projected, Space, ViewId};
+use crate::figure::{Body, ColumnLayout, Eyes, Lens, Mark, Projected, Seer, Space, View, ViewId};
 
 use super::{
     super::{composed::rect_of, hit},
@@ -13,31 +13,33 @@ use super::{
 
 const FRAME: f32 = 1.5;
 const TITLE_PTS: f32 = 13.0;
-/// A title that takes more of the height of a space by itself stands over it, not in it.
-const CROWDED: f32 = 0.12;
-const ASPECT: f32 = 1.4;
 
 /// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
-/// of an eye's as much as there is room for.
+/// of an eye's what has to be seen, and around it as much as there is room for.
 pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
-    let aspect = lens.aspect().map(|aspect| aspect as f32);
-    let height = rect.height().min(rect.width() / aspect.unwrap_or(ASPECT));
-    let size = aspect.map(|aspect| vec2(aspect, 1.0) * height);
-    let seen = size.map(|size| Rect::from_center_size(rect.center(), size));
+    let height = rect.height().min(rect.width() / aspect_of(lens));
+    let seen = Rect::from_center_size(rect.center(), vec2(aspect_of(lens), 1.0) * height);
     Viewport {
-        rect: seen.unwrap_or(rect),
+        rect: lens.aspect().map_or(rect, |_| seen),
         centre: [0.0; 2],
         scale: f64::from(height) / 2.0,
     }
 }
 
-/// Where the picture of a space stands: under its title, where that would cover more than a part of it.
+fn aspect_of(lens: &Lens) -> f32 {
+    match lens {
+        Lens::Eye(eye) => eye.aspect() as f32,
+        Lens::Camera(_) | Lens::Plane => lens.aspect().unwrap_or(1.0) as f32,
+    }
+}
+
+/// Where the picture of a space stands: under its title, where that would cover a part of what has to be seen.
 pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
     let lens = Lens::from(shown.seer);
     let title = title_ground(ui, look, rect, shown).filter(|_| lens.aspect().is_none());
     let Some(title) = title else { return rect };
-    let middle = Rect::from_center_size(rect.center(), vec2(ASPECT, 1.0) * rect.height());
-    if title.intersects(middle) && title.bottom() - rect.top() > CROWDED * rect.height() {
+    let middle = Rect::from_center_size(rect.center(), vec2(aspect_of(&lens), 1.0) * rect.height());
+    if title.intersects(middle) {
         rect.with_min_y(title.bottom())
     } else {
         rect
@@ -57,8 +59,40 @@ pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark
     marks
 }
 
+fn title_height(look: Look<'_>) -> f32 {
+    1.7 * TITLE_PTS * look.theme.text_scale
+}
+
+/// Puts the camera's picture, where it stands on the drawing, into its emptiest corner.
+pub fn place_inset(
+    ui: &Ui,
+    look: Look<'_>,
+    places: &mut ColumnLayout,
+    views: &[View],
+    eyes: &Eyes,
+) {
+    let [drawing, others @ ..] = views else {
+        return;
+    };
+    let is_inset = |view: &&View| match &view.body {
+        Body::Space(space) => matches!(space.seer, Seer::Camera(_)),
+        _ => false,
+    };
+    let stands = others.iter().find(is_inset).zip(places.slot(drawing.id));
+    let (Body::Space(shown), Some((inset, slot))) = (&drawing.body, stands) else {
+        return;
+    };
+    let Seer::Eye(eye) = shown.seer else { return };
+    let rect = under_title(ui, rect_of(slot), look, shown);
+    let viewport = picture_viewport(rect, &Lens::Eye(eye));
+    let middle = viewport.to_screen([0.0; 2]);
+    let inset = (inset.id, title_height(look));
+    let on_page = ([middle.x, middle.y], viewport.scale as f32);
+    eyes.place_inset(places, inset, (drawing.id, eye), on_page);
+}
+
 pub fn covered(places: &ColumnLayout, drawing: ViewId, look: Look<'_>) -> Vec<Rect> {
-    let title = 1.7 * TITLE_PTS * look.theme.text_scale;
+    let title = title_height(look);
     let over = places.over(drawing).map(rect_of);
     let over = over.map(|rect| rect.with_min_y(rect.top() - title));
     over.collect()

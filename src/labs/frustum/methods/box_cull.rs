@@ -160,10 +160,19 @@ fn corner_table(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Table {
         let (sums, answer) = (sums.get(plane_idx), asked.answers.get(plane_idx));
         let n_outside = answer.map(|(n_outside, _)| n_outside);
         let [least, most] = sums.map(range).map_or([None; 2], |range| range.map(Some));
+        // Blue is inside.
+        let role_of = |d: Option<f64>| {
+            let is_outside = d.is_some_and(|d| d < 0.0);
+            if is_outside && role == Role::Accent {
+                Role::Soft
+            } else {
+                role
+            }
+        };
         vec![
-            Cell::new(role, n_outside.cloned()),
-            Cell::new(role, least),
-            Cell::new(role, most),
+            Cell::new(role_of(least), n_outside.cloned()),
+            Cell::new(role_of(least), least),
+            Cell::new(role_of(most), most),
         ]
     })
 }

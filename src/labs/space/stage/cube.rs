@@ -80,8 +80,8 @@ pub fn face_at_work(side: VolumeSide) -> Vec<Mark3> {
     let corners = outline(side, REACH);
     let mut marks = vec![
         Mark3::new(Role::Signal, Shape3::Wash(corners.clone())),
-        Mark3::new(Role::Signal, Shape3::Outline(corners.clone())).fine(),
-        Mark3::new(Role::Signal, Shape3::Outline(outline(side, 1.0)))
+        Mark3::new(Role::Signal, Shape3::Sheet(corners.clone())).fine(),
+        Mark3::new(Role::Signal, Shape3::Sheet(outline(side, 1.0)))
             .labelled(side_name(side))
             .strong()
             .linked(side_link(side)),

@@ -67,7 +67,7 @@ pub fn plane_at_work(camera: &Camera, side: VolumeSide) -> Vec<Mark3> {
     let outline = outline(camera, side);
     vec![
         Mark3::new(Role::Signal, Shape3::Wash(outline.clone())),
-        Mark3::new(Role::Signal, Shape3::Outline(outline))
+        Mark3::new(Role::Signal, Shape3::Sheet(outline))
             .labelled(side_name(side))
             .strong()
             .linked(side_link(side)),

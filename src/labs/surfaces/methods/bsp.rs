@@ -125,7 +125,7 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     if let Some(triangle) = own(at).and_then(|id| triangles.get(id as usize)) {
         let sheet = world(&in_its_plane(triangle));
         marks.push(Mark3::new(Role::Accent, Shape3::Wash(sheet.clone())));
-        marks.push(Mark3::new(Role::Accent, Shape3::Outline(sheet)).fine());
+        marks.push(Mark3::new(Role::Accent, Shape3::Sheet(sheet)).fine());
     }
     let shown = match at.step.event() {
         Some(Event::Ask {

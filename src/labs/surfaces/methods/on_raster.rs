@@ -16,7 +16,7 @@ use crate::{
         Document,
         space::{
             prelude::*,
-            soup::{place_of, surface_link, surface_name},
+            soup::{place_of, surface_link, surface_name, surfaces_on_raster},
         },
     },
 };
@@ -108,7 +108,7 @@ pub fn views<M: Telling<Scenery = Scenery>>(
     let mut views = shown(scenery);
     let n_beside = scenery.scene().beside.len();
     if n_beside == 0 {
-        views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, Vec::new()));
+        views.push(picture(scenery));
     } else {
         let objects = scenery.scene().objects().iter();
         let n_triangles: usize = objects.map(|o| o.model().mesh().faces().len()).sum();
@@ -117,6 +117,29 @@ pub fn views<M: Telling<Scenery = Scenery>>(
         views.truncate(if has_room { 3 } else { 2 });
     }
     views
+}
+
+/// What the pixels are of, in full size: faces that are left out are not in it.
+fn picture(scenery: &Scenery) -> View {
+    let scene = scenery.scene();
+    let surfaces = surfaces_on_raster(scene);
+    let objects = scene.objects().iter();
+    let firsts = objects.scan(0, |next, object| {
+        let first = *next;
+        *next += object.model().mesh().faces().len();
+        Some(first)
+    });
+    let firsts: Vec<usize> = firsts.collect();
+    let look = |object: usize, face: usize| {
+        let corners = surfaces.triangles().get(firsts[object] + face);
+        let is_left_out = |corners| surfaces.culls_backs() && !surfaces.shows(corners);
+        if corners.is_some_and(is_left_out) {
+            FaceLook::Hidden
+        } else {
+            FaceLook::Whole
+        }
+    };
+    scenery.camera(|_| Fate::ToCome, look, Vec::new())
 }
 
 pub fn tone(id: u32, own: Option<u32>) -> (Role, f64) {
@@ -305,7 +328,7 @@ pub fn sight(surfaces: &Surfaces, camera: &Camera, pixel: [u32; 2], t: f64) -> V
     vec![
         Mark3::new(
             Role::Signal,
-            Shape3::Outline(on_near(surfaces, camera, pixel).to_vec()),
+            Shape3::Sheet(on_near(surfaces, camera, pixel).to_vec()),
         ),
         Mark3::new(Role::Signal, Shape3::Segment([from, to])),
     ]

@@ -11,10 +11,11 @@ const STEPS: [(&str, DepthSteps); 3] = [
     ("spans", DepthSteps::Spans),
     ("triangles", DepthSteps::Triangles),
 ];
-const TONES: [(&str, Tones); 3] = [
-    ("triangles", Tones::Triangles),
-    ("depth", Tones::Stored),
+const TONES: [(&str, Tones); 4] = [
+    ("depth", Tones::Depth),
     ("distance", Tones::Distance),
+    ("triangles", Tones::Triangles),
+    ("counts", Tones::Counts),
 ];
 /// Formats of depths: whole numbers of so many bits, and floating point; reversed, 1 is near.
 const DEPTHS: [&str; 16] = [
@@ -42,7 +43,7 @@ const ROWS: Shape = Shape::Whole(
     *RasterPlan::ROWS.end() as i64,
 );
 const STEP_NAMES: [&str; 3] = names(STEPS);
-const TONE_NAMES: [&str; 3] = names(TONES);
+const TONE_NAMES: [&str; 4] = names(TONES);
 
 /// What a file may say of a raster; what it does not say is as usual.
 pub(super) const RASTER: Part<RasterPlan> = Part::new(
@@ -75,17 +76,27 @@ pub(super) const RASTER: Part<RasterPlan> = Part::new(
     },
 );
 
-const fn names<T: Copy>(all: [(&'static str, T); 3]) -> [&'static str; 3] {
-    [all[0].0, all[1].0, all[2].0]
+const fn names<T: Copy, const N: usize>(all: [(&'static str, T); N]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut i = 0;
+    while i < N {
+        names[i] = all[i].0;
+        i += 1;
+    }
+    names
 }
 
-fn named<T: Copy>(name: &str, all: [(&'static str, T); 3]) -> Option<T> {
+fn named<T: Copy, const N: usize>(name: &str, all: [(&'static str, T); N]) -> Option<T> {
     let known = all.into_iter().find(|(known, _)| *known == name);
     known.map(|(_, value)| value)
 }
 
 /// The name that stands for `value`, where it is not the usual one.
-fn name_of<T: Copy + PartialEq>(value: T, usual: T, all: [(&'static str, T); 3]) -> Option<String> {
+fn name_of<T: Copy + PartialEq, const N: usize>(
+    value: T,
+    usual: T,
+    all: [(&'static str, T); N],
+) -> Option<String> {
     let mut others = all.into_iter().filter(|_| value != usual);
     let known = others.find(|(_, known)| *known == value);
     known.map(|(name, _)| quoted(name))

@@ -15,7 +15,6 @@ const TITLE: f32 = 30.0;
 const HEADING: f32 = 15.0;
 const GAPS: [f32; 2] = [56.0, 36.0];
 const MOST_GAP: f32 = 120.0;
-const MOST_GROWN: f32 = 1.2;
 /// Before text becomes smaller than this part of its plain size entries are folded, and details are left out.
 const FOLD_BELOW: f32 = 0.82;
 /// Of so few entries none is folded before a smaller part: what is folded away is soon what the step is about.
@@ -208,7 +207,7 @@ pub fn fitted<'a>(natural: Slate<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let is_few = n_rows <= FEW;
     let fold_below = if is_few { FOLD_FEW_BELOW } else { FOLD_BELOW };
     let details = details_of(natural.look, lists);
-    let slate = natural.grown_in(room, MOST_GROWN, |slate| {
+    let slate = natural.fitted_in(room, |slate| {
         let around = over(slate, lists) + under(slate, lists);
         let height = |n_rows: usize| around + slate.pts(STEPS[0]) * n_rows as f32;
         let is_large = slate.scale > fold_below;

@@ -213,7 +213,7 @@ fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark
         let mut midpoint = centre(before);
         midpoint[major] = centre(at)[major];
         midpoint[1 - major] += 0.5 * delta[1 - major].signum() as f64;
-        over.push(mark(Role::Signal, RasterShape::Cross(midpoint)));
+        over.push(mark(Role::Signal, RasterShape::Tick(midpoint, 1 - major)));
     }
     over
 }

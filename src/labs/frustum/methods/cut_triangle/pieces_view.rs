@@ -174,6 +174,6 @@ fn marker(asked: &AskedTriangle) -> ItemMarker {
     match asked.inside {
         [true, true, true] => ItemMarker::Dot,
         [false, false, false] => ItemMarker::Ring,
-        _ => ItemMarker::Cross,
+        _ => ItemMarker::HalfDot,
     }
 }

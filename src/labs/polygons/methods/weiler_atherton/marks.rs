@@ -217,7 +217,8 @@ fn node_shapes(held: &Held, node_idx: u32, node: &Intersection) -> Vec<Shape> {
     let at = node.meeting.at.to_array();
     match standing::marker(standing::label(held, node_idx)) {
         ItemMarker::Cross => vec![Shape::Cross(at)],
-        ItemMarker::Dot => vec![Shape::Dot(at)],
+        // No intersection is one by half.
+        ItemMarker::Dot | ItemMarker::HalfDot => vec![Shape::Dot(at)],
         ItemMarker::Ring => vec![Shape::Ring(at)],
         ItemMarker::CrossedRing => vec![Shape::Ring(at), Shape::Cross(at)],
     }

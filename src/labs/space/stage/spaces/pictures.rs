@@ -144,7 +144,7 @@ fn bare(mut mark: Mark3) -> Mark3 {
 fn mapped(mut mark: Mark3, to: impl Fn([f64; 3]) -> [f64; 3]) -> Mark3 {
     match &mut mark.shape {
         Shape3::Segment(ends) | Shape3::Arrow(ends) => *ends = ends.map(&to),
-        Shape3::Outline(places) | Shape3::Wash(places) => {
+        Shape3::Outline(places) | Shape3::Sheet(places) | Shape3::Wash(places) => {
             for at in places {
                 *at = to(*at);
             }

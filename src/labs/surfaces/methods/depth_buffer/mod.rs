@@ -3,6 +3,7 @@
 mod curve;
 mod names;
 mod numbers;
+mod raster;
 mod variant;
 mod views;
 

@@ -117,21 +117,28 @@ pub fn in_shades<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<InShades> {
     if at.step.event() != Some(Event::Done) {
         return None;
     }
-    let (input, tones) = (at.step.input, at.scenery?.scene().raster.tones);
+    let (input, plan) = (at.step.input, &at.scenery?.scene().raster);
+    if !plan.is_toned_alone() {
+        return None;
+    }
     let rays = Rays::of(&input.surfaces);
     let depths = at.step.held.so_far.depth.iter().copied();
     let finite = depths.filter(|depth| depth.is_finite());
     let distance = |stored| rays.distance(t_of::<L>(&rays, input.format.turned(stored)));
-    let (row, values): (_, Vec<f64>) = match tones {
-        Tones::Triangles => return None,
-        Tones::Stored => (&STORED, finite.collect()),
-        Tones::Distance => (&DISTANCE, finite.map(distance).collect()),
+    let tells_distance = plan.tones == Tones::Distance;
+    let (row, values): (_, Vec<f64>) = if tells_distance {
+        (&DISTANCE, finite.map(distance).collect())
+    } else {
+        (&STORED, finite.collect())
     };
     let least = values.iter().copied().reduce(f64::min)?;
     let most = values.iter().copied().reduce(f64::max)?;
-    let said = |number: f64| match tones {
-        Tones::Stored => value(&input.format, number),
-        Tones::Triangles | Tones::Distance => Formula::decimals().num(number).into(),
+    let said = |number: f64| {
+        if tells_distance {
+            Formula::decimals().num(number).into()
+        } else {
+            value(&input.format, number)
+        }
     };
     Some(InShades {
         row,

@@ -1,8 +1,8 @@
 //! Depths as they are stored, in words and in pixels.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber, Fragment},
-    labs::space::Tones,
+    algo::surface::{DepthBufferInput, DepthFormat, DepthNumber, Fragment},
+    labs::space::{RasterPlan, Tones},
 };
 
 use super::super::prelude::*;
@@ -95,14 +95,17 @@ impl<'a> InPixels<'a> {
     }
 }
 
-/// The largest depth that is stored for a corner between the near and the far plane.
-fn largest(surfaces: &Surfaces, format: &DepthFormat) -> f64 {
+/// Where on their rays corners are, between the near and the far plane.
+fn t_of_corners(surfaces: &Surfaces) -> impl Iterator<Item = f64> {
     let rays = Rays::of(surfaces);
     let corners = surfaces.triangles().iter().flatten();
-    let stored = corners.map(|[.., z]| {
-        let depth = rays.depth(rays.t_of(-z).clamp(1.0, rays.far()));
-        format.stored(depth)
-    });
+    corners.map(move |[.., z]| rays.t_of(-z).clamp(1.0, rays.far()))
+}
+
+/// The largest depth that is stored for a corner.
+fn largest(surfaces: &Surfaces, format: &DepthFormat) -> f64 {
+    let rays = Rays::of(surfaces);
+    let stored = t_of_corners(surfaces).map(|t| format.stored(rays.depth(t)));
     stored.fold(0.0, f64::max)
 }
 
@@ -116,54 +119,92 @@ fn unit_of(largest: f64) -> f64 {
 }
 
 /// The buffer as a picture: what is near is dark, what is far is pale, by the depth that is stored or by the distance that it
-/// stands for.
+/// stands for. Where a scale says from where to where, tones reach over all of it, else over what the scene has of it.
 pub struct Shades<'a> {
-    pub rays: Rays,
-    pub format: &'a DepthFormat,
-    pub numbers: &'a InPixels<'a>,
-    pub tones: Tones,
+    rays: Rays,
+    format: &'a DepthFormat,
+    numbers: InPixels<'a>,
+    plan: &'a RasterPlan,
+    ends: [f64; 2],
 }
 
-impl Shades<'_> {
-    /// What is stored at a pixel, as it looks and as it is said; none where the pixel looks like its triangle.
-    pub fn pixel<L: Variant>(&self, stored: f64) -> Option<Pixel> {
-        let depth = self.format.turned(stored);
-        let [near, far] = self.rays.ends();
-        let (part, value) = match self.tones {
-            Tones::Triangles => return None,
-            _ if !depth.is_finite() => return Some(Pixel::EMPTY),
-            Tones::Stored => (depth, Some(self.numbers.value(stored))),
-            Tones::Distance => {
-                let distance = self.rays.distance(t_of::<L>(&self.rays, depth));
-                ((distance - near) / (far - near), Some(short(distance)))
-            }
+impl<'a> Shades<'a> {
+    pub fn of<L: Variant>(input: &'a DepthBufferInput, plan: &'a RasterPlan) -> Self {
+        let (surfaces, format) = (&input.surfaces, &input.format);
+        let mut shades = Self {
+            rays: Rays::of(surfaces),
+            format,
+            numbers: InPixels::of(surfaces, format),
+            plan,
+            ends: [0.0, 1.0],
         };
-        Some(Pixel {
-            role: Some(Role::Soft),
-            shade: 1.0 - part,
-            value,
-        })
+        if !plan.is_toned_alone() {
+            let parts = t_of_corners(surfaces).map(|t| shades.part::<L>(t));
+            let widened = |[least, most]: [f64; 2], part: f64| [least.min(part), most.max(part)];
+            let [least, most] = parts.fold([1.0, 0.0], widened);
+            // What is farthest still has a tone: it is not empty.
+            shades.ends = [least, most + 0.2 * (most - least)];
+        }
+        shades
+    }
+
+    /// What is stored at a pixel, as it looks and as it is said.
+    pub fn pixel<L: Variant>(&self, stored: f64, role: Role) -> Pixel {
+        let depth = self.format.turned(stored);
+        if !depth.is_finite() {
+            let value = Some(self.numbers.value(stored));
+            return Pixel {
+                value,
+                ..Pixel::EMPTY
+            };
+        }
+        let t = t_of::<L>(&self.rays, depth);
+        let [least, most] = self.ends;
+        let value = if self.tells_distance() {
+            short(self.rays.distance(t))
+        } else {
+            self.numbers.value(stored)
+        };
+        Pixel {
+            role: Some(role),
+            shade: (most - self.part::<L>(t)) / (most - least).max(f64::MIN_POSITIVE),
+            value: Some(value),
+        }
+    }
+
+    /// From near to far, of what tones tell.
+    fn part<L: Variant>(&self, t: f64) -> f64 {
+        let [near, far] = self.rays.ends();
+        if self.tells_distance() || L::STRAIGHT_DISTANCE {
+            (self.rays.distance(t) - near) / (far - near)
+        } else {
+            self.rays.depth(t)
+        }
+    }
+
+    fn tells_distance(&self) -> bool {
+        self.plan.tones == Tones::Distance
     }
 
     pub fn scale(&self) -> Option<[Value; 2]> {
         let nearest = self.format.nearest();
-        let values = match self.tones {
-            Tones::Triangles => return None,
-            Tones::Stored => [nearest, 1.0 - nearest].map(|depth| self.numbers.value(depth)),
-            Tones::Distance => self.rays.ends().map(short),
+        let [near, far] = if self.tells_distance() {
+            self.rays.ends().map(short)
+        } else {
+            [nearest, 1.0 - nearest].map(|depth| self.numbers.value(depth))
         };
-        let [near, far] = values;
         let end = |key, value| Value::Message(Message::new(key).with("value", value));
-        Some([end("scale-near", near), end("scale-far", far)])
+        let ends = [end("scale-near", near), end("scale-far", far)];
+        self.plan.is_toned_alone().then_some(ends)
     }
 
     pub fn title<L: Variant>(&self) -> Value {
-        match self.tones {
-            Tones::Distance => Value::Term("raster-distance"),
-            Tones::Triangles | Tones::Stored if L::STRAIGHT_DISTANCE => {
-                Value::Term("raster-straight")
-            }
-            Tones::Triangles | Tones::Stored => self.numbers.title(),
+        if self.tells_distance() {
+            Value::Term("raster-distance")
+        } else if L::STRAIGHT_DISTANCE {
+            Value::Term("raster-straight")
+        } else {
+            self.numbers.title()
         }
     }
 }

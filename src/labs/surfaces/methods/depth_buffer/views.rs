@@ -1,10 +1,7 @@
 //! The scene with the ray of the pixel in hand, the picture with its depths, and what has come to that pixel.
 
 use crate::{
-    algo::surface::{
-        DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthNumber, Fragment,
-        pixel_story,
-    },
+    algo::surface::{DepthBuffer, DepthBufferEvent as Event, DepthNumber, Fragment, pixel_story},
     figure::{CellStage, Story, StoryCard, StoryFate},
 };
 
@@ -13,7 +10,8 @@ use super::super::prelude::*;
 use super::{
     curve::curves,
     names::{current, fragment_of, pixel_of},
-    numbers::{InPixels, Shades, against, t_of, value},
+    numbers::{against, t_of, value},
+    raster::rasters,
     variant::Variant,
 };
 
@@ -24,10 +22,8 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
     on_raster::views(at, |scenery| {
         let scene = scenery.scene();
         let look = faces([(current(at), Role::Accent)], scene);
-        let mut views = vec![
-            scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
-            View::new(RASTER_VIEW, Body::Raster(raster(at, scene))),
-        ];
+        let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
+        views.extend(rasters(at, scene));
         let input = at.step.input;
         let format = &input.format;
         if format.number != DepthNumber::Double {
@@ -71,67 +67,6 @@ fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark
     marks
 }
 
-/// How many triangles have come to the pixel that is looked at, or have passed beside it.
-fn n_drawn<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> usize {
-    let order = &at.step.input.order;
-    let place = |id: u32| order.iter().position(|&other| other == id);
-    match current(at).and_then(place) {
-        Some(before) => before + usize::from(fragment_of(at).is_some()),
-        None if at.step.event() == Some(Event::Done) => order.len(),
-        None => 0,
-    }
-}
-
-/// The picture so far; where one pixel is looked at, all of the picture's pixels, so that it is known where that is. Beside two others
-/// there is no room for depths, and triangles have their names as they have there.
-fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
-    let own = at.step.input;
-    let whole = own.pixel.map(|_| {
-        silent::<DepthBuffer<L>>(&DepthBufferInput {
-            pixel: None,
-            order: own.order[..n_drawn(at)].to_vec(),
-            ..own.clone()
-        })
-    });
-    let so_far = whole.as_ref().unwrap_or(&at.step.held.so_far);
-    let current = current(at);
-    let is_narrow = scene.beside.len() > 1;
-    let named = is_narrow.then(|| lettered(&so_far.picture, |id| name_of(at.scenery, id)));
-    let numbers = InPixels::of(&own.surfaces, &own.format);
-    let said = |place: usize| match &named {
-        Some(named) => named(place),
-        // It has not been cleared yet.
-        None if at.step.past.is_empty() => None,
-        None => Some(numbers.value(*so_far.depth.get(place)?)),
-    };
-    let shades = Shades {
-        rays: Rays::of(&own.surfaces),
-        format: &own.format,
-        numbers: &numbers,
-        tones: scene.raster.tones,
-    };
-    let shaded = so_far.depth.iter();
-    let shaded: Option<Vec<Pixel>> = shaded.map(|&depth| shades.pixel::<L>(depth)).collect();
-    let mut title = if is_narrow {
-        Value::Term("raster-so-far")
-    } else {
-        shades.title::<L>()
-    };
-    let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
-    if at.step.event() == Some(Event::Done) {
-        let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
-        title = titled(title, wrong.len());
-        over.extend(wrong);
-    }
-    let pixels = shaded.unwrap_or_else(|| pixels(&so_far.picture, current, said));
-    Raster {
-        title,
-        scale: shades.scale(),
-        current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
-        ..raster_so_far(&own.surfaces, pixels, over)
-    }
-}
-
 /// What has come to the pixel in hand: every fragment in order of arrival, and what the buffer held in between.
 fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32; 2]) -> Story {
     let own = at.step.input;
@@ -161,7 +96,7 @@ fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32
         };
         StoryCard {
             name: name_of(at.scenery, told.id),
-            tone: tone(told.id, current),
+            tone: chip_tone(told.id, current),
             new: (told.new, value(format, told.new)),
             against: against(format, told),
             fate,
@@ -179,6 +114,15 @@ fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32
         held: Value::Term("story-held"),
         down: Value::Term("story-nearer"),
         is_reversed: format.is_reversed,
+    }
+}
+
+/// Tones are of depths: which triangle it is, its letter tells.
+fn chip_tone(id: u32, current: Option<u32>) -> (Role, f64) {
+    if Some(id) == current {
+        (Role::Accent, 0.9)
+    } else {
+        (Role::Soft, 0.3)
     }
 }
 

@@ -77,7 +77,7 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
 fn answer_mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
     let at = pixel.map(|x| f64::from(x) + 0.5);
     if passes {
-        mark(Role::Signal, RasterShape::Cross(at))
+        mark(Role::Accent, RasterShape::Ring(at))
     } else {
         mark(Role::Ink, RasterShape::Dot(at))
     }
@@ -95,9 +95,9 @@ fn lists(at: &At<'_, Occlusion>) -> Lists {
         } else if !held.drawn.contains(&object_idx) {
             None
         } else if objects[object_idx].is_occluder {
-            Some(("occlusion-is-occluder", Role::Accepted))
+            Some(("occlusion-is-occluder", Role::Accent))
         } else {
-            Some(("occlusion-drawn", Role::Accepted))
+            Some(("occlusion-drawn", Role::Accent))
         };
         let is_current = focus == Some(object_idx);
         let role = fate.map_or(Role::Ink, |(_, role)| role);

@@ -75,7 +75,7 @@ fn lists<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Lists {
         if now.contains(&Some(id)) {
             Role::Signal
         } else if held.placed.contains(&id) {
-            Role::Accepted
+            Role::Accent
         } else {
             Role::Ink
         }

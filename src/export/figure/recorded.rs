@@ -1,0 +1,131 @@
+//! What is recorded of a scene once, however many of its steps are drawn.
+
+use std::ops::ControlFlow;
+
+use crate::{
+    figure::{Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, needs},
+    labs::{Difference, MethodCard, Scene},
+    text::{Catalog, Lang, Message},
+};
+
+/// A scene with its runs, and what they want of a page.
+pub struct Recorded {
+    pub scene: Scene,
+    pub runs: Vec<Box<dyn Run>>,
+    pub needs: Vec<Vec<Need>>,
+    comparison: Comparison,
+    pub prospect: Prospect,
+    pub difference: Option<Difference>,
+}
+
+impl Recorded {
+    pub fn new(scene: &Scene) -> Self {
+        let runs = scene.document().record();
+        let bounds = scene.document().bounds();
+        let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
+        let methods = scene.document().methods();
+        let has_faulty = methods.iter().any(|method| method.is_faulty);
+        let comparison = Comparison::between(&all, has_faulty);
+        let mut prospect = Prospect::default();
+        let needs = |&run: &&dyn Run| needs(run, bounds, |views| prospect.add(views));
+        let wanted: Vec<_> = all.iter().map(needs).collect();
+        let ends = all.iter().map(|run| run.frame(run.n_steps()));
+        let ends: Vec<Frame> = ends.filter(|_| all.len() > 1).collect();
+        Self {
+            scene: scene.clone(),
+            needs: comparison.needs_of_page(&wanted, &ends),
+            comparison,
+            prospect,
+            difference: Difference::between(&methods, &all),
+            runs,
+        }
+    }
+
+    /// Each method, at the step that stands beside this one of the first; or before the last question that has been answered by then.
+    pub fn columns(&self, step_of_first: usize, asked_in: Option<Lang>) -> Vec<Column> {
+        let methods = self.scene.document().methods().into_iter();
+        let runs = self.runs.iter().map(|run| &**run);
+        let columns = methods.zip(runs).enumerate();
+        let column = |(i, (method, run)): (usize, (_, &dyn Run))| {
+            let step = match i {
+                0 => step_of_first,
+                _ => run.beside(&*self.runs[0], step_of_first),
+            };
+            let asked = asked_in.and_then(|lang| Some((question(run, step)?, lang)));
+            let Some(((step, choice), lang)) = asked else {
+                return Column::new(method, run, step);
+            };
+            let mut column = Column::new(method, run, step - 1);
+            column.frame.caption = Caption::new(choice.asked(Catalog::of(lang)));
+            column
+        };
+        columns.map(column).collect()
+    }
+
+    /// The columns that are drawn: one of all methods, where they show the same.
+    pub fn drawn(&self, mut columns: Vec<Column>) -> Vec<Column> {
+        let frames: Vec<Frame> = columns.iter().map(|column| column.frame.clone()).collect();
+        let names: Vec<_> = columns.iter().map(|column| column.method.name()).collect();
+        if let Some(frame) = self.comparison.together(&frames, &names) {
+            columns.truncate(1);
+            columns[0].frame = frame;
+        }
+        columns
+    }
+
+    /// Lets all columns be seen by the eyes that are found for their steps; of pictures that follow each other, by the same.
+    pub fn turned(&self, columns: &mut [Column], of_all: bool) -> Eyes {
+        let shown = columns
+            .iter()
+            .map(|column| if of_all { &[] } else { &column.frame.views[..] });
+        let eyes = self.prospect.eyes(&shown.collect::<Vec<_>>());
+        for column in columns {
+            eyes.turn(&mut column.frame.views);
+        }
+        eyes
+    }
+}
+
+/// The last step up to this one that answers a question, and what might have come there.
+fn question(run: &dyn Run, step: usize) -> Option<(usize, Choice)> {
+    (1..=step.min(run.n_steps())).rev().find_map(|step| {
+        let mut choice = None;
+        run.visit([step, step], &mut |_, shown| {
+            choice = shown.options();
+            ControlFlow::Break(())
+        });
+        Some((step, choice?))
+    })
+}
+
+pub struct Column {
+    pub method: &'static MethodCard,
+    pub frame: Frame,
+    /// The step that is shown, and how many there are.
+    step: [usize; 2],
+    /// Could the method take the scene? What it has not done has no cost.
+    pub has_run: bool,
+}
+
+impl Column {
+    fn new(method: &'static MethodCard, run: &dyn Run, step: usize) -> Self {
+        Self {
+            method,
+            frame: run.frame(step.min(run.n_steps())),
+            step: [step.min(run.n_steps()), run.n_steps()],
+            has_run: run.n_steps() > 0,
+        }
+    }
+
+    pub const fn at_end(&self) -> bool {
+        let [step, n_steps] = self.step;
+        step >= n_steps
+    }
+
+    /// `step 9 of 21`: where it is not the end, two methods are not at the same of their steps.
+    pub fn moment(&self, catalog: &Catalog) -> Option<String> {
+        let [step, total] = self.step;
+        let message = Message::new("transport-step").with("step", step);
+        (!self.at_end()).then(|| catalog.message(&message.with("total", total)))
+    }
+}

@@ -1,0 +1,201 @@
+//! What methods cost, a row an operation: of two the bars stand back to back, what both do in grey and what only one does
+//! in the signal's colour.
+//!
+//! ```text
+//!   Nicholl–Lee–Nicholl  │  Liang–Barsky
+//!                divisions
+//!              2 ▓▓▓▓▓▓▓▓│▓▓▓▓▓▓▓▓████████ 4
+//!                 in total
+//!             53 ▓▓▓▓▓▓▓▓│▓▓▓▓▓▓▓▓ 53
+//! ```
+
+use crate::{
+    figure::Costs,
+    trace::Counts,
+    widgets::cost::{KINDS, Kind},
+};
+
+use super::prelude::*;
+
+const SIZE: f32 = 13.0;
+/// A bar's height, and what is left under a kind's bars: of two methods, and of more, which have a bar each.
+const BARS: [f32; 2] = [20.0, 11.0];
+const LINE: f32 = 19.0;
+const GAPS: [f32; 2] = [18.0, 8.0];
+const WITHIN: f32 = 7.0;
+const HEAD: f32 = 32.0;
+
+const TOTAL: Kind = ("cost-total", "cost-total", |c| {
+    c.div + c.mul + c.add + c.cmp
+});
+
+fn rows() -> impl Iterator<Item = Kind> {
+    KINDS.into_iter().chain([TOTAL])
+}
+
+impl Costs {
+    /// The most of any kind: the bars' full length. The total is not one, and has its own scale.
+    fn most(&self, kind: &Kind) -> u64 {
+        let of = |kind: &Kind| self.counts.iter().map(kind.2).max();
+        let is_total = kind.0 == TOTAL.0;
+        let most = if is_total {
+            of(kind)
+        } else {
+            KINDS.iter().filter_map(of).max()
+        };
+        most.unwrap_or_default().max(1)
+    }
+
+    fn row_height(&self, slate: &Slate<'_>) -> f32 {
+        let n_lines = if self.is_pair() { 1 } else { self.counts.len() };
+        let gap = GAPS[usize::from(!self.is_pair())];
+        slate.pts(LINE + gap + n_lines as f32 * (self.bar() + 2.0))
+    }
+
+    const fn bar(&self) -> f32 {
+        BARS[if self.is_pair() { 0 } else { 1 }]
+    }
+
+    const fn is_pair(&self) -> bool {
+        self.counts.len() == 2
+    }
+
+    fn numbers(&self, slate: &Slate<'_>) -> f32 {
+        let all = rows().flat_map(|kind| self.counts.iter().map(move |counts| (kind.2)(counts)));
+        let width = |n: u64| slate.width(&number(n), Face::Strong, SIZE);
+        all.map(width).fold(0.0, f32::max) + slate.pts(WITHIN)
+    }
+
+    fn names(&self, slate: &Slate<'_>) -> Vec<Typeset> {
+        let style = (Face::Strong, SIZE, slate.theme().ink);
+        let names = self.names.iter();
+        names.map(|name| slate.value(name, style)).collect()
+    }
+}
+
+fn number(n: u64) -> Value {
+    Value::Name(n.to_string())
+}
+
+impl OnSlate for Costs {
+    fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
+        natural.fitted_in(room, |slate| {
+            let names = self.names(slate);
+            let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
+            let height = slate.pts(HEAD) + 5.0 * self.row_height(slate);
+            let n = if self.is_pair() { 2.0 } else { 1.0 };
+            vec2(n * (widest + slate.pts(WITHIN)), height)
+        })
+    }
+
+    fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
+        let names = self.names(slate);
+        let middle = rect.center().x.round();
+        if let ([left, right], true) = (&names[..], self.is_pair()) {
+            let gap = vec2(slate.pts(WITHIN), 0.0);
+            let top = pos2(middle, rect.top());
+            slate.put(left, top - gap, Align2::RIGHT_TOP);
+            slate.put(right, top + gap, Align2::LEFT_TOP);
+        }
+        let height = self.row_height(slate);
+        let mut top = rect.top() + slate.pts(HEAD);
+        for kind in rows() {
+            let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
+            let style = (Face::Plain, SIZE, slate.theme().soft);
+            let words = slate.words(slate.look.say(kind.0), style);
+            if self.is_pair() {
+                slate.put(&words, pos2(middle, top), Align2::CENTER_TOP);
+                self.pair(slate, place, &kind);
+            } else {
+                slate.put(&words, place.min, Align2::LEFT_TOP);
+                self.stack(slate, place, &kind, &names);
+            }
+            top += height;
+        }
+    }
+
+    /// `divisions: Nicholl–Lee–Nicholl 2, Liang–Barsky 6; …`.
+    fn spoken(&self, look: Look<'_>) -> String {
+        let of = |kind: Kind| {
+            let named = self.names.iter().zip(&self.counts);
+            let said = |(name, counts): (&Value, &Counts)| {
+                format!("{} {}", look.catalog.value(name), (kind.2)(counts))
+            };
+            format!("{}: {}", look.say(kind.1), joined(named.map(said), ", "))
+        };
+        joined(rows().map(of), "; ")
+    }
+}
+
+impl Costs {
+    fn pair(&self, slate: &mut Slate<'_>, place: Rect, kind: &Kind) {
+        let theme = slate.theme();
+        let middle = place.center().x.round();
+        let room = 0.5 * place.width() - self.numbers(slate);
+        let unit = room / self.most(kind) as f32;
+        let both = self.counts.iter().map(kind.2).min().unwrap_or_default();
+        let top = place.top() + slate.pts(LINE);
+        let y = top + 0.5 * slate.pts(self.bar());
+        for (counts, side) in self.counts.iter().zip([-1.0, 1.0]) {
+            let n = (kind.2)(counts);
+            let along = |n: u64| middle + side * unit * n as f32;
+            let bar = |from: f32, to: f32| {
+                let ys = top..=top + slate.pts(self.bar());
+                Rect::from_x_y_ranges(from.min(to)..=from.max(to), ys)
+            };
+            slate
+                .painter
+                .rect_filled(bar(middle, along(both)), 0.0, theme.discarded);
+            slate
+                .painter
+                .rect_filled(bar(along(both), along(n)), 0.0, theme.signal);
+            let face = Face::strong_if(n > both);
+            let ink = if n > both {
+                theme.signal_text
+            } else {
+                theme.ink
+            };
+            let text = slate.value(&number(n), (face, SIZE, ink));
+            let at = pos2(along(n) + side * slate.pts(WITHIN), y);
+            let align = if side < 0.0 {
+                Align2::RIGHT_CENTER
+            } else {
+                Align2::LEFT_CENTER
+            };
+            slate.put(&text, at, align);
+        }
+        let axis = slate.stroke(1.5, theme.ink);
+        let ends = [-2.0, self.bar() + 2.0].map(|off| pos2(middle, top + slate.pts(off)));
+        slate.line(ends, axis);
+    }
+
+    /// Of three or more: each has a bar of its own, after its name.
+    fn stack(&self, slate: &mut Slate<'_>, place: Rect, kind: &Kind, names: &[Typeset]) {
+        let theme = slate.theme();
+        let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
+        let left = place.left() + widest + slate.pts(WITHIN);
+        let unit = (place.right() - left - self.numbers(slate)) / self.most(kind) as f32;
+        let least = self.counts.iter().map(kind.2).min().unwrap_or_default();
+        let mut top = place.top() + slate.pts(LINE);
+        for (nth, counts) in self.counts.iter().enumerate() {
+            let n = (kind.2)(counts);
+            let ys = top..=top + slate.pts(self.bar());
+            let y = top + 0.5 * slate.pts(self.bar());
+            let bar = |from: u64, to: u64| {
+                let xs = left + unit * from as f32..=left + unit * to as f32;
+                Rect::from_x_y_ranges(xs, ys.clone())
+            };
+            slate
+                .painter
+                .rect_filled(bar(0, least), 0.0, theme.discarded);
+            slate.painter.rect_filled(bar(least, n), 0.0, theme.signal);
+            if let Some(name) = names.get(nth) {
+                slate.put(name, pos2(place.left(), y), Align2::LEFT_CENTER);
+            }
+            let text = slate.value(&number(n), (Face::Plain, SIZE, theme.ink));
+            let at = pos2(left + unit * n as f32 + slate.pts(WITHIN), y);
+            slate.put(&text, at, Align2::LEFT_CENTER);
+            top += slate.pts(self.bar() + 2.0);
+        }
+    }
+}
