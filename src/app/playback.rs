@@ -3,8 +3,8 @@
 use web_time::Instant;
 
 use crate::{
-    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, needs},
-    labs::{Difference, MethodCard, Scene},
+    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, needs},
+    labs::{Difference, MethodCard, Scene, comparison},
     trace::{Counts, Transport},
 };
 
@@ -57,9 +57,8 @@ impl Playback {
         let mut transport = Transport::new(runs[0].n_steps());
         transport.seek(position);
         let methods = scene.document().methods();
-        let has_faulty = methods.iter().any(|method| method.is_faulty);
         let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-        let comparison = (ids(&methods), Comparison::between(&all, has_faulty));
+        let comparison = (ids(&methods), comparison(&methods, &all));
         Self {
             transport,
             phases: phases(&*runs[0]),
@@ -150,7 +149,13 @@ impl Playback {
         let comparison = self.comparison.1;
         let mut prospect = Prospect::default();
         if self.needs.is_empty() {
-            let needs = |run| needs(run, bounds, |views| prospect.add(views));
+            let is_found = self.eyes.is_some();
+            let mut look = |views: &[View]| {
+                if !is_found {
+                    prospect.add(views);
+                }
+            };
+            let needs = |run| needs(run, bounds, &mut look);
             let wanted: Vec<_> = self.runs().map(needs).collect();
             self.needs = comparison.needs(&wanted);
         }

@@ -22,16 +22,15 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    /// Of these runs; where one is wrong on purpose they stand apart, whatever they answer. What makes a picture answers
-    /// with it.
-    pub fn between(runs: &[&dyn Run], has_faulty: bool) -> Self {
+    /// Of these runs. What makes a picture answers with it.
+    pub fn between(runs: &[&dyn Run]) -> Self {
         let [first, others @ ..] = runs else {
             return Self::Apart;
         };
-        if others.is_empty() || has_faulty || runs.iter().any(|run| run.is_refused()) {
+        if others.is_empty() || runs.iter().any(|run| run.is_refused()) {
             return Self::Apart;
         }
-        let ends: Vec<Frame> = runs.iter().map(|run| run.frame(run.n_steps())).collect();
+        let ends = ends(runs);
         let pictures = |end: &Frame| {
             let bodies = end.views.iter().map(|view| &view.body);
             let made = bodies.filter(|body| match body {
@@ -43,8 +42,7 @@ impl Comparison {
         };
         let made = pictures(&ends[0]);
         let is_same_picture = ends.iter().all(|end| pictures(end) == made);
-        let answer = || first.output_json();
-        let is_same = |run: &&dyn Run| run.output_json() == answer();
+        let is_same = |run: &&dyn Run| run.output_json() == first.output_json();
         let has_raster = made.iter().any(|body| matches!(body, Body::Raster(_)));
         if is_same_picture && (has_raster || others.iter().all(is_same)) {
             Self::Same
@@ -57,7 +55,7 @@ impl Comparison {
     pub fn needs(self, needs: &[Vec<Need>]) -> Vec<Vec<Need>> {
         match (self, needs) {
             (Self::Same, [first, others @ ..]) => {
-                let drawings = first.iter().filter(|need| is_drawing(need));
+                let drawings = first.iter().filter(|need| need.is_drawing());
                 let counts = vec![Counts::default(); 1 + others.len()];
                 let costs = View::costs(Vec::new(), counts);
                 vec![drawings.copied().chain([costs.need()]).collect()]
@@ -68,7 +66,7 @@ impl Comparison {
 
     /// What is drawn on a page, whose drawings nobody turns: of runs that stand apart what differs in the end, and of
     /// several such drawings the last one, which is what the methods make.
-    pub fn needs_of_page(self, needs: &[Vec<Need>], ends: &[Frame]) -> Vec<Vec<Need>> {
+    pub fn needs_of_page(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
         let mut needs = self.needs(needs);
         if let [needs] = &mut needs[..] {
             // What is made stands large: one picture of all methods, or two that are compared. Who looks on is not in it.
@@ -77,24 +75,25 @@ impl Comparison {
             let n_made = if self == Self::Same { 1 } else { 2 };
             if let Some(unmade @ 1..) = drawings.len().checked_sub(n_made) {
                 let made = &drawings[unmade..];
-                needs.retain(|need| !is_drawing(need) || made.contains(&need.id));
+                needs.retain(|need| !need.is_drawing() || made.contains(&need.id));
             }
         }
         if needs.len() < 2 {
             return needs;
         }
+        let ends = ends(runs);
         let differs = |need: &Need| {
             let mut bodies = ends.iter().map(|end| end.body(need.id));
             let first = bodies.next().flatten();
             bodies.any(|body| body != first)
         };
         let different = |needs: &Vec<Need>| {
-            let drawings = || needs.iter().filter(|need| is_drawing(need));
+            let drawings = || needs.iter().filter(|need| need.is_drawing());
             let drawn = drawings().rfind(|need| need.stand == Stand::Drawing && differs(need));
             let drawn = drawn.or_else(|| drawings().rfind(|need| differs(need)));
             let drawn = drawn.or_else(|| drawings().next()).map(|need| need.id);
             let is_shown = |need: &&Need| {
-                if is_drawing(need) {
+                if need.is_drawing() {
                     Some(need.id) == drawn
                 } else {
                     differs(need)
@@ -114,15 +113,15 @@ impl Comparison {
     }
 }
 
-const fn is_drawing(need: &Need) -> bool {
-    matches!(need.stand, Stand::Drawing | Stand::Inset)
+fn ends(runs: &[&dyn Run]) -> Vec<Frame> {
+    runs.iter().map(|run| run.frame(run.n_steps())).collect()
 }
 
 fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
     let mut frame = first.clone();
     let counts = [first].into_iter().chain(others).map(|frame| frame.counts);
     let costs = View::costs(names.to_vec(), counts.collect());
-    frame.views.retain(|view| is_drawing(&view.need()));
+    frame.views.retain(|view| view.need().is_drawing());
     frame.views.push(costs);
     for view in &mut frame.views {
         let Body::Plane(marks) = &mut view.body else {

@@ -7,7 +7,8 @@ use super::{
     graph::{Graph, Places, layers, size_of},
     lens::Lens,
     run::Run,
-    values::Lists,
+    small_pictures::Raster,
+    values::{Bits, Costs, Lists, Table},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
 };
@@ -22,8 +23,6 @@ const MOST_ENTRIES: usize = 16;
 
 /// What is wider, or higher, than so many times its other side has room beside it after all.
 const FLATTEST: f64 = 3.0;
-/// Width over height of what is seen of a space.
-pub const SEEN: f32 = 1.4;
 const DRAWING: [[f32; 2]; 2] = [[22.0, 7.5], [30.0, 24.0]];
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -86,41 +85,12 @@ impl View {
                 let least = [17.0, 4.5 + 1.8 * rows];
                 (Stand::Beside, least, [34.0, 6.0 + 3.4 * rows])
             }
-            Body::Raster(raster) => {
-                let [columns, rows] = raster.size.map(|n| n as f32);
-                // Where there are more pixels they may be smaller: the picture is seen, if not each number.
-                let [least_columns, least_rows] =
-                    [columns.clamp(9.0, 21.0), rows.min(16.0)].map(|n| 0.9 * n);
-                let around = if raster.scale.is_some() { 4.4 } else { 2.2 };
-                let natural = [(3.0 * columns).max(8.0), 3.0 * rows + around];
-                let least = [least_columns, least_rows + around];
-                (Stand::Drawing, least, natural)
-            }
+            Body::Raster(raster) => raster_need(raster),
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
-            Body::Bits(bits) => {
-                let columns = bits.columns.len() as f32;
-                // The result has its room before it is asked for.
-                let rows = bits.rows.len() as f32 + 1.0;
-                let least = [4.2 + 2.5 * columns, 5.8 + 2.9 * rows];
-                let natural = [3.6 + 4.7 * columns, 7.4 + 4.6 * rows];
-                (Stand::Beside, least, natural)
-            }
-            Body::Table(table) => {
-                let columns = table.header.len().saturating_sub(1) as f32;
-                let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
-                // Rows are folded where there is no room for all.
-                let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes];
-                let natural = [6.0 + 3.0 * columns, 3.0 + 3.2 * rows + 2.0 * notes];
-                (Stand::Beside, least, natural)
-            }
-            Body::Costs(costs) => {
-                let n = costs.counts.len() as f32;
-                // Of two a row has both; of more each has its own.
-                let rows = if n > 2.0 { n + 2.1 } else { 4.5 };
-                let natural = [27.0, 2.5 + 5.0 * rows];
-                (Stand::Beside, natural.map(|side| 0.6 * side), natural)
-            }
+            Body::Bits(bits) => bits_need(bits),
+            Body::Table(table) => table_need(table),
+            Body::Costs(costs) => costs_need(costs),
             Body::Graph(graph) => graph_need(graph),
             Body::Story(story) => {
                 // Two cards, or many folded about one.
@@ -148,9 +118,7 @@ impl View {
     fn aspect(&self) -> Option<f32> {
         match &self.body {
             Body::Plane(_) => Some(1.0),
-            Body::Space(space) => {
-                Some(Lens::from(space.seer).aspect().map_or(SEEN, |of| of as f32))
-            }
+            Body::Space(space) => Some(Lens::from(space.seer).least_aspect() as f32),
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n.max(1) as f32);
                 Some(columns / rows)
@@ -158,6 +126,42 @@ impl View {
             _ => None,
         }
     }
+}
+
+fn raster_need(raster: &Raster) -> (Stand, [f32; 2], [f32; 2]) {
+    let [columns, rows] = raster.size.map(|n| n as f32);
+    // Where there are more pixels they may be smaller: the picture is seen, if not each number.
+    let [least_columns, least_rows] = [columns.clamp(9.0, 21.0), rows.min(16.0)].map(|n| 0.9 * n);
+    let around = if raster.scale.is_some() { 4.4 } else { 2.2 };
+    let natural = [(3.0 * columns).max(8.0), 3.0 * rows + around];
+    let least = [least_columns, least_rows + around];
+    (Stand::Drawing, least, natural)
+}
+
+fn bits_need(bits: &Bits) -> (Stand, [f32; 2], [f32; 2]) {
+    let columns = bits.columns.len() as f32;
+    // The result has its room before it is asked for.
+    let rows = bits.rows.len() as f32 + 1.0;
+    let least = [4.2 + 2.5 * columns, 5.8 + 2.9 * rows];
+    let natural = [3.6 + 4.7 * columns, 7.4 + 4.6 * rows];
+    (Stand::Beside, least, natural)
+}
+
+fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
+    let columns = table.header.len().saturating_sub(1) as f32;
+    let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
+    // Rows are folded where there is no room for all.
+    let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes];
+    let natural = [6.0 + 3.0 * columns, 3.0 + 3.2 * rows + 2.0 * notes];
+    (Stand::Beside, least, natural)
+}
+
+fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {
+    let n = costs.counts.len() as f32;
+    // Of two a row has both; of more each has its own.
+    let rows = if n > 2.0 { n + 2.1 } else { 4.5 };
+    let natural = [27.0, 2.5 + 5.0 * rows];
+    (Stand::Beside, natural.map(|side| 0.6 * side), natural)
 }
 
 fn graph_need(graph: &Graph) -> (Stand, [f32; 2], [f32; 2]) {
@@ -267,6 +271,10 @@ impl Asked {
 }
 
 impl Need {
+    pub const fn is_drawing(&self) -> bool {
+        matches!(self.stand, Stand::Drawing | Stand::Inset)
+    }
+
     fn widen(&mut self, more: &Self) {
         let larger = |a: [f32; 2], b: [f32; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         self.least = larger(self.least, more.least);

@@ -30,8 +30,7 @@ impl Lens {
         let Some(optics) = Optics::of(self) else {
             return Some([at[0], at[1]]);
         };
-        let view = optics.view_from_world(at.into());
-        (view.z < -optics.near).then(|| optics.picture_from_view(view))
+        optics.seen(at.into())
     }
 
     pub fn world_from_drawing(&self, at: [f64; 2], beside: [f64; 3]) -> [f64; 3] {
@@ -53,6 +52,15 @@ impl Lens {
         let away = -optics.toward_eye(view).normalize_or_zero();
         let moved = view + away * (by * optics.half_height_at(view.z));
         optics.world_from_view(moved).into()
+    }
+
+    /// Width over height of what has to be seen, of a camera all that is seen.
+    pub fn least_aspect(&self) -> f64 {
+        match self {
+            Self::Plane => 1.0,
+            Self::Eye(eye) => eye.aspect(),
+            Self::Camera(_) => self.aspect().unwrap_or(1.0),
+        }
     }
 
     pub fn aspect(&self) -> Option<f64> {
@@ -103,6 +111,12 @@ impl Optics {
     pub fn view_from_world(&self, at: DVec3) -> DVec3 {
         let from_eye = at - self.position;
         self.axes.map(|axis| axis.dot(from_eye)).into()
+    }
+
+    /// On the picture; none where it is not before the eye.
+    pub fn seen(&self, at: DVec3) -> Option<[f64; 2]> {
+        let view = self.view_from_world(at);
+        (view.z < -self.near).then(|| self.picture_from_view(view))
     }
 
     pub fn all_from_world(&self, places: &[[f64; 3]]) -> Vec<DVec3> {

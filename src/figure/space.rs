@@ -5,7 +5,7 @@ use std::{collections::HashMap, sync::Arc};
 use glam::DVec3;
 
 use crate::{
-    geom::{Camera, Orbit, Texture},
+    geom::{Camera, Orbit, Texture, pairs_around},
     text::Value,
 };
 
@@ -122,8 +122,7 @@ impl Edge3 {
         let mut edges: Vec<Self> = Vec::new();
         let bits = |at: [f64; 3]| at.map(|x| (x + 0.0).to_bits());
         for (idx, facet) in (0..).zip(facets) {
-            let next = facet.corners.iter().cycle().skip(1);
-            for (&a, &b) in facet.corners.iter().zip(next) {
+            for [a, b] in pairs_around(&facet.corners) {
                 let twin = known.get(&[bits(b), bits(a)]).copied();
                 if let Some(edge) = twin.and_then(|twin| edges.get_mut(twin)) {
                     edge.facets[1] = Some(idx);

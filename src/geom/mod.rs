@@ -47,7 +47,7 @@ pub use point::{Point, Segment, distance_to_segment, extent};
 pub use polygon::{ConvexPolygon, Polygon};
 pub use power::{exponent, times_power};
 pub use region::Region;
-pub use rings::{Location, Rings, locate};
+pub use rings::{Location, Rings, locate, pairs_around};
 pub use simple_polygon::SimplePolygon;
 pub use solids::Solid;
 pub use sphere::Sphere;

@@ -173,6 +173,12 @@ fn locate_by(
     Location::strictly(inside)
 }
 
+/// Each of a ring with the one after it, and the last with the first.
+pub fn pairs_around<T: Copy>(ring: &[T]) -> impl Iterator<Item = [T; 2]> {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(&here, &next)| [here, next])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

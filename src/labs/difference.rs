@@ -1,11 +1,20 @@
 //! A method that is wrong on purpose beside a right one.
 
 use crate::{
-    figure::Run,
+    figure::{Comparison, Run},
     text::{Message, Value},
 };
 
 use super::MethodCard;
+
+/// How methods stand beside each other: where one is wrong on purpose apart, whatever they answer.
+pub fn comparison(methods: &[&MethodCard], runs: &[&dyn Run]) -> Comparison {
+    if methods.iter().any(|method| method.is_faulty) {
+        Comparison::Apart
+    } else {
+        Comparison::between(runs)
+    }
+}
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Difference {

@@ -26,7 +26,7 @@ mod window_handles;
 mod words;
 
 pub use card::{CodeLine, MethodCard};
-pub use difference::Difference;
+pub use difference::{Difference, comparison};
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{

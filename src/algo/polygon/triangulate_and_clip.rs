@@ -39,7 +39,7 @@ use std::collections::{HashMap, HashSet};
 use serde::Serialize;
 
 use crate::{
-    geom::{Point, Segment, SimplePolygon},
+    geom::{Point, Segment, SimplePolygon, pairs_around},
     trace::{Includes, Method, Real, Tell, Told},
 };
 
@@ -350,6 +350,5 @@ fn key(p: Point) -> [u64; 2] {
 }
 
 fn ring_edges(ring: &[Point]) -> impl Iterator<Item = Segment> + '_ {
-    let next = ring.iter().cycle().skip(1);
-    ring.iter().zip(next).map(|(&p1, &p2)| Segment { p1, p2 })
+    pairs_around(ring).map(|[p1, p2]| Segment { p1, p2 })
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::{
     figure::{Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, needs},
-    labs::{Difference, MethodCard, Scene},
+    labs::{Difference, MethodCard, Scene, comparison},
     text::{Catalog, Lang, Message},
 };
 
@@ -24,16 +24,13 @@ impl Recorded {
         let bounds = scene.document().bounds();
         let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
         let methods = scene.document().methods();
-        let has_faulty = methods.iter().any(|method| method.is_faulty);
-        let comparison = Comparison::between(&all, has_faulty);
+        let comparison = comparison(&methods, &all);
         let mut prospect = Prospect::default();
         let needs = |&run: &&dyn Run| needs(run, bounds, |views| prospect.add(views));
         let wanted: Vec<_> = all.iter().map(needs).collect();
-        let ends = all.iter().map(|run| run.frame(run.n_steps()));
-        let ends: Vec<Frame> = ends.filter(|_| all.len() > 1).collect();
         Self {
             scene: scene.clone(),
-            needs: comparison.needs_of_page(&wanted, &ends),
+            needs: comparison.needs_of_page(&wanted, &all),
             comparison,
             prospect,
             difference: Difference::between(&methods, &all),

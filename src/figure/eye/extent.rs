@@ -4,6 +4,8 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 
+use crate::geom::pairs_around;
+
 use super::super::{
     role::Role,
     space::{Mark3, Shape3, Space},
@@ -91,8 +93,7 @@ pub fn drawn(space: &Space) -> Vec<DVec3> {
         match &mark.shape {
             Shape3::Segment([a, b]) | Shape3::Arrow([a, b]) => places.extend(along(*a, *b)),
             Shape3::Outline(corners) | Shape3::Sheet(corners) => {
-                let next = corners.iter().cycle().skip(1);
-                places.extend(corners.iter().zip(next).flat_map(|(a, b)| along(*a, *b)));
+                places.extend(pairs_around(corners).flat_map(|[a, b]| along(a, b)));
             }
             _ => {}
         }

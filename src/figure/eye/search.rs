@@ -67,9 +67,8 @@ pub fn held(home: Orbit, [marked, around @ ..]: [Vec<DVec3>; 3]) -> Vec<DVec3> {
 }
 
 fn on_picture(optics: &Optics, at: DVec3) -> Option<DVec3> {
-    let view = optics.view_from_world(at);
-    let [x, y] = optics.picture_from_view(view);
-    (view.z < -optics.near).then_some(DVec3::new(x, y, 0.0))
+    let [x, y] = optics.seen(at)?;
+    Some(DVec3::new(x, y, 0.0))
 }
 
 impl Search<'_> {

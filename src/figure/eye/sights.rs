@@ -157,10 +157,8 @@ fn all(corners: &[[f64; 3]]) -> Vec<DVec3> {
     corners.iter().copied().map(DVec3::from).collect()
 }
 
-/// On the picture; none where it is not before the eye.
 fn on_picture(optics: &Optics, at: DVec3) -> Option<DVec2> {
-    let view = optics.view_from_world(at);
-    (view.z < -optics.near).then(|| optics.picture_from_view(view).into())
+    optics.seen(at).map(DVec2::from)
 }
 
 /// So large is the length 1 on the picture, at a place.

@@ -58,17 +58,13 @@ fn side(aspect: f32, slot: Slot) -> f32 {
     width / aspect.sqrt()
 }
 
-const fn is_drawing(need: &Need) -> bool {
-    matches!(need.stand, Stand::Drawing | Stand::Inset)
-}
-
 pub fn drawings(needs: &[Need]) -> Vec<Need> {
-    let drawings = needs.iter().filter(|need| is_drawing(need));
+    let drawings = needs.iter().filter(|need| need.is_drawing());
     drawings.copied().collect()
 }
 
 /// The last view that is no drawing goes; is there one?
 pub fn drop_last(needs: &mut Vec<Need>) -> bool {
-    let last = needs.iter().rposition(|need| !is_drawing(need));
+    let last = needs.iter().rposition(|need| !need.is_drawing());
     last.map(|last| needs.remove(last)).is_some()
 }

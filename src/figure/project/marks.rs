@@ -1,5 +1,7 @@
 //! Marks of space as marks of a plane.
 
+use crate::geom::pairs_around;
+
 use super::super::{
     mark::{Mark, Shape, Weight},
     role::{Label, Role},
@@ -43,8 +45,7 @@ impl Seen {
             Shape3::Wash(_) => Vec::new(),
             Shape3::Segment(ends) => self.line(mark, &[*ends]),
             Shape3::Outline(corners) | Shape3::Sheet(corners) => {
-                let next = corners.iter().cycle().skip(1);
-                let ends: Vec<_> = corners.iter().zip(next).map(|(&a, &b)| [a, b]).collect();
+                let ends: Vec<_> = pairs_around(corners).collect();
                 self.line(mark, &ends)
             }
             Shape3::Arrow(ends) => self.arrow(mark, *ends),

@@ -4,6 +4,7 @@ use egui::{Pos2, Rect};
 
 use crate::{
     figure::{Mark, Shape},
+    geom::pairs_around,
     paint::{
         Theme, Viewport,
         cut::cut_to,
@@ -115,7 +116,5 @@ impl Anchor {
 pub fn edges_of(part: &Part<'_>) -> Vec<[Pos2; 2]> {
     let (points, is_closed) = part.line().unwrap_or_default();
     let n = points.len().saturating_sub(usize::from(!is_closed));
-    let next = points.iter().cycle().skip(1);
-    let edges = points.iter().zip(next).take(n);
-    edges.map(|(&a, &b)| [a, b]).collect()
+    pairs_around(points).take(n).collect()
 }

@@ -2,6 +2,8 @@
 
 use egui::{Pos2, Rect, Vec2};
 
+use crate::geom::pairs_around;
+
 use super::anchor::Anchor;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -185,8 +187,7 @@ fn near(middle: Pos2, half: Vec2) -> Vec<LabelPlace> {
 /// Does an odd number of outlines go round a place?
 fn goes_round(outlines: &[Vec<Pos2>], at: Pos2) -> bool {
     let crossed = outlines.iter().flat_map(|outline| {
-        let next = outline.iter().cycle().skip(1);
-        outline.iter().zip(next).filter(|(a, b)| {
+        pairs_around(outline).filter(|[a, b]| {
             (a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
         })
     });

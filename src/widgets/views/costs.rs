@@ -15,7 +15,7 @@ use crate::{
     widgets::cost::{KINDS, Kind},
 };
 
-use super::prelude::*;
+use super::{prelude::*, slate::Style};
 
 const SIZE: f32 = 13.0;
 /// A bar's height, and what is left under a kind's bars: of two methods, and of more, which have a bar each.
@@ -130,72 +130,78 @@ impl OnSlate for Costs {
 impl Costs {
     fn pair(&self, slate: &mut Slate<'_>, place: Rect, kind: &Kind) {
         let theme = slate.theme();
-        let middle = place.center().x.round();
+        let middle = pos2(place.center().x.round(), place.top() + slate.pts(LINE));
         let room = 0.5 * place.width() - self.numbers(slate);
         let unit = room / self.most(kind) as f32;
-        let both = self.counts.iter().map(kind.2).min().unwrap_or_default();
-        let top = place.top() + slate.pts(LINE);
-        let y = top + 0.5 * slate.pts(self.bar());
+        let both = self.least(kind);
         for (counts, side) in self.counts.iter().zip([-1.0, 1.0]) {
             let n = (kind.2)(counts);
-            let along = |n: u64| middle + side * unit * n as f32;
-            let bar = |from: f32, to: f32| {
-                let ys = top..=top + slate.pts(self.bar());
-                Rect::from_x_y_ranges(from.min(to)..=from.max(to), ys)
-            };
-            slate
-                .painter
-                .rect_filled(bar(middle, along(both)), 0.0, theme.discarded);
-            slate
-                .painter
-                .rect_filled(bar(along(both), along(n)), 0.0, theme.signal);
-            let face = Face::strong_if(n > both);
-            let ink = if n > both {
+            let is_more = n > both;
+            let ink = if is_more {
                 theme.signal_text
             } else {
                 theme.ink
             };
-            let text = slate.value(&number(n), (face, SIZE, ink));
-            let at = pos2(along(n) + side * slate.pts(WITHIN), y);
-            let align = if side < 0.0 {
-                Align2::RIGHT_CENTER
-            } else {
-                Align2::LEFT_CENTER
-            };
-            slate.put(&text, at, align);
+            let style = (Face::strong_if(is_more), SIZE, ink);
+            self.draw_bar(slate, middle, side * unit, [both, n], style);
         }
         let axis = slate.stroke(1.5, theme.ink);
-        let ends = [-2.0, self.bar() + 2.0].map(|off| pos2(middle, top + slate.pts(off)));
+        let ends = [-2.0, self.bar() + 2.0].map(|off| middle + vec2(0.0, slate.pts(off)));
         slate.line(ends, axis);
     }
 
     /// Of three or more: each has a bar of its own, after its name.
     fn stack(&self, slate: &mut Slate<'_>, place: Rect, kind: &Kind, names: &[Typeset]) {
-        let theme = slate.theme();
         let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
         let left = place.left() + widest + slate.pts(WITHIN);
         let unit = (place.right() - left - self.numbers(slate)) / self.most(kind) as f32;
-        let least = self.counts.iter().map(kind.2).min().unwrap_or_default();
-        let mut top = place.top() + slate.pts(LINE);
+        let mut from = pos2(left, place.top() + slate.pts(LINE));
         for (nth, counts) in self.counts.iter().enumerate() {
-            let n = (kind.2)(counts);
-            let ys = top..=top + slate.pts(self.bar());
-            let y = top + 0.5 * slate.pts(self.bar());
-            let bar = |from: u64, to: u64| {
-                let xs = left + unit * from as f32..=left + unit * to as f32;
-                Rect::from_x_y_ranges(xs, ys.clone())
-            };
-            slate
-                .painter
-                .rect_filled(bar(0, least), 0.0, theme.discarded);
-            slate.painter.rect_filled(bar(least, n), 0.0, theme.signal);
             if let Some(name) = names.get(nth) {
+                let y = from.y + 0.5 * slate.pts(self.bar());
                 slate.put(name, pos2(place.left(), y), Align2::LEFT_CENTER);
             }
-            let text = slate.value(&number(n), (Face::Plain, SIZE, theme.ink));
-            let at = pos2(left + unit * n as f32 + slate.pts(WITHIN), y);
-            slate.put(&text, at, Align2::LEFT_CENTER);
-            top += slate.pts(self.bar() + 2.0);
+            let style = (Face::Plain, SIZE, slate.theme().ink);
+            let counts = [self.least(kind), (kind.2)(counts)];
+            self.draw_bar(slate, from, unit, counts, style);
+            from.y += slate.pts(self.bar() + 2.0);
         }
+    }
+
+    fn least(&self, kind: &Kind) -> u64 {
+        let counts = self.counts.iter().map(kind.2);
+        counts.min().unwrap_or_default()
+    }
+
+    /// Of a count, what all do and what is more, and the number at its end; a negative `unit` leads to the left.
+    fn draw_bar(
+        &self,
+        slate: &mut Slate<'_>,
+        from: Pos2,
+        unit: f32,
+        [all, n]: [u64; 2],
+        style: Style,
+    ) {
+        let theme = slate.theme();
+        let height = slate.pts(self.bar());
+        let along = |n: u64| from.x + unit * n as f32;
+        let bar = |from_x: f32, to: f32| {
+            let xs = from_x.min(to)..=from_x.max(to);
+            Rect::from_x_y_ranges(xs, from.y..=from.y + height)
+        };
+        for (bar, colour) in [
+            (bar(from.x, along(all)), theme.discarded),
+            (bar(along(all), along(n)), theme.signal),
+        ] {
+            slate.painter.rect_filled(bar, 0.0, colour);
+        }
+        let text = slate.value(&number(n), style);
+        let (side, align) = if unit < 0.0 {
+            (-1.0, Align2::RIGHT_CENTER)
+        } else {
+            (1.0, Align2::LEFT_CENTER)
+        };
+        let at = pos2(along(n) + side * slate.pts(WITHIN), from.y + 0.5 * height);
+        slate.put(&text, at, align);
     }
 }

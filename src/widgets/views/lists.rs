@@ -309,10 +309,7 @@ fn draw_marker(slate: &Slate<'_>, at: Pos2, marker: ItemMarker, role: Role) {
         ItemMarker::HalfDot => {
             slate.painter.circle(at, r, theme.background, stroke);
             let half = (0..=16).map(|i| at - r * Vec2::angled((0.5 + i as f32 / 16.0) * PI));
-            let half = half.collect();
-            slate
-                .painter
-                .add(egui::Shape::convex_polygon(half, colour, Stroke::NONE));
+            slate.area(half.collect(), colour);
         }
         ItemMarker::Cross => draw_cross(r),
         ItemMarker::CrossedRing => {

@@ -17,19 +17,13 @@ const TITLE_PTS: f32 = 13.0;
 /// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
 /// of an eye's what has to be seen, and around it as much as there is room for.
 pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
-    let height = rect.height().min(rect.width() / aspect_of(lens));
-    let seen = Rect::from_center_size(rect.center(), vec2(aspect_of(lens), 1.0) * height);
+    let aspect = lens.least_aspect() as f32;
+    let height = rect.height().min(rect.width() / aspect);
+    let seen = Rect::from_center_size(rect.center(), vec2(aspect, 1.0) * height);
     Viewport {
         rect: lens.aspect().map_or(rect, |_| seen),
         centre: [0.0; 2],
         scale: f64::from(height) / 2.0,
-    }
-}
-
-fn aspect_of(lens: &Lens) -> f32 {
-    match lens {
-        Lens::Eye(eye) => eye.aspect() as f32,
-        Lens::Camera(_) | Lens::Plane => lens.aspect().unwrap_or(1.0) as f32,
     }
 }
 
@@ -38,7 +32,8 @@ pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
     let lens = Lens::from(shown.seer);
     let title = title_ground(ui, look, rect, shown).filter(|_| lens.aspect().is_none());
     let Some(title) = title else { return rect };
-    let middle = Rect::from_center_size(rect.center(), vec2(aspect_of(&lens), 1.0) * rect.height());
+    let size = vec2(lens.least_aspect() as f32, 1.0) * rect.height();
+    let middle = Rect::from_center_size(rect.center(), size);
     if title.intersects(middle) {
         rect.with_min_y(title.bottom())
     } else {

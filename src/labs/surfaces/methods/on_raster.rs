@@ -11,7 +11,7 @@ use crate::{
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::Tick,
-    geom::{Camera, Plane},
+    geom::{Camera, Plane, pairs_around},
     labs::{
         Document,
         space::{
@@ -269,9 +269,7 @@ pub fn middle_at(place: usize, width: usize) -> [f64; 2] {
 
 pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
     let places = seen_corners(surfaces, id);
-    let next = places.iter().cycle().skip(1);
-    let edges = places.iter().zip(next);
-    let lines = edges.map(|(&a, &b)| mark(role, RasterShape::Line([a, b])));
+    let lines = pairs_around(&places).map(|ends| mark(role, RasterShape::Line(ends)));
     lines.collect()
 }
 

@@ -3,6 +3,7 @@
 use crate::{
     algo::surface::{Painter, PainterEvent as Event, PainterHeld},
     figure::{ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places},
+    geom::pairs_around,
 };
 
 use super::super::prelude::*;
@@ -116,9 +117,7 @@ fn hides<L: Variant>(at: &At<'_, Painter<L>>, [far, near]: [u32; 2]) -> Option<V
 }
 
 fn is_in_ring(cycle: &[u32], [before, after]: [u32; 2]) -> bool {
-    let next = cycle.iter().cycle().skip(1);
-    let mut pairs = cycle.iter().zip(next);
-    pairs.any(|(&one, &next)| [one, next] == [before, after])
+    pairs_around(cycle).any(|pair| pair == [before, after])
 }
 
 /// Where in the picture this step's arrow has its reason; of a cycle, all of its arrows.
