@@ -24,7 +24,7 @@ mod words;
 pub use code_links::CodeLinks;
 pub use comparison::Comparison;
 pub use extent::{Need, Stand, needs, sentences, watches};
-#[cfg(test)]
+#[cfg(all(test, feature = "gui"))]
 pub(crate) use eye::judged;
 pub use eye::{Eyes, Prospect};
 pub use frame::{Caption, Choice, Decides, Frame, Shown};

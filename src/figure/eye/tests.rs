@@ -54,7 +54,11 @@ fn what_is_marked_just_fits_into_the_frame() {
         let eye = found(to, home);
         let views = [drawing(to, home)];
         let (.., space) = spaces(&views).next().expect("a view");
-        let framed = judged(space, eye, 200.0).framed;
+        let Judged { framed, marked, .. } = judged(space, eye, 200.0);
+        for at in marked {
+            let is_framed = |i: usize| framed.iter().any(|end| end[i].abs() >= at[i].abs());
+            assert!(is_framed(0) && is_framed(1), "{to:?}: {at:?}");
+        }
         let most = |i: usize| framed.iter().map(|at| at[i].abs()).fold(0.0, f64::max);
         let sides = [most(0) / eye.aspect(), most(1)];
         assert!(sides.iter().all(|side| *side <= 1.0), "{to:?}: {sides:?}");
