@@ -51,6 +51,7 @@ pub fn run() {
 fn picture(scene: &Scene, step: usize) -> Picture<'_> {
     Picture {
         scene,
+        lesson: None,
         step,
         options: Options {
             lang: Lang::En,

@@ -103,6 +103,10 @@ impl App {
             Command::Theme(theme) => settings.theme = theme,
             Command::Code(code) => shown.code = code,
             Command::Snap(snap) => settings.snap = snap,
+            Command::Board(board) => {
+                settings.board = board;
+                *settings = std::mem::take(settings).in_range();
+            }
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
             Command::Dismiss => self.notices.clear(),
             _ => {}
@@ -213,7 +217,7 @@ impl App {
 
     /// Shows what is to be seen now, from where it is seen best.
     fn fit(&mut self) {
-        self.stage.fit(self.history.now());
+        self.stage.fit(self.bookmark.bounds_of(self.history.now()));
         self.playback.look_anew();
     }
 

@@ -44,6 +44,15 @@ impl Bookmark {
         }
     }
 
+    /// The rectangle of the plane that a scene shows at first: with the others of the open lesson, if it is one of theirs.
+    pub fn bounds_of(&self, scene: &Scene) -> [[f64; 2]; 2] {
+        let lesson = self.step().and(self.lesson());
+        lesson.map_or_else(
+            || scene.document().bounds(),
+            |lesson| lesson.bounds_of(scene),
+        )
+    }
+
     pub fn title(&self, lang: Lang) -> Option<&str> {
         self.lesson()?.title_of(&self.step()?.id, lang)
     }

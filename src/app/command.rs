@@ -63,6 +63,8 @@ pub enum Command {
     Theme(ThemeKind),
     Code(CodeView),
     Snap(bool),
+    /// What stands beside the drawings is so many times as large as it is at first.
+    Board(f32),
     View(ViewId, PanZoom),
     Turn(ViewId, Orbit),
     FitView,

@@ -18,6 +18,7 @@ pub struct Export {
     figures: Figures,
     title: Option<String>,
     scene: Scene,
+    lesson: Option<String>,
     /// The step that is drawn next, and the last one.
     next: usize,
     last: usize,
@@ -195,6 +196,7 @@ impl App {
             figures,
             title: title.filter(|_| self.is_untouched()).map(str::to_owned),
             scene: self.scene().clone(),
+            lesson: self.bookmark.lesson().map(|lesson| lesson.id.clone()),
             next,
             last,
         }
@@ -209,6 +211,10 @@ impl App {
         let drawn = self.platform.draw(StageFigure {
             title: export.title.as_deref(),
             scene: &export.scene,
+            lesson: export
+                .lesson
+                .as_ref()
+                .and_then(|id| self.bookmark.course.lesson(id)),
             position: export.next,
             figures: export.figures,
         });

@@ -180,9 +180,9 @@ impl App {
             },
             file: None,
             settings,
-            bookmark,
             playback: Playback::record(&scene, 0),
-            stage: stage_state::StageState::new(&scene),
+            stage: stage_state::StageState::new(bookmark.bounds_of(&scene)),
+            bookmark,
             history: History::new(scene),
             kit,
             shown: Shown {

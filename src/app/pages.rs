@@ -68,7 +68,7 @@ impl App {
     fn show(&mut self, work: Work) -> Work {
         let scene = work.history.now();
         let before = std::mem::replace(&mut self.playback, Playback::record(scene, work.position));
-        self.stage = StageState::new(scene);
+        self.stage = StageState::new(self.bookmark.bounds_of(scene));
         Work {
             position: before.transport.position(),
             history: std::mem::replace(&mut self.history, work.history),

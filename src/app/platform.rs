@@ -8,6 +8,7 @@ use egui::Context;
 use crate::export;
 use crate::{
     labs::Scene,
+    lesson::Lesson,
     text::{Diagnostic, SystemError},
 };
 
@@ -20,6 +21,8 @@ pub struct StageFigure<'a> {
     /// The idea in words, where the scene is a lesson's.
     pub title: Option<&'a str>,
     pub scene: &'a Scene,
+    /// The lesson that it was opened in.
+    pub lesson: Option<&'a Lesson>,
     pub position: usize,
     pub figures: Figures,
 }
@@ -145,6 +148,7 @@ impl Platform for Desktop {
         let figure = export::Picture {
             title: picture.title,
             scene: picture.scene,
+            lesson: picture.lesson,
             step: picture.position,
             options: export::Options {
                 size_px,

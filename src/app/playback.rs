@@ -161,7 +161,8 @@ impl Playback {
         }
         let eyes = self.eyes.take().unwrap_or_else(|| {
             let views = self.frames.iter().map(|frame| &frame.views[..]);
-            prospect.eyes(&views.collect::<Vec<_>>())
+            let views: Vec<&[View]> = views.collect();
+            prospect.eyes(&views, views.len(), None)
         });
         for frame in &mut self.frames {
             eyes.turn(&mut frame.views);

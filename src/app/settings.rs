@@ -23,6 +23,8 @@ pub struct Settings {
     pub speed: f32,
     /// How large the interface is drawn.
     pub zoom: f32,
+    /// What stands beside the drawings is so many times as large as it is at first.
+    pub board: f32,
     /// The window's inner size in points, when it was closed.
     pub window: Option<[f32; 2]>,
     pub figures: Option<Figures>,
@@ -42,6 +44,7 @@ impl Default for Settings {
             snap: true,
             speed: 1.0,
             zoom: 1.0,
+            board: 1.0,
             window: None,
             figures: None,
             page: None,
@@ -54,6 +57,7 @@ impl Default for Settings {
 /// What a window can be.
 const SIDES: std::ops::RangeInclusive<f32> = 240.0..=8192.0;
 const ZOOMS: std::ops::RangeInclusive<f32> = 0.5..=3.0;
+const BOARDS: std::ops::RangeInclusive<f32> = 0.3..=3.0;
 
 impl Settings {
     /// Whatever a file says: each value as near as it can be to what was said, and what means nothing left out.
@@ -65,6 +69,7 @@ impl Settings {
         let [slowest, .., fastest] = Transport::SPEEDS;
         self.speed = within(self.speed, &(slowest..=fastest), 1.0);
         self.zoom = within(self.zoom, &ZOOMS, 1.0);
+        self.board = within(self.board, &BOARDS, 1.0);
         self.window = self
             .window
             .map(|sides| sides.map(|side| within(side, &SIDES, 720.0)));

@@ -11,9 +11,9 @@ use crate::{
     },
     panels::{Reach, spots},
     widgets::{
-        Canvas, CanvasShown, Composition, Spot, covered, gripped, height_for_all, link_at,
-        picture_viewport, place_inset, projected, rect_of, title_ground, title_of_space,
-        under_title,
+        BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
+        height_for_all, link_at, picture_viewport, place_inset, projected, rect_of, title_ground,
+        title_of_space, under_title,
     },
 };
 
@@ -91,6 +91,14 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
                 None => clicks::ask(app, ui, &shown, column.drawing, (&handles, locks), state),
             }
         });
+        if let Some(between) = places.boundary() {
+            let id = Id::unique(("boundary", i));
+            let moved = boundary(ui, app.look(), id, &between).map(|moved| match moved {
+                BoundaryMoved::Times(by) => layout.board * by,
+                BoundaryMoved::Home => 1.0,
+            });
+            app.push_all(moved.map(Command::Board));
+        }
         if i > 0 {
             let line = Stroke::new(1.0, app.look().theme.hairline);
             ui.painter().vline(whole.left(), whole.y_range(), line);
@@ -113,7 +121,14 @@ fn lay_out(
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];
     let playback = &app.playback;
-    let mut layout = composition.lay_out(ui, rect, title(app), heights, &playback.needs);
+    let mut layout = composition.lay_out(
+        ui,
+        rect,
+        title(app),
+        heights,
+        &playback.needs,
+        app.settings.board,
+    );
     if let Some(eyes) = &playback.eyes {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
             place_inset(ui, app.look(), places, &frame.views, eyes);

@@ -69,17 +69,17 @@ struct Layers {
 }
 
 impl StageState {
-    pub fn new(scene: &Scene) -> Self {
+    pub fn new(bounds: [[f64; 2]; 2]) -> Self {
         Self {
-            bounds: scene.document().bounds(),
+            bounds,
             ..Self::default()
         }
     }
 
-    pub fn fit(&mut self, scene: &Scene) {
+    pub fn fit(&mut self, bounds: [[f64; 2]; 2]) {
         self.moved.clear();
         self.turned.clear();
-        self.bounds = scene.document().bounds();
+        self.bounds = bounds;
     }
 
     pub const fn bounds(&self) -> [[f64; 2]; 2] {
@@ -152,7 +152,7 @@ impl StageState {
             beyond <= 0.1 * size && now >= 0.5 * size
         });
         if !lies_well {
-            self.fit(scene);
+            self.fit(scene.document().bounds());
         }
     }
 

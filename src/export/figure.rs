@@ -1,5 +1,6 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
+mod album;
 mod recorded;
 #[cfg(test)]
 mod tests;
@@ -7,8 +8,9 @@ mod tests;
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId, sentences},
+    figure::{Body, Caption, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId},
     labs::Scene,
+    lesson::Lesson,
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
     text::{Catalog, Lang, Message},
     widgets::{
@@ -17,6 +19,7 @@ use crate::{
     },
 };
 
+use album::Album;
 use recorded::{Column, Recorded};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
@@ -68,6 +71,8 @@ pub struct Picture<'a> {
     /// The idea in words, over everything.
     pub title: Option<&'a str>,
     pub scene: &'a Scene,
+    /// The lesson that the scene is of: its figures are drawn alike.
+    pub lesson: Option<&'a Lesson>,
     /// Events folded so far.
     pub step: usize,
     pub options: Options,
@@ -80,11 +85,11 @@ impl Picture<'_> {
     }
 }
 
-/// Draws figures. One that has drawn others draws faster, and records the run of a scene once, however many of its steps
+/// Draws figures. One that has drawn others draws faster, and records the runs of a lesson once, however many of its steps
 /// it draws; the bytes are the same.
 pub struct Studio {
     table: Headless,
-    last: Option<Recorded>,
+    last: Option<Album>,
 }
 
 impl Studio {
@@ -107,8 +112,8 @@ impl Studio {
     /// In words what the figure shows: its title, and under each method's name its sentence.
     pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
         let catalog = Catalog::of(picture.options.lang);
-        let columns =
-            recorded(&mut self.last, picture.scene).columns(picture.step, picture.asked_in());
+        let recorded = album(&mut self.last, picture).recorded(picture.scene);
+        let columns = recorded.columns(picture.step, picture.asked_in());
         let sentence = |column: &Column| {
             let said = column.frame.caption.text(catalog);
             if columns.len() > 1 {
@@ -133,17 +138,18 @@ impl Studio {
     /// The figure, and the views that have no room even on the largest page.
     fn drawn(&mut self, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
         let Self { table, last } = self;
-        drawn(table, recorded(last, picture.scene), picture)
+        drawn(table, album(last, picture), picture)
     }
 }
 
-/// What is kept of this scene; another one's goes.
-fn recorded<'a>(last: &'a mut Option<Recorded>, scene: &Scene) -> &'a Recorded {
-    last.take_if(|known| known.scene != *scene);
-    last.get_or_insert_with(|| Recorded::new(scene))
+/// What is kept of this lesson; another one's goes.
+fn album<'a>(last: &'a mut Option<Album>, picture: &Picture<'_>) -> &'a Album {
+    last.take_if(|known| !known.holds(picture.scene, picture.lesson));
+    last.get_or_insert_with(|| Album::new(picture.scene, picture.lesson))
 }
 
-fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
+fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
+    let recorded = album.recorded(picture.scene);
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
@@ -153,10 +159,15 @@ fn drawn(table: &mut Headless, recorded: &Recorded, picture: &Picture<'_>) -> (I
             theme: Theme::of(picture.options.theme),
             catalog: Catalog::of(picture.options.lang),
         },
+        album,
         recorded,
     };
     let mut columns = recorded.columns(picture.step, picture.asked_in());
-    let eyes = recorded.turned(&mut columns, picture.options.steps == Steps::All);
+    let eyes = recorded.turned(
+        &mut columns,
+        picture.options.steps == Steps::All,
+        album.eyes(),
+    );
     let columns = recorded.drawn(columns);
     let mut page_scale = 1.0;
     loop {
@@ -187,6 +198,7 @@ fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
 struct Page<'a> {
     picture: &'a Picture<'a>,
     look: Look<'static>,
+    album: &'a Album,
     recorded: &'a Recorded,
 }
 
@@ -213,7 +225,7 @@ impl Page<'_> {
         let caption = self.caption_height(ui, columns, width);
         let heights = [caption.max(CAPTION_PTS), cost];
         let (title, needs) = (self.picture.title, &self.recorded.needs);
-        let mut layout = composition.lay_out(ui, area, title, heights, needs);
+        let mut layout = composition.lay_out(ui, area, title, heights, needs, 1.0);
         for (column, places) in columns.iter().zip(&mut layout.columns) {
             place_inset(ui, self.look, places, &column.frame.views, eyes);
         }
@@ -231,20 +243,21 @@ impl Page<'_> {
         layout
     }
 
-    /// Of the highest sentence, so that pictures of a run that follow each other stay where they are. Two methods leave
-    /// no room for sentences that are not shown.
+    /// Of the highest sentence of the lesson's runs, so that pictures that follow each other stay where they are. Two methods
+    /// leave no room for sentences that are not shown.
     fn caption_height(&self, ui: &Ui, columns: &[Column], width: f32) -> f32 {
         let height = |said: &mut dyn Iterator<Item = Caption>| {
             height_for_all(ui.painter(), self.look, said, width)
         };
-        let shown = || columns.iter().map(|column| column.frame.caption.clone());
-        match self.picture.options.steps {
-            Steps::Figures if columns.len() > 1 => height(&mut shown()),
-            Steps::Figures | Steps::All => {
-                let said = self.recorded.runs.iter().flat_map(|run| sentences(&**run));
-                height(&mut said.chain(shown()))
-            }
+        let shown = columns.iter().map(|column| column.frame.caption.clone());
+        let shown = height(&mut shown.into_iter());
+        if self.picture.options.steps == Steps::Figures && columns.len() > 1 {
+            return shown;
         }
+        let Options { theme, lang, .. } = self.picture.options;
+        let kind = (theme, lang, width.to_bits());
+        let said = || height(&mut self.album.scenes.iter().flat_map(Recorded::sentences));
+        self.album.captions.once(kind, said).max(shown)
     }
 
     /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.
@@ -282,7 +295,7 @@ impl Page<'_> {
 
     fn plane(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
         let scene = self.picture.scene.document();
-        let viewport = Viewport::fit(rect, scene.bounds());
+        let viewport = Viewport::fit(rect, self.recorded.bounds);
         let painter = ui.painter().with_clip_rect(rect);
         let mut marks = scene.backdrop(index, column.at_end());
         marks.extend(column.frame.marks().iter().cloned());

@@ -3,6 +3,7 @@
 use std::{
     io,
     num::NonZero,
+    ops::Range,
     path::Path,
     sync::{
         Mutex,
@@ -100,6 +101,10 @@ impl Job<'_> {
         Picture {
             title: self.title(options),
             scene: self.source.scene(),
+            lesson: match self.source {
+                Source::Step(lesson, _) => Some(lesson),
+                Source::File(_) => None,
+            },
             step: self.position,
             options,
         }
@@ -135,6 +140,26 @@ pub struct Failure {
     pub error: io::Error,
 }
 
+/// Figures of a lesson that one thread draws, as its runs are recorded once for all of them.
+const MOST_IN_LOT: usize = 16;
+
+/// What threads take from the jobs: those that follow each other in a lesson.
+fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
+    let is_alike = |a: &Job<'_>, b: &Job<'_>| match (a.source, b.source) {
+        (Source::Step(a, _), Source::Step(b, _)) => a.id == b.id,
+        _ => false,
+    };
+    let mut lots = Vec::new();
+    let mut first = 0;
+    for alike in jobs.chunk_by(is_alike) {
+        for lot in alike.chunks(MOST_IN_LOT) {
+            lots.push(first..first + lot.len());
+            first += lot.len();
+        }
+    }
+    lots
+}
+
 /// Draws with `draw` and writes all pictures on all cores; `done` hears of each on the calling thread. The
 /// failures come in the order of the jobs.
 pub fn run(
@@ -144,23 +169,22 @@ pub fn run(
     draw: impl Fn(&Job<'_>, &mut Studio) -> Content + Sync,
     mut done: impl FnMut(),
 ) -> Vec<Failure> {
+    let lots = lots(jobs);
     let next = AtomicUsize::new(0);
     let failures = Mutex::new(Vec::new());
     let n_threads = thread::available_parallelism()
         .map_or(1, NonZero::get)
-        .min(jobs.len());
+        .min(lots.len());
     thread::scope(|scope| {
         let (finished, each_finished) = mpsc::channel();
         for _ in 0..n_threads {
             let finished = finished.clone();
-            let (next, failures, draw) = (&next, &failures, &draw);
+            let (next, lots, failures, draw) = (&next, &lots, &failures, &draw);
             scope.spawn(move || {
                 let mut studio = Studio::new(theme);
-                let take = || {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    Some((i, jobs.get(i)?))
-                };
-                while let Some((i, job)) = take() {
+                let take = || lots.get(next.fetch_add(1, Ordering::Relaxed));
+                let lots = std::iter::from_fn(take);
+                for (i, job) in lots.flat_map(|lot| lot.clone().zip(&jobs[lot.clone()])) {
                     if let Err(error) = job.write(&draw(job, &mut studio), out) {
                         let path = out.join(&job.path).display().to_string();
                         if let Ok(mut failures) = failures.lock() {

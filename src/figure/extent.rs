@@ -275,7 +275,7 @@ impl Need {
         matches!(self.stand, Stand::Drawing | Stand::Inset)
     }
 
-    fn widen(&mut self, more: &Self) {
+    pub fn widen(&mut self, more: &Self) {
         let larger = |a: [f32; 2], b: [f32; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         self.least = larger(self.least, more.least);
         self.natural = larger(self.natural, more.natural);

@@ -25,9 +25,9 @@ mod tests;
 use super::{extent::Need, view::ViewId};
 
 use arranged::{Arranged, drawings, drop_last};
-use groups::Way;
+use groups::{How, Way};
 
-pub use self::places::{ColumnLayout, Slot};
+pub use self::places::{Boundary, ColumnLayout, Slot};
 
 /// What is read with text of this size, in points, is worth drawing, also where a theme has larger text.
 const READABLE: f32 = 13.0;
@@ -63,11 +63,15 @@ pub struct Sheet {
     pub name: f32,
     pub caption: f32,
     pub cost: f32,
+    /// What stands beside the drawing, or under it, is so many times as large as it is where nobody has moved the boundary.
+    pub board: f32,
 }
 
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Layout {
     pub title: Slot,
+    /// As far as there was room.
+    pub board: f32,
     pub columns: Vec<ColumnLayout>,
 }
 
@@ -91,17 +95,57 @@ impl Sheet {
         };
         let columns = (0..needs.len()).map(column);
         let (mut columns, stages): (Vec<ColumnLayout>, Vec<Slot>) = columns.unzip();
-        let views = self.views(&stages, needs);
+        let settled = Self {
+            board: 1.0,
+            ..*self
+        };
+        let (views, board) = self.moved(settled.views(&stages, needs), &stages, needs);
         for (column, views) in columns.iter_mut().zip(views) {
             column.views = views;
         }
-        Layout { title, columns }
+        Layout {
+            title,
+            board,
+            columns,
+        }
+    }
+
+    /// The same views in the same way, with the boundary as near to where it was dragged as they have room.
+    fn moved(
+        &self,
+        settled: Arranged,
+        stages: &[Slot],
+        needs: &[Vec<Need>],
+    ) -> (Vec<Vec<(ViewId, Slot)>>, f32) {
+        const ROUNDS: usize = 10;
+        let n_views = |views: &[Vec<_>]| views.iter().map(Vec::len).sum::<usize>();
+        let Some(how) = settled.how else {
+            return (settled.views, 1.0);
+        };
+        let at = |board: f32| {
+            let views = Self { board, ..*self }.views_in(how, stages, needs);
+            (n_views(&views) == n_views(&settled.views)).then_some((views, board))
+        };
+        if (self.board - 1.0).abs() < f32::EPSILON {
+            return (settled.views, 1.0);
+        }
+        let mut best = at(self.board);
+        let [mut fits, mut misses] = [1.0, self.board];
+        // Where there is no room for that much: half way between what fits and what does not, and again.
+        for _ in 0..(if best.is_none() { ROUNDS } else { 0 }) {
+            let tried = f32::midpoint(fits, misses);
+            match at(tried) {
+                Some(found) => (fits, best) = (tried, Some(found)),
+                None => misses = tried,
+            }
+        }
+        best.unwrap_or((settled.views, 1.0))
     }
 
     /// The views of all columns, arranged so that the drawings are as large as they can be. Where text is larger it shrinks,
     /// and views go from the last on, before a drawing is smaller than it is beside text of the readable size; and where
     /// methods stand side by side, before it is much smaller than it is alone.
-    fn views(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
+    fn views(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Arranged {
         let readable = Self {
             em: self.em.min(READABLE),
             ..*self
@@ -120,7 +164,7 @@ impl Sheet {
         } else {
             let all = readable.largest(stages, needs);
             if self.em <= READABLE {
-                return all.views;
+                return all;
             }
             SAME * all.scale
         };
@@ -130,7 +174,7 @@ impl Sheet {
             for part in PARTS {
                 let arranged = self.largest_of(part, stages, &needs);
                 if arranged.has_all(&needs) && arranged.scale >= wanted {
-                    return arranged.views;
+                    return arranged;
                 }
                 if arranged.is_better_than(&best) {
                     best = arranged;
@@ -138,7 +182,7 @@ impl Sheet {
             }
             let fewer = needs.iter_mut().map(drop_last);
             if !may_go || !fewer.fold(false, |any, has_one| any | has_one) {
-                return best.views;
+                return best;
             }
         }
     }
@@ -165,8 +209,9 @@ impl Sheet {
                 continue;
             }
             for share in way.shares(needs) {
-                let views = self.views_in((way, part, share), stages, needs);
-                let arranged = Arranged::new(views, needs);
+                let how = (way, part, share);
+                let views = self.views_in(how, stages, needs);
+                let arranged = Arranged::new(how, views, needs);
                 if arranged.is_better_than(&best) {
                     best = arranged;
                 }
@@ -175,12 +220,7 @@ impl Sheet {
         best
     }
 
-    fn views_in(
-        &self,
-        how: (Way, f32, Option<f32>),
-        stages: &[Slot],
-        needs: &[Vec<Need>],
-    ) -> Vec<Vec<(ViewId, Slot)>> {
+    fn views_in(&self, how: How, stages: &[Slot], needs: &[Vec<Need>]) -> Vec<Vec<(ViewId, Slot)>> {
         let mut common = [f32::MAX; 2];
         let mut views = Vec::new();
         // The second time each drawing knows how large the others can be.

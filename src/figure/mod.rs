@@ -32,7 +32,7 @@ pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
     spread,
 };
-pub use layout::{ColumnLayout, Layout, Sheet, Slot, Spacing};
+pub use layout::{Boundary, ColumnLayout, Layout, Sheet, Slot, Spacing};
 pub use lens::Lens;
 pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};

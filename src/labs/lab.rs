@@ -83,6 +83,10 @@ pub trait Backdrop {
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
     /// The world rectangle that a view shows at first.
     fn bounds(&self) -> [[f64; 2]; 2];
+    /// Where something is visible, in a scene of the plane that has such a place.
+    fn region(&self) -> Option<[[f64; 2]; 2]> {
+        None
+    }
 }
 
 pub trait Draggable {

@@ -28,6 +28,7 @@ mod problem;
 mod reference;
 mod scene_file;
 mod sections;
+mod setting;
 mod sink;
 mod source;
 mod step;

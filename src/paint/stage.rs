@@ -1,6 +1,6 @@
 //! A figure's marks as egui shapes.
 
-use egui::{Color32, Painter, Pos2, Shape as Egui, Stroke, vec2};
+use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape as Egui, Stroke, vec2};
 
 use crate::figure::{Link, Mark};
 
@@ -18,6 +18,7 @@ use super::{
 };
 
 const CASING: f32 = 1.25;
+const FADE_PTS: f32 = 14.0;
 
 impl Look<'_> {
     /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
@@ -51,6 +52,9 @@ impl Look<'_> {
                 | Layer::Marker => stage.part(piece),
             }
         }
+        if around.fades {
+            fade(painter, theme, viewport.rect);
+        }
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
         labels.draw(painter, theme);
         labels.placed
@@ -65,11 +69,35 @@ impl Look<'_> {
         before: &[Placed],
     ) -> (Vec<Placed>, Vec<Obstacle>) {
         let pieces = drawn(viewport, self.theme, marks, None);
-        let covered = &[];
-        let around = Around { before, covered };
+        let around = Around {
+            before,
+            covered: &[],
+            fades: false,
+        };
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
         (labels.placed, labels.obstacles)
     }
+}
+
+/// Lets the background come through along the edges of a drawing.
+fn fade(painter: &Painter, theme: &Theme, rect: Rect) {
+    let inner = rect.shrink(FADE_PTS.min(0.1 * rect.size().min_elem()));
+    let corners = |rect: Rect| {
+        let [top, bottom] = [rect.left_top(), rect.right_bottom()];
+        [top, rect.right_top(), bottom, rect.left_bottom()]
+    };
+    let mut mesh = Mesh::default();
+    for (at, colour) in [(rect, theme.background), (inner, Color32::TRANSPARENT)] {
+        for corner in corners(at) {
+            mesh.colored_vertex(corner, colour);
+        }
+    }
+    for i in 0..4 {
+        let next = (i + 1) % 4;
+        mesh.add_triangle(i, next, 4 + i);
+        mesh.add_triangle(next, 4 + next, 4 + i);
+    }
+    painter.add(mesh);
 }
 
 fn drawn<'a>(

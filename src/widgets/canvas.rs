@@ -19,6 +19,8 @@ const DOT: f32 = 1.5;
 const MAX_DOTS: f64 = 20_000.0;
 const BETWEEN: f64 = 56.0;
 const FROM_EDGE: f32 = 4.0;
+/// A marker and what is around it.
+const TAKEN: f32 = 24.0;
 const MOST_NUMBERS: f64 = 200.0;
 
 pub struct Canvas<'a> {
@@ -112,7 +114,10 @@ impl Canvas<'_> {
         if self.has_grid
             && let Some(said) = handles.coordinates(ui, &response, step)
         {
-            coordinates(&painter, viewport.rect, self.look, said);
+            let spots = self.spots.iter().map(|spot| viewport.to_screen(spot.at));
+            let taken = spots.map(|at| Rect::from_center_size(at, Vec2::splat(TAKEN)));
+            let taken: Vec<Rect> = taken.chain(labels.iter().map(|label| label.rect)).collect();
+            coordinates(&painter, viewport.rect, self.look, (said, &taken));
         }
         focus_ring(
             &painter,
@@ -154,6 +159,7 @@ impl Canvas<'_> {
         let around = Around {
             before: &before.unwrap_or_default(),
             covered: self.covered,
+            fades: !self.has_grid,
         };
         let look = self.look;
         let labels = look.stage(painter, &self.viewport, self.marks, self.lit, around);
@@ -173,11 +179,16 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
     })
 }
 
-fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, said: String) {
+/// In the first corner in which they cover nothing, else in the first.
+fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, (said, taken): (String, &[Rect])) {
     let theme = look.theme;
     let font = FontId::monospace(11.0 * theme.text_scale.sqrt());
     let text = painter.layout_no_wrap(said, font, theme.soft);
-    let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 8.0), text.size());
+    let inner = rect.shrink(8.0);
+    let corners = [Align2::RIGHT_TOP, Align2::RIGHT_BOTTOM, Align2::LEFT_TOP];
+    let places = corners.map(|corner| corner.align_size_within_rect(text.size(), inner));
+    let is_free = |place: &&Rect| !taken.iter().any(|it| it.intersects(place.expand(4.0)));
+    let place = *places.iter().find(is_free).unwrap_or(&places[0]);
     painter.rect_filled(place.expand(4.0), 4.0, theme.background);
     painter.galley(place.min, text, theme.soft);
 }

@@ -37,6 +37,7 @@ impl Composition<'_> {
         title: Option<&str>,
         [caption, cost]: [f32; 2],
         needs: &[Vec<Need>],
+        board: f32,
     ) -> Layout {
         let (theme, spacing) = (self.look.theme, self.spacing);
         let width = area.width() - 2.0 * (spacing.margin + spacing.inset);
@@ -57,6 +58,7 @@ impl Composition<'_> {
             name: name * theme.title_scale,
             caption,
             cost,
+            board,
         };
         let layout = sheet.lay_out(needs);
         if let Some(title) = title {

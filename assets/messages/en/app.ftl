@@ -19,6 +19,7 @@ lab-surfaces-about = See which surface is in front, pixel by pixel.
 
 panel-course = Course
 panel-stage = Stage
+stage-boundary = Boundary between the drawing and what stands beside it: drag it, or press the arrow keys.
 panel-inspector = Inspector
 panel-algorithm = Algorithm
 panel-pseudocode = Pseudocode

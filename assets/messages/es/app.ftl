@@ -19,6 +19,7 @@ lab-surfaces-about = Mira qué superficie está delante, píxel a píxel.
 
 panel-course = Curso
 panel-stage = Escena
+stage-boundary = Límite entre el dibujo y lo que está a su lado: se arrastra o se mueve con las flechas.
 panel-inspector = Inspector
 panel-algorithm = Algoritmo
 panel-pseudocode = Pseudocódigo

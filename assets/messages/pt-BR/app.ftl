@@ -19,6 +19,7 @@ lab-surfaces-about = Veja qual superfície está na frente, pixel a pixel.
 
 panel-course = Curso
 panel-stage = Cena
+stage-boundary = Divisa entre o desenho e o que está ao lado: arraste-a ou use as setas.
 panel-inspector = Inspetor
 panel-algorithm = Algoritmo
 panel-pseudocode = Pseudocódigo

@@ -19,6 +19,7 @@ lab-surfaces-about = 逐像素看清哪个表面在前面。
 
 panel-course = 课程
 panel-stage = 演示区
+stage-boundary = 图与旁边内容的分界线：可以拖动，也可以按方向键。
 panel-inspector = 检查器
 panel-algorithm = 算法
 panel-pseudocode = 伪代码

@@ -120,6 +120,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
         let written = fs::read(folder.path().join(format!("cut-{step:03}.png")));
         let picture = Picture {
             title: None,
+            lesson: None,
             scene: bench.app.scene(),
             step,
             options: Options {

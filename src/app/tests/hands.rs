@@ -53,6 +53,44 @@ fn a_handle_with_the_focus_takes_the_arrows_until_escape() {
     assert_eq!(bench.app.position(), 1);
 }
 
+#[test]
+fn the_boundary_beside_the_drawing_is_dragged_and_kept() {
+    let mut bench = Bench::new(ROOMY);
+    let drawing = |bench: &Bench| rect_of(bench.app.stage.places[0].1);
+    let edge = |bench: &Bench| {
+        let drawing = drawing(bench);
+        let others = bench.app.stage.places[1..].iter();
+        let beyond = others.map(|(_, slot)| rect_of(*slot).left());
+        let beyond = beyond.filter(|left| *left >= drawing.right());
+        let next = beyond.reduce(f32::min).expect("a view beside it");
+        Pos2::new(drawing.right().midpoint(next), drawing.center().y)
+    };
+    let (first, at) = (drawing(&bench), edge(&bench));
+    bench.drag(at, at - vec2(60.0, 0.0));
+    let dragged = drawing(&bench);
+    assert!(
+        (first.right() - dragged.right() - 60.0).abs() < 12.0,
+        "{first:?} {dragged:?}"
+    );
+    let board = bench.app.settings.board;
+    assert!(board > 1.0);
+    let id = Id::unique(("boundary", 0_usize));
+    bench.focus(id);
+    bench.frame(0.1, Vec::new());
+    bench.key(Key::ArrowRight);
+    bench.settle();
+    assert!(
+        drawing(&bench).right() > dragged.right(),
+        "an arrow moves it, too"
+    );
+    assert_eq!(bench.app.position(), 0);
+    bench.tap(edge(&bench));
+    bench.tap(edge(&bench));
+    bench.settle();
+    assert_eq!(bench.app.settings.board, 1.0, "a double click puts it back");
+    assert_eq!(drawing(&bench), first);
+}
+
 /// Both ends of the segment in focus.
 fn ends(bench: &Bench) -> [[f64; 2]; 2] {
     let focused = bench.scene::<lines::Scene>().focused();

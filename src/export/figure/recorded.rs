@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use crate::{
-    figure::{Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, needs},
+    figure::{
+        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, View, needs, sentences,
+    },
     labs::{Difference, MethodCard, Scene, comparison},
     text::{Catalog, Lang, Message},
 };
@@ -13,15 +15,16 @@ pub struct Recorded {
     pub scene: Scene,
     pub runs: Vec<Box<dyn Run>>,
     pub needs: Vec<Vec<Need>>,
+    /// What it shows of the plane.
+    pub bounds: [[f64; 2]; 2],
     comparison: Comparison,
     pub prospect: Prospect,
     pub difference: Option<Difference>,
 }
 
 impl Recorded {
-    pub fn new(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene, bounds: [[f64; 2]; 2]) -> Self {
         let runs = scene.document().record();
-        let bounds = scene.document().bounds();
         let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
         let methods = scene.document().methods();
         let comparison = comparison(&methods, &all);
@@ -30,11 +33,36 @@ impl Recorded {
         let wanted: Vec<_> = all.iter().map(needs).collect();
         Self {
             scene: scene.clone(),
+            bounds,
             needs: comparison.needs_of_page(&wanted, &all),
             comparison,
             prospect,
             difference: Difference::between(&methods, &all),
             runs,
+        }
+    }
+
+    /// All that its runs say, with each method by itself.
+    pub fn sentences(&self) -> Vec<Caption> {
+        self.runs.iter().flat_map(|run| sentences(&**run)).collect()
+    }
+
+    /// Do the same methods show the same place of the plane?
+    pub fn is_like(&self, other: &Self) -> bool {
+        let is_plane = self.scene.document().region().is_some();
+        let [own, others] = [self, other].map(|it| it.scene.document().methods());
+        let ids = |methods: Vec<&'static MethodCard>| methods.into_iter().map(|card| card.id);
+        is_plane && ids(own).eq(ids(others)) && self.bounds == other.bounds
+    }
+
+    /// Each view gets the room that it wants in another scene.
+    pub fn make_room(&mut self, wanted: &[Vec<Need>]) {
+        for (own, more) in self.needs.iter_mut().zip(wanted) {
+            for need in own {
+                if let Some(more) = more.iter().find(|more| more.id == need.id) {
+                    need.widen(more);
+                }
+            }
         }
     }
 
@@ -71,11 +99,12 @@ impl Recorded {
     }
 
     /// Lets all columns be seen by the eyes that are found for their steps; of pictures that follow each other, by the same.
-    pub fn turned(&self, columns: &mut [Column], of_all: bool) -> Eyes {
+    pub fn turned(&self, columns: &mut [Column], of_all: bool, shared: &Eyes) -> Eyes {
         let shown = columns
             .iter()
             .map(|column| if of_all { &[] } else { &column.frame.views[..] });
-        let eyes = self.prospect.eyes(&shown.collect::<Vec<_>>());
+        let shown: Vec<&[View]> = shown.collect();
+        let eyes = self.prospect.eyes(&shown, shown.len(), Some(shared));
         for column in columns {
             eyes.turn(&mut column.frame.views);
         }

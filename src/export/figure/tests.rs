@@ -29,8 +29,9 @@ fn no_figure_of_the_course_loses_a_view() {
             let faults = jobs.iter().filter_map(|job| {
                 let picture = job.picture(options);
                 let (_, lost) = studio.drawn(&picture);
-                let drawing = studio.last.as_ref()?.needs.first()?.first()?.id;
-                let may_go = studio.last.as_ref()?.needs.len() > 1 || theme == ThemeKind::Projector;
+                let needs = &studio.last.as_ref()?.recorded(picture.scene).needs;
+                let drawing = needs.first()?.first()?.id;
+                let may_go = needs.len() > 1 || theme == ThemeKind::Projector;
                 let is_lost = |id: &&ViewId| !may_go || **id == drawing;
                 let gone: Vec<_> = lost.iter().filter(is_lost).collect();
                 (!gone.is_empty()).then(|| format!("{}: {gone:?}", job.path))
@@ -83,12 +84,17 @@ const RULES: [&str; 6] = ["lengths", "angles", "points", "areas", "inset", "fram
 /// Rounding of a frame that is found in rounds, and of places in points.
 const LEAST_FAULT: f64 = 1e-6;
 
-/// By how much a figure's drawings of space break each rule: a place that is covered or cut counts 1.
-fn faults(studio: &mut Studio, picture: &Picture<'_>) -> [f64; 6] {
+/// Where everything of a figure stands, and what `look` finds in it.
+fn laid_out(
+    studio: &mut Studio,
+    picture: &Picture<'_>,
+    mut look_at: impl FnMut(&Ui, Look<'_>, &[Column], &Layout),
+) {
     let Studio { table, last } = studio;
-    let recorded = recorded(last, picture.scene);
+    let album = album(last, picture);
+    let recorded = album.recorded(picture.scene);
     let mut columns = recorded.columns(picture.step, picture.asked_in());
-    let eyes = recorded.turned(&mut columns, false);
+    let eyes = recorded.turned(&mut columns, false, album.eyes());
     let look = Look {
         theme: table.theme(),
         catalog: Catalog::of(picture.options.lang),
@@ -96,12 +102,20 @@ fn faults(studio: &mut Studio, picture: &Picture<'_>) -> [f64; 6] {
     let page = Page {
         picture,
         look,
+        album,
         recorded,
     };
-    let mut faults = [0.0; 6];
     table.draw(Vec2::from(PAGE_PTS), 1.0, |ui| {
-        faults = [0.0; 6];
         let layout = page.show(ui, &columns, &eyes);
+        look_at(ui, look, &columns, &layout);
+    });
+}
+
+/// By how much a figure's drawings of space break each rule: a place that is covered or cut counts 1.
+fn faults(studio: &mut Studio, picture: &Picture<'_>) -> [f64; 6] {
+    let mut faults = [0.0; 6];
+    laid_out(studio, picture, |ui, look, columns, layout| {
+        faults = [0.0; 6];
         for (column, places) in columns.iter().zip(&layout.columns) {
             let id = column.frame.views[0].id;
             let Some((space, slot)) = column.frame.space().zip(places.slot(id)) else {
@@ -155,4 +169,41 @@ fn every_eye_of_the_course_sees_what_its_step_measures() {
         }
     }
     assert!(all.is_empty(), "{all:#?}");
+}
+
+/// Of a lesson's figures of the plane that show one place by one method, in the same views.
+#[test]
+fn from_figure_to_figure_of_a_lesson_nothing_moves() {
+    let course = Course::embedded();
+    let mut studio = Studio::new(ThemeKind::Light);
+    let options = Options {
+        size_px: [640, 360],
+        theme: ThemeKind::Light,
+        lang: Lang::En,
+        steps: Steps::Figures,
+        asks: false,
+    };
+    let mut n_alike = 0;
+    for lesson in &course.lessons {
+        let mut seen: Vec<(_, Layout)> = Vec::new();
+        for job in jobs([lesson], Steps::Figures) {
+            let scene = job.source.scene().document();
+            if scene.region().is_none() || scene.methods().len() > 1 {
+                continue;
+            }
+            laid_out(&mut studio, &job.picture(options), |_, _, columns, now| {
+                let views = columns.iter().flat_map(|column| &column.frame.views);
+                let ids: Vec<ViewId> = views.map(|view| view.id).collect();
+                let kind = (ids, lesson.bounds_of(job.source.scene()));
+                match seen.iter().find(|(known, _)| *known == kind) {
+                    Some((_, known)) => {
+                        assert_eq!(now, known, "{}", job.path);
+                        n_alike += 1;
+                    }
+                    None => seen.push((kind, now.clone())),
+                }
+            });
+        }
+    }
+    assert!(n_alike > 40, "{n_alike}");
 }

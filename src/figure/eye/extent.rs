@@ -50,6 +50,12 @@ impl Extent {
         extent
     }
 
+    pub fn extend(&mut self, other: &Self) {
+        self.marked.extend(&other.marked);
+        self.volume.extend(&other.volume);
+        self.around.extend(&other.around);
+    }
+
     pub fn add(&mut self, marks: &[Mark3]) {
         for mark in marks.iter().filter(|mark| mark.role != Role::Faint) {
             let hull = match &mark.shape {
@@ -107,6 +113,17 @@ pub fn drawn(space: &Space) -> Vec<DVec3> {
 const MOST_CORNERS: usize = 2000;
 
 impl Hull {
+    fn extend(&mut self, other: &Self) {
+        if self.farthest.is_empty() {
+            self.farthest.clone_from(&other.farthest);
+        }
+        for (farthest, more) in self.farthest.iter_mut().zip(&other.farthest) {
+            if more.0 > farthest.0 {
+                *farthest = *more;
+            }
+        }
+    }
+
     /// Balls, with their radii.
     fn add(&mut self, balls: impl IntoIterator<Item = ([f64; 3], f64)>) {
         for (centre, radius) in balls {

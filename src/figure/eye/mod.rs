@@ -103,8 +103,24 @@ impl Prospect {
         }
     }
 
-    /// The eyes for a step that has these views, of so many methods side by side: what it measures comes first.
-    pub fn eyes(&self, now: &[&[View]]) -> Eyes {
+    /// All that another run has to be seen of, too.
+    pub fn extend(&mut self, other: &Self) {
+        for more in &other.drawings {
+            let is_same =
+                |drawing: &&mut Drawing| (drawing.id, drawing.home) == (more.id, more.home);
+            let Some(drawing) = self.drawings.iter_mut().find(is_same) else {
+                self.drawings.push(more.clone());
+                continue;
+            };
+            drawing.sights.extend(more.sights.iter().cloned());
+            drawing.extent.extend(&more.extent);
+            drawing.inset = drawing.inset.or(more.inset);
+        }
+    }
+
+    /// The eyes for a step that has these views, of so many methods side by side: what it measures comes first. Where
+    /// `shared` ones, of other steps as well, are good enough they are taken.
+    pub fn eyes(&self, now: &[&[View]], n_columns: usize, shared: Option<&Eyes>) -> Eyes {
         let found = |drawing: &Drawing| {
             let shown = now.iter().flat_map(|views| spaces(views));
             let shown = shown.filter(|(id, home, _)| (*id, *home) == (drawing.id, drawing.home));
@@ -117,12 +133,15 @@ impl Prospect {
                 run: &drawing.sights,
                 places: &places,
                 inset: drawing.inset,
-                n_columns: now.len().max(1),
+                n_columns,
             };
+            let nearest = search.nearest();
+            let shared = shared.and_then(|eyes| eyes.of(drawing.id, drawing.home));
+            let shared = shared.filter(|shared| search.may_take(&shared.eye, &nearest));
             Found {
                 id: drawing.id,
                 home: drawing.home,
-                eye: search.nearest(),
+                eye: shared.map_or(nearest, |shared| shared.eye),
                 places: [
                     own.iter().flat_map(Sights::places).collect(),
                     shown.iter().flat_map(|space| drawn(space)).collect(),

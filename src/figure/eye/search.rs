@@ -28,6 +28,8 @@ const PITCHES_DEG: [u16; 2] = [6, 84];
 /// The worth of a fault of the step in hand, and of one that every step of the run has, against a turn by a right angle.
 const OF_STEP: f64 = 100.0;
 const OF_RUN: f64 = 6.0;
+/// An eye that serves other steps, too, may see a step so much smaller.
+const MOST_FARTHER: f64 = 1.1;
 /// What the scene's own eye has not in its frame is in the found one's, unless what is marked becomes smaller by more than this.
 const MOST_SHRUNK: f64 = 1.9;
 
@@ -93,13 +95,34 @@ impl Search<'_> {
         self.framed(best.1, ROUNDS[1])
     }
 
+    /// Does an eye see what the step measures, in a frame that holds it, and from not much farther than the step's own?
+    pub fn may_take(&self, eye: &Orbit, own: &Orbit) -> bool {
+        let is_framed = |optics: &Optics| {
+            let frame = DVec3::new(eye.aspect(), 1.0, 1.0);
+            let mut seen = self.places.iter().map(|&at| on_picture(optics, at));
+            seen.all(|at| at.is_some_and(|at| at.abs().cmple(frame).all()))
+        };
+        let size = |eye: &Orbit| eye.distance() * eye.aspect().max(1.0);
+        let faults = |eye: &Orbit| Some(self.now_faults(&Optics::of(&Lens::Eye(*eye))?, eye));
+        size(eye) <= MOST_FARTHER * size(own)
+            && Optics::of(&Lens::Eye(*eye)).is_some_and(|optics| is_framed(&optics))
+            && faults(eye) <= faults(own)
+    }
+
+    /// Of the step in hand.
+    fn now_faults(&self, optics: &Optics, eye: &Orbit) -> f64 {
+        let apart = APART_PTS / self.scale(eye);
+        let short = |sights: &Sights| sights.seen(optics).shortfalls(apart);
+        let now: f64 = self.now.iter().flat_map(short).sum();
+        now + self.covered(optics, eye)
+    }
+
     fn faults(&self, eye: &Orbit) -> f64 {
         let Some(optics) = Optics::of(&Lens::Eye(*eye)) else {
             return f64::INFINITY;
         };
         let apart = APART_PTS / self.scale(eye);
         let short = |sights: &Sights| sights.seen(&optics).shortfalls(apart);
-        let now: f64 = self.now.iter().flat_map(short).sum();
         // Points of other steps have their turn.
         let run = self.run.iter().map(|sights| {
             let [lengths, angles, _, areas] = short(sights);
@@ -107,7 +130,7 @@ impl Search<'_> {
         });
         let run: f64 = run.sum();
         let n_steps = self.run.len().max(1) as f64;
-        OF_STEP * (now + self.covered(&optics, eye)) + OF_RUN * run / n_steps
+        OF_STEP * self.now_faults(&optics, eye) + OF_RUN * run / n_steps
     }
 
     /// Points to 1 on the picture.

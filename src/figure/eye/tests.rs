@@ -18,7 +18,7 @@ fn found(to: [f64; 3], home: Orbit) -> Orbit {
     let mut views = vec![drawing(to, home)];
     let mut prospect = Prospect::default();
     prospect.add(&views);
-    let eyes = prospect.eyes(&[&views]);
+    let eyes = prospect.eyes(&[&views], 1, None);
     eyes.turn(&mut views);
     let (_, eye, _) = spaces(&views).next().expect("a view of an eye");
     eye

@@ -1,6 +1,6 @@
 //! How good an arrangement is: by the views that it has room for, and by how large its drawings are.
 
-use super::{Slot, ViewId};
+use super::{Slot, ViewId, groups::How};
 use crate::figure::extent::{Need, Stand};
 
 /// Around what is drawn, in points: labels stand there.
@@ -10,6 +10,7 @@ const CLEARLY: f32 = 1.03;
 
 #[derive(Default)]
 pub struct Arranged {
+    pub how: Option<How>,
     /// Column by column, the drawing first.
     pub views: Vec<Vec<(ViewId, Slot)>>,
     pub n_views: usize,
@@ -18,7 +19,7 @@ pub struct Arranged {
 }
 
 impl Arranged {
-    pub fn new(views: Vec<Vec<(ViewId, Slot)>>, needs: &[Vec<Need>]) -> Self {
+    pub fn new(how: How, views: Vec<Vec<(ViewId, Slot)>>, needs: &[Vec<Need>]) -> Self {
         let columns = views.iter().zip(needs);
         let scale = columns.flat_map(|(views, needs)| {
             let drawn = views.iter().enumerate().filter_map(|(nth, (id, slot))| {
@@ -35,6 +36,7 @@ impl Arranged {
         let is_whole = views.iter().all(|views| !views.is_empty());
         let n_views = views.iter().map(Vec::len).sum();
         Self {
+            how: Some(how),
             scale: scale.product(),
             n_views: if is_whole { n_views } else { 0 },
             views,

@@ -65,6 +65,9 @@ pub enum Way {
     Low,
 }
 
+/// A way to stand, the part of its natural width that what stands beside the drawing has, and the part of the column's.
+pub type How = (Way, f32, Option<f32>);
+
 /// Of a column's width, what stands beside a drawing has so much where that is a drawing, too.
 const SHARES: [f32; 8] = [0.5, 0.3, 0.35, 0.4, 0.45, 0.55, 0.6, 0.65];
 

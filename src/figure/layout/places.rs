@@ -61,7 +61,35 @@ pub struct ColumnLayout {
     pub cost: Slot,
 }
 
+/// Between a drawing and what stands beside it, or under it where nothing does.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Boundary {
+    pub is_upright: bool,
+    pub gap: Slot,
+    /// How wide, or high, that is.
+    pub size: f32,
+}
+
 impl ColumnLayout {
+    pub fn boundary(&self) -> Option<Boundary> {
+        let [(_, drawing), others @ ..] = &self.views[..] else {
+            return None;
+        };
+        [0, 1].into_iter().find_map(|i| {
+            let beyond = others.iter().map(|(_, slot)| slot);
+            let beyond = || beyond.clone().filter(|slot| slot.min[i] >= drawing.max[i]);
+            let first = beyond().map(|slot| slot.min[i]).reduce(f32::min)?;
+            let last = beyond().map(|slot| slot.max[i]).reduce(f32::max)?;
+            let mut gap = *drawing;
+            (gap.min[i], gap.max[i]) = (drawing.max[i], first);
+            Some(Boundary {
+                is_upright: i == 0,
+                gap,
+                size: last - first,
+            })
+        })
+    }
+
     pub fn over(&self, id: ViewId) -> impl Iterator<Item = Slot> {
         let under = self.slot(id).unwrap_or_default();
         let others = self.views.iter().filter(move |(of, _)| *of != id);

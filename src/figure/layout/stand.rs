@@ -2,7 +2,7 @@
 
 use super::{
     READABLE, Sheet, Slot, ViewId,
-    groups::{Groups, Way},
+    groups::{Groups, How, Way},
 };
 use crate::figure::extent::Need;
 
@@ -21,7 +21,7 @@ impl Sheet {
     /// The drawing, no larger than `most`, and then the others; none where what stands beside it has no room.
     pub(super) fn stand(
         &self,
-        (way, part, share): (Way, f32, Option<f32>),
+        (way, part, share): How,
         mut stage: Slot,
         needs: &[Need],
         most: [f32; 2],
@@ -36,7 +36,7 @@ impl Sheet {
             Some(share) => share * stage.size()[0],
             None => self.natural_width(&groups.beside, part),
         };
-        let Some((left, side)) = self.beside(stage, &groups, side) else {
+        let Some((left, side)) = self.beside(stage, &groups, self.board * side) else {
             return Vec::new();
         };
         let Some(row) = self.row(&groups.row, part, left) else {
@@ -83,6 +83,7 @@ impl Sheet {
             aspect * (height - AROUND * READABLE) + AROUND * READABLE
         });
         let spare = (room - filled).clamp(0.0, (SPREAD - 1.0) * side);
+        let spare = if self.board < 1.0 { 0.0 } else { spare };
         let x = (stage.max[0] - side - spare).round();
         let inset = self.spacing.inset;
         let left = Slot {
@@ -117,10 +118,11 @@ impl Sheet {
         let height = heights.fold(0.0, f32::max);
         let most = (1.0 - DRAWING) * stage.size()[1];
         let least = needs.iter().map(|need| need.least[1] * self.readable());
-        if widths + gaps > room || least.fold(0.0, f32::max) > most {
+        if widths + gaps > room || least.clone().fold(0.0, f32::max) > most {
             return None;
         }
-        let height = height.min(most).round();
+        let least = least.fold(0.0, f32::max);
+        let height = (self.board * height.min(most)).clamp(least, most).round();
         let top = stage.max[1] - height - inset;
         let mut left = stage.min[0] + inset;
         let slots = needs.iter().map(|need| {
@@ -149,7 +151,13 @@ impl Sheet {
         // As far as they all are seen, the drawing keeps half.
         let half = self.heights(&under, 0.5 * height);
         let is_enough = half.len() == strips.len();
-        let strips = if is_enough { half } else { strips };
+        let mut strips = if is_enough { half } else { strips };
+        let gaps = self.gap() * strips.len() as f32;
+        let most_strips = height - least_height - inset - gaps;
+        let board = self.board.min(most_strips / strips.iter().sum::<f32>());
+        for (strip, need) in strips.iter_mut().zip(&under) {
+            *strip = (board * *strip).max(need.least[1] * self.readable());
+        }
         let taken: f32 = strips.iter().map(|strip| strip + self.gap()).sum();
         let inset_under = if strips.is_empty() { 0.0 } else { inset };
         let high = (height - taken - inset_under).round();

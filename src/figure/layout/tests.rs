@@ -30,6 +30,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
         title: 40.0,
         name: 0.0,
         caption: 60.0,
+        board: 1.0,
         cost: 0.0,
     }
 }
@@ -149,4 +150,40 @@ fn an_inset_stands_on_its_drawing_in_its_own_proportions() {
     // Alone it is the drawing.
     let alone = sheet([800.0, 500.0], 13.0).lay_out(&[vec![needs[5]]]);
     assert!(alone.columns[0].views[0].1.size()[0] > 600.0);
+}
+
+#[test]
+fn a_moved_boundary_stays_where_everything_has_room_and_overlaps_nothing() {
+    for size in [[960.0, 540.0], [420.0, 800.0], [1400.0, 420.0]] {
+        let at = |board: f32| {
+            let sheet = Sheet {
+                board,
+                ..sheet(size, 13.0)
+            };
+            sheet.lay_out(&[needs()])
+        };
+        let settled = at(1.0);
+        let ids = |layout: &Layout| {
+            let views = layout.columns[0].views.iter();
+            views.map(|(id, _)| *id).collect::<Vec<_>>()
+        };
+        let extent = |layout: &Layout| layout.columns[0].boundary().expect("two sides").size;
+        let mut before = 0.0;
+        for tenths in 3..=30_u8 {
+            let moved = at(f32::from(tenths) / 10.0);
+            assert_eq!(ids(&moved), ids(&settled));
+            let slots = moved.columns[0].views.iter().map(|(_, slot)| *slot);
+            let slots: Vec<Slot> = slots.collect();
+            for (i, &slot) in slots.iter().enumerate() {
+                assert!(slots[..i].iter().all(|&other| is_apart(slot, other)));
+            }
+            assert!(extent(&moved) >= before - 2.0, "{size:?} {tenths}");
+            before = extent(&moved);
+        }
+        let [low, high] = [0.3, 3.0].map(|board| extent(&at(board)));
+        assert!(
+            low < extent(&settled) && extent(&settled) < high,
+            "{size:?}"
+        );
+    }
 }

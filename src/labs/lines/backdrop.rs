@@ -34,6 +34,11 @@ impl Backdrop for Scene {
         let ends = segments.iter().flat_map(|s| [s.p1, s.p2]);
         extent(region.vertices().iter().copied().chain(ends))
     }
+
+    fn region(&self) -> Option<[[f64; 2]; 2]> {
+        let region = self.region(self.method);
+        Some(extent(region.vertices().iter().copied()))
+    }
 }
 
 /// Up to this many segments are looked at one by one: a view shows all of them at first. Of more, the one in focus.

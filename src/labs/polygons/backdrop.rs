@@ -22,6 +22,11 @@ impl Backdrop for Scene {
         let rings = self.rings().chain(&clip);
         extent(rings.flat_map(|ring| ring.vertices().iter().copied()))
     }
+
+    fn region(&self) -> Option<[[f64; 2]; 2]> {
+        let clip = region(self, self.method)?;
+        Some(extent(clip.vertices().iter().copied()))
+    }
 }
 
 /// What is not covered by the result, or by the list that a method works on, has been cut off.

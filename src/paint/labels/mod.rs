@@ -55,6 +55,8 @@ pub struct Placed {
 pub struct Around<'a> {
     pub before: &'a [Placed],
     pub covered: &'a [Rect],
+    /// What the edge of the drawing cuts grows faint before it.
+    pub fades: bool,
 }
 
 pub struct Labels {

@@ -115,6 +115,7 @@ pub fn space(
     covered.extend(title_ground(ui, look, corner, shown));
     let around = Around {
         covered: &covered,
+        fades: !is_camera,
         ..Around::default()
     };
     look.stage(&painter, &viewport, &marks, lit, around);

@@ -92,6 +92,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
     assert_eq!(marks.iter().filter(|mark| mark.is_dashed).count(), 3);
     let picture = |step| export::Picture {
         scene: &scene,
+        lesson: None,
         step,
         options: export::Options {
             lang: Lang::En,
