@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use clipscope::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
-    figure::{Body, Graph, Products, Run, Story},
+    figure::Run,
     geom::{Polygon, Segment, Window},
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
@@ -12,7 +12,7 @@ use clipscope::{
         polygons, space, surfaces,
     },
     lesson::Course,
-    text::{Catalog, Lang, Value},
+    text::{Catalog, Lang},
 };
 
 /// Segments that make every method say everything it can say.
@@ -162,144 +162,6 @@ pub fn scenes() -> Vec<Scene> {
     scenes
 }
 
-/// Every text of a view.
-fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
-    let value = |value: &Value| catalog.value(value);
-    match body {
-        Body::Plane(marks) => {
-            let labels = marks.iter().filter_map(|mark| mark.label.as_ref());
-            labels.map(|label| value(&label.text)).collect()
-        }
-        Body::Space(space) => {
-            let labels = space.marks.iter().filter_map(|mark| mark.label.as_ref());
-            let labels = labels.map(|label| &label.text);
-            labels.chain(&space.title).map(value).collect()
-        }
-        Body::Raster(raster) => {
-            let stored = raster
-                .pixels
-                .iter()
-                .filter_map(|pixel| pixel.value.as_ref());
-            stored.chain([&raster.title]).map(value).collect()
-        }
-        Body::Bits(bits) => {
-            let rows = bits.rows.iter().chain(&bits.result);
-            let names = bits.columns.iter().chain(rows.map(|row| &row.name));
-            let note = bits.note.iter().map(|note| catalog.message(note));
-            names.map(value).chain(note).collect()
-        }
-        Body::Table(table) => {
-            let header = table.header.iter().map(|head| catalog.formula(head));
-            let values = table.rows.iter().flat_map(|row| {
-                let cells = row.cells.iter().filter_map(|cell| cell.value.as_ref());
-                std::iter::once(&row.name).chain(cells)
-            });
-            let notes = table.notes.iter().map(|note| catalog.message(&note.text));
-            header.chain(values.map(value)).chain(notes).collect()
-        }
-        Body::Matrix(product) => {
-            let names = product.notes.iter().chain(&product.into);
-            let names = names.chain([&product.name, &product.from]).map(value);
-            let sums = product.rows.iter().filter_map(|row| row.sum.as_ref());
-            let sums = sums.chain(&product.operator);
-            names.chain(sums.map(|sum| catalog.formula(sum))).collect()
-        }
-        Body::Spaces(row) => {
-            let cells = row.cells.iter();
-            let cells = cells.flat_map(|cell| [&cell.name].into_iter().chain(&cell.place));
-            cells.chain(&row.arrows).map(value).collect()
-        }
-        Body::Costs(costs) => costs.names.iter().map(value).collect(),
-        Body::Story(story) => said_in_story(story, catalog),
-        Body::Graph(graph) => said_in_graph(graph, catalog),
-        Body::Lists(lists) => {
-            let entries = lists.lists.iter().flat_map(|list| &list.entries);
-            let values = entries.flat_map(|entry| {
-                let details = entry.details.iter().flatten();
-                std::iter::once(&entry.name).chain(details)
-            });
-            let titles = lists.lists.iter();
-            let titles = titles.flat_map(|list| std::iter::once(&list.title).chain(&list.columns));
-            titles.chain(values).map(value).collect()
-        }
-        Body::Products(products) => said_in_products(products, catalog),
-        Body::NumberLine(line) => line.ticks.iter().map(|tick| value(&tick.name)).collect(),
-        Body::Gauges(gauges) => {
-            let names = gauges.rows.iter().map(|row| value(&row.name));
-            let verdicts = gauges.rows.iter().filter_map(|row| row.verdict.as_ref());
-            let said = verdicts.chain(&gauges.sides).chain([&gauges.title]);
-            names
-                .chain(said.map(|said| catalog.message(said)))
-                .collect()
-        }
-        Body::Ribbon(ribbon) => {
-            let said = ribbon.stages.iter();
-            let said = said.flat_map(|stage| [&stage.title, &stage.counts]);
-            said.map(|said| catalog.message(said)).collect()
-        }
-        Body::Screens(screens) => {
-            let screens = screens.screens.iter();
-            let said = screens.flat_map(|screen| {
-                let labels = screen.marks.iter().filter_map(|mark| mark.label.as_ref());
-                let labels = labels.map(|label| value(&label.text));
-                labels.chain([value(&screen.title), catalog.message(&screen.note)])
-            });
-            said.collect()
-        }
-        Body::Multiples(multiples) => {
-            let drawings = multiples.drawings.iter();
-            let said =
-                drawings.flat_map(|drawing| std::iter::once(&drawing.title).chain(&drawing.note));
-            said.map(value).collect()
-        }
-        Body::Clippers(row) => {
-            let clippers = row.clippers.iter().map(|clipper| &clipper.name);
-            let travellers = row.travellers.iter().map(|traveller| &traveller.name);
-            let names = clippers.chain(travellers).chain([&row.output]);
-            names.map(value).collect()
-        }
-    }
-}
-
-fn said_in_story(story: &Story, catalog: &Catalog) -> Vec<String> {
-    let cards = story.cards.iter();
-    let cards = cards.flat_map(|card| [&card.name, &card.new.1, &card.against, &card.word]);
-    let around = [&story.title, &story.opening.1, &story.held, &story.down];
-    let said = cards.chain(around);
-    said.map(|value| catalog.value(value)).collect()
-}
-
-fn said_in_graph(graph: &Graph, catalog: &Catalog) -> Vec<String> {
-    let nodes = graph.nodes.iter().flat_map(|node| {
-        let beside = node.number.iter().chain(&node.note);
-        std::iter::once(&node.name).chain(beside)
-    });
-    let reasons = graph.arrows.iter();
-    let reasons = reasons.filter_map(|arrow| arrow.reason.as_ref());
-    let names = nodes.chain(reasons).chain(&graph.ring);
-    let said = names.chain([&graph.title]);
-    said.map(|value| catalog.value(value)).collect()
-}
-
-fn said_in_products(products: &Products, catalog: &Catalog) -> Vec<String> {
-    let value = |value: &Value| catalog.value(value);
-    let mut said = Vec::new();
-    for product in &products.products {
-        said.push(value(&product.onto.name));
-        said.push(value(&product.of.name));
-        said.push(catalog.message(&product.decision));
-        said.push(catalog.formula(&product.arithmetic));
-    }
-    if let Some(measured) = &products.measured {
-        said.push(catalog.message(&measured.title));
-        let ends = measured.ends.iter().map(|(name, _)| name);
-        let spans = measured.spans.iter().map(|(_, text, _)| text);
-        let names = std::iter::once(&measured.zero).chain(ends).chain(spans);
-        said.extend(names.map(value));
-    }
-    said
-}
-
 /// The runs of the methods on stage.
 pub fn record(scene: &Scene) -> Vec<(&'static MethodCard, Box<dyn Run>)> {
     let document = scene.document();
@@ -328,7 +190,8 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
                             said.extend(values.chain([&row.name]).map(|v| catalog.value(v)));
                         }
                         for view in &frame.views {
-                            said.extend(said_in(&view.body, catalog));
+                            let of_view = view.body.said().into_iter();
+                            said.extend(of_view.map(|it| it.text(catalog)));
                         }
                         for text in said {
                             assert!(

@@ -130,7 +130,7 @@ fn watched(
     inspected: &Inspected<'_>,
 ) -> Option<Link> {
     let (of, frame, moment) = (inspected.of, inspected.frame, inspected.moment);
-    let (look, lit) = (app.look(), state.lit);
+    let (look, lit) = (app.look_at_step(), state.lit);
     let room = state.watch.of(app.on_stage(), ui, of, scalars);
     if room.height <= 0.0 {
         return None;
@@ -227,7 +227,7 @@ fn lines(app: &App, column: usize) -> Vec<CodeText> {
 }
 
 fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
-    let look = app.look();
+    let look = app.look_at_step();
     let Some(about) = state.asked else { return };
     let verdict = (state.verdicts).of(app.on_stage(), ui, (app.scene(), about));
     let Some(verdict) = verdict else { return };

@@ -5,6 +5,7 @@ use web_time::Instant;
 use crate::{
     figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, needs},
     labs::{Difference, MethodCard, Scene, comparison},
+    text::Notation,
     trace::{Counts, Transport},
 };
 
@@ -30,6 +31,8 @@ pub struct Playback {
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
     together: Option<Frame>,
+    /// How the stage's numbers are written.
+    pub notation: Notation,
     /// Found with the first frames, and kept whatever is dragged; none where they are to be found anew.
     pub eyes: Option<Eyes>,
     /// Another number for every recording.
@@ -71,6 +74,7 @@ impl Playback {
             needs: Vec::new(),
             comparison,
             together: None,
+            notation: Notation::Own,
             eyes: None,
             recording: 0,
             n_slow: 0,
@@ -170,6 +174,7 @@ impl Playback {
         self.eyes = Some(eyes);
         let names: Vec<_> = methods.iter().map(|method| method.name()).collect();
         self.together = comparison.together(&self.frames, &names);
+        self.notation = Notation::of(self.on_stage().iter().flat_map(Frame::said));
     }
 
     /// Finds the eyes anew, for what is shown now.

@@ -54,8 +54,17 @@ impl App {
         }
     }
 
+    /// With the numbers of the step on stage all written alike.
+    pub(super) fn look_at_step(&self) -> Look<'static> {
+        let catalog = self.catalog().alike(self.playback.notation);
+        Look {
+            catalog,
+            ..self.look()
+        }
+    }
+
     pub(super) fn on_stage(&self) -> OnStage<'_> {
-        (&self.playback, self.look())
+        (&self.playback, self.look_at_step())
     }
 
     pub(super) const fn is_presenting(&self) -> bool {

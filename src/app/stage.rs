@@ -56,7 +56,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let composition = Composition {
-        look: app.look(),
+        look: app.look_at_step(),
         spacing: &SPACING,
         methods,
         difference: app.playback.difference,
@@ -115,7 +115,7 @@ fn lay_out(
     let width = composition.column_width(rect);
     let caption = *state.captions.get(app.on_stage(), ui, width, || {
         let said = app.playback.runs().flat_map(sentences);
-        height_for_all(ui.painter(), app.look(), said, width)
+        height_for_all(ui.painter(), composition.look, said, width)
     });
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
@@ -131,7 +131,7 @@ fn lay_out(
     );
     if let Some(eyes) = &playback.eyes {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
-            place_inset(ui, app.look(), places, &frame.views, eyes);
+            place_inset(ui, composition.look, places, &frame.views, eyes);
         }
     }
     let views = layout.columns.iter().flat_map(|column| &column.views);
@@ -243,7 +243,7 @@ impl Column<'_> {
         rect: Rect,
     ) -> CanvasShown {
         let (app, frame, drawing) = (self.app, self.frame, self.drawing);
-        let look = app.look();
+        let look = self.composition.look;
         let space = frame.space();
         let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
         let viewport = state.viewport(drawing, seen_in);

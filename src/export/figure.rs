@@ -12,7 +12,7 @@ use crate::{
     labs::Scene,
     lesson::Lesson,
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Lang, Message, Notation},
     widgets::{
         Bars, Composition, Cost, covered, height_for_all, most_of_a_kind, place_inset, rect_of,
         space, view,
@@ -153,15 +153,6 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let page = Page {
-        picture,
-        look: Look {
-            theme: Theme::of(picture.options.theme),
-            catalog: Catalog::of(picture.options.lang),
-        },
-        album,
-        recorded,
-    };
     let mut columns = recorded.columns(picture.step, picture.asked_in());
     let eyes = recorded.turned(
         &mut columns,
@@ -169,6 +160,16 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
         album.eyes(),
     );
     let columns = recorded.drawn(columns);
+    let notation = Notation::of(columns.iter().flat_map(|column| column.frame.said()));
+    let page = Page {
+        picture,
+        look: Look {
+            theme: Theme::of(picture.options.theme),
+            catalog: Catalog::of(picture.options.lang).alike(notation),
+        },
+        album,
+        recorded,
+    };
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;

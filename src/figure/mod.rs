@@ -13,6 +13,7 @@ mod moment;
 mod project;
 mod role;
 mod run;
+mod said;
 mod small_pictures;
 mod solids;
 mod space;

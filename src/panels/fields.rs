@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use egui::{DragValue, Response, Ui};
 
 use crate::{
-    text::{Catalog, Notation, Value, read_numbers},
+    text::{Catalog, Notation, read_numbers},
     widgets::Look,
 };
 
@@ -43,7 +43,7 @@ pub fn number_field(
 }
 
 fn written(catalog: &Catalog, x: f64) -> String {
-    catalog.value_as(&Value::Number(x), Notation::Decimals)
+    catalog.alike(Notation::Decimals).number(x)
 }
 
 /// One number, as a decimal or a fraction; a comma is a decimal point.

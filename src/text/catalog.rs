@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::resolver::ResolverError;
@@ -13,6 +13,7 @@ use super::lang::Lang;
 use super::message::{Message, Value};
 use super::number::Notation;
 use super::piece::Piece;
+use super::writing::Said;
 
 macro_rules! ftl {
     ($lang:literal, $area:literal) => {
@@ -55,18 +56,47 @@ catalogues!(
 /// One language's messages, parsed once; English for a missing key.
 pub struct Catalog {
     lang: Lang,
-    bundle: FluentBundle<FluentResource>,
+    bundle: Arc<FluentBundle<FluentResource>>,
+    /// How all numbers are written; those of each message among themselves where it is [`Notation::Own`].
+    notation: Notation,
 }
 
 impl Catalog {
     pub fn of(lang: Lang) -> &'static Self {
-        static CATALOGS: [OnceLock<Catalog>; Lang::ALL.len()] =
+        &Self::in_all_notations(lang)[Notation::Own as usize]
+    }
+
+    /// The same messages, with all their numbers written in this way.
+    pub fn alike(&self, notation: Notation) -> &'static Self {
+        &Self::in_all_notations(self.lang)[notation as usize]
+    }
+
+    fn in_all_notations(lang: Lang) -> &'static [Self; Notation::ALL.len()] {
+        static CATALOGS: [OnceLock<[Catalog; Notation::ALL.len()]>; Lang::ALL.len()] =
             [const { OnceLock::new() }; Lang::ALL.len()];
-        CATALOGS[lang as usize].get_or_init(|| Self::parse(lang))
+        CATALOGS[lang as usize].get_or_init(|| {
+            let bundle = Arc::new(parsed(lang));
+            Notation::ALL.map(|notation| Self {
+                lang,
+                bundle: Arc::clone(&bundle),
+                notation,
+            })
+        })
     }
 
     pub fn lang(&self) -> Lang {
         self.lang
+    }
+
+    pub(super) const fn notation(&self) -> Notation {
+        self.notation
+    }
+
+    pub(super) fn notation_of(&self, said: Said<'_>) -> Notation {
+        match self.notation {
+            Notation::Own => Notation::of([said]),
+            set => set,
+        }
     }
 
     /// A missing key is shown as `⟦key⟧` and a missing value as `⟦$name⟧`: no reason to stop a lecture.
@@ -76,11 +106,11 @@ impl Catalog {
 
     /// [`message`](Self::message), to be set: its values are kept whole, and written alike.
     pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
-        let notation = Notation::of(message.args.iter().map(|(_, value)| value));
+        let notation = self.notation_of(Said::Message(message));
         self.message_pieces_as(message, notation)
     }
 
-    pub fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {
+    pub(super) fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {
         let text = self.resolve(message.key, &message.args);
         let mut pieces = Vec::new();
         let mut rest = &text[..];
@@ -113,20 +143,6 @@ impl Catalog {
         KNOWN.get(key).map_or(&[], Vec::as_slice)
     }
 
-    fn parse(lang: Lang) -> Self {
-        let locale = lang.id().parse().unwrap_or_default();
-        let mut bundle = FluentBundle::new_concurrent(vec![locale]);
-        bundle.set_use_isolating(false);
-        for source in sources(lang) {
-            // What does not parse, or is defined twice, is left out here and named by the tests.
-            let resource = match FluentResource::try_new(source.to_owned()) {
-                Ok(resource) | Err((resource, _)) => resource,
-            };
-            let _ = bundle.add_resource(resource);
-        }
-        Self { lang, bundle }
-    }
-
     fn resolve(&self, key: &str, args: &[(&'static str, Value)]) -> String {
         let args: FluentArgs<'_> = args
             .iter()
@@ -144,6 +160,20 @@ impl Catalog {
         let text = self.bundle.format_pattern(pattern, Some(args), &mut errors);
         Some(errors.iter().fold(text.into_owned(), show_error))
     }
+}
+
+fn parsed(lang: Lang) -> FluentBundle<FluentResource> {
+    let locale = lang.id().parse().unwrap_or_default();
+    let mut bundle = FluentBundle::new_concurrent(vec![locale]);
+    bundle.set_use_isolating(false);
+    for source in sources(lang) {
+        // What does not parse, or is defined twice, is left out here and named by the tests.
+        let resource = match FluentResource::try_new(source.to_owned()) {
+            Ok(resource) | Err((resource, _)) => resource,
+        };
+        let _ = bundle.add_resource(resource);
+    }
+    bundle
 }
 
 /// One character of the private use area stands for each value that Fluent need not read: it keeps its parts.

@@ -33,3 +33,4 @@ pub(crate) use nearest::{clipped, nearest, printable, suggestion};
 pub use number::Notation;
 pub use piece::Piece;
 pub use reading::read_numbers;
+pub use writing::Said;

@@ -27,6 +27,8 @@ pub enum Notation {
 }
 
 impl Notation {
+    pub const ALL: [Self; 3] = [Self::Own, Self::Fractions, Self::Decimals];
+
     pub(super) fn of_quantities(numbers: &[Quantity]) -> Self {
         let is = |notation, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(notation));
         let are_mixed = numbers.iter().any(is(Self::Own, Form::is_fraction))

@@ -1,16 +1,16 @@
 //! How values and formulas are written in one language, as pieces to be set or as plain text.
 
 use super::catalog::Catalog;
-use super::message::{Formula, Token, Value};
+use super::message::{Formula, Message, Token, Value};
 use super::number::{self, Notation, Quantity, Written};
 use super::piece::Piece;
 
 impl Catalog {
     pub fn value_pieces(&self, value: &Value) -> Vec<Piece> {
-        self.value_pieces_as(value, Notation::of([value]))
+        self.value_pieces_as(value, self.notation_of(Said::Value(value)))
     }
 
-    pub fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
+    pub(super) fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
         let writer = self.writer(notation);
         match value {
             Value::Count(n) => vec![Piece::Text(n.to_string())],
@@ -25,12 +25,7 @@ impl Catalog {
     }
 
     pub fn formula_pieces(&self, formula: &Formula) -> Vec<Piece> {
-        let mut numbers = Vec::new();
-        collect(formula, &mut numbers);
-        self.formula_pieces_as(formula, Notation::of_quantities(&numbers))
-    }
-
-    pub fn formula_pieces_as(&self, formula: &Formula, notation: Notation) -> Vec<Piece> {
+        let notation = self.notation_of(Said::Formula(formula));
         self.writer(notation).formula(formula)
     }
 
@@ -38,21 +33,13 @@ impl Catalog {
         Piece::plain(&self.value_pieces(value))
     }
 
-    pub fn value_as(&self, value: &Value, notation: Notation) -> String {
-        Piece::plain(&self.value_pieces_as(value, notation))
-    }
-
     pub fn formula(&self, formula: &Formula) -> String {
         Piece::plain(&self.formula_pieces(formula))
     }
 
-    pub fn formula_as(&self, formula: &Formula, notation: Notation) -> String {
-        Piece::plain(&self.formula_pieces_as(formula, notation))
-    }
-
     /// `3/8`, `5/3`; an exact short decimal, `1.5`; else four significant digits, `0.3827`, but all of the integer part.
     pub fn number(&self, x: f64) -> String {
-        let written = Quantity::Number(x).written(self.lang(), Notation::Own);
+        let written = Quantity::Number(x).written(self.lang(), self.notation());
         written.to_string()
     }
 
@@ -80,11 +67,47 @@ impl Catalog {
     }
 }
 
+/// A number that is written with decimals.
+const NO_FRACTION: Quantity = Quantity::Number(std::f64::consts::PI);
+
+/// Something that is written on a picture.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Said<'a> {
+    Value(&'a Value),
+    Message(&'a Message),
+    Formula(&'a Formula),
+    Number(f64),
+    /// Nothing that is seen: what is not whole is a decimal there.
+    Decimals,
+}
+
+impl Said<'_> {
+    pub fn text(self, catalog: &Catalog) -> String {
+        match self {
+            Self::Value(value) => catalog.value(value),
+            Self::Message(message) => catalog.message(message),
+            Self::Formula(formula) => catalog.formula(formula),
+            Self::Number(x) => catalog.number(x),
+            Self::Decimals => String::new(),
+        }
+    }
+
+    fn collect(self, numbers: &mut Vec<Quantity>) {
+        match self {
+            Self::Value(value) => collect_value(value, numbers),
+            Self::Message(message) => collect_message(message, numbers),
+            Self::Formula(formula) => collect(formula, numbers),
+            Self::Number(x) => numbers.push(Quantity::Number(x)),
+            Self::Decimals => numbers.push(NO_FRACTION),
+        }
+    }
+}
+
 impl Notation {
-    pub fn of<'a>(values: impl IntoIterator<Item = &'a Value>) -> Self {
+    pub fn of<'a>(said: impl IntoIterator<Item = Said<'a>>) -> Self {
         let mut numbers = Vec::new();
-        for value in values {
-            collect_value(value, &mut numbers);
+        for said in said {
+            said.collect(&mut numbers);
         }
         Self::of_quantities(&numbers)
     }
@@ -110,12 +133,14 @@ fn collect_value(value: &Value, numbers: &mut Vec<Quantity>) {
         Value::Ratio { num, den } => numbers.push(Quantity::Ratio(*num, *den)),
         Value::Point(p) => numbers.extend(p.map(Quantity::Number)),
         Value::Formula(formula) => collect(formula, numbers),
-        Value::Message(message) => {
-            for (_, value) in &message.args {
-                collect_value(value, numbers);
-            }
-        }
+        Value::Message(message) => collect_message(message, numbers),
         Value::Count(_) | Value::Name(_) | Value::Term(_) => {}
+    }
+}
+
+fn collect_message(message: &Message, numbers: &mut Vec<Quantity>) {
+    for (_, value) in &message.args {
+        collect_value(value, numbers);
     }
 }
 
@@ -123,8 +148,7 @@ fn collect(formula: &Formula, numbers: &mut Vec<Quantity>) {
     for token in &formula.0 {
         match token {
             Token::Sym(_) | Token::Term(_) => {}
-            // A number that has no fraction.
-            Token::Decimals => numbers.push(Quantity::Number(std::f64::consts::PI)),
+            Token::Decimals => numbers.push(NO_FRACTION),
             Token::Number(x) | Token::Operand(x) | Token::Divisor(x) | Token::Equals(x) => {
                 numbers.push(Quantity::Number(*x));
             }

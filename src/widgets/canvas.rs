@@ -247,7 +247,7 @@ fn scale(painter: &Painter, viewport: &Viewport, step: f64, (look, labels): (Loo
     let number = |at: Pos2, align: Align2, x: f64| {
         let (colour, ground) = (look.theme.soft, look.theme.background);
         // Beside each other fractions would mix with decimals.
-        let text = look.catalog.value_as(&x.into(), Notation::Decimals);
+        let text = look.catalog.alike(Notation::Decimals).value(&x.into());
         let text = painter.layout_no_wrap(text, font.clone(), colour);
         let place = align.anchor_size(at, text.size());
         // A number gives way to what the figure says.

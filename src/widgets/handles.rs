@@ -239,7 +239,7 @@ impl Handles<'_> {
     pub fn coordinates(&self, ui: &Ui, canvas: &Response, grid: f64) -> Option<String> {
         let point = |at: [f64; 2]| {
             let catalog = self.look.catalog;
-            catalog.value_as(&at.into(), Notation::Decimals)
+            catalog.alike(Notation::Decimals).value(&at.into())
         };
         if let Some(spot) = self.touched(ui, canvas).and_then(|i| self.spot(i)) {
             return Some(format!("{} {}", spot.name, point(spot.at)));

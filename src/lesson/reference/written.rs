@@ -136,8 +136,8 @@ fn write(value: &Value, form: Form, catalog: &Catalog) -> String {
         _ => None,
     };
     match (form, number) {
-        (Form::Fraction, _) => catalog.value_as(value, Notation::Fractions),
-        (Form::Decimal, _) => catalog.value_as(value, Notation::Decimals),
+        (Form::Fraction, _) => catalog.alike(Notation::Fractions).value(value),
+        (Form::Decimal, _) => catalog.alike(Notation::Decimals).value(value),
         (Form::Places(n), Some(x)) => catalog.rounded(x, n),
         (Form::Grouped, Some(x)) => catalog.grouped(x),
         (Form::Own | Form::Places(_) | Form::Grouped, _) => catalog.value(value),

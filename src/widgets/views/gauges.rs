@@ -27,7 +27,7 @@ const BANDS: f64 = 3.0;
 
 impl OnSlate for Gauges {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        natural.writing(notation(self)).fitted_in(room, |slate| {
+        natural.fitted_in(room, |slate| {
             let [left, right] = columns(slate, self);
             let rows = self.rows.len() as f32 * 0.8 * ROW;
             let width = left + right + slate.pts(LEAST_AXIS);
@@ -49,11 +49,9 @@ impl OnSlate for Gauges {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let notation = notation(self);
         let row = |row: &Gauge| {
             let name = look.catalog.value(&row.name);
-            let value = row.value.map(Value::Number);
-            let value = value.map(|value| look.catalog.value_as(&value, notation));
+            let value = row.value.map(|value| look.catalog.number(value));
             let value = value.as_deref().unwrap_or(UNKNOWN);
             let said = format!("{}{name}: {value}", now(row.role == Role::Signal));
             match &row.verdict {
@@ -67,12 +65,6 @@ impl OnSlate for Gauges {
 }
 
 const UNKNOWN: &str = "–";
-
-fn notation(gauges: &Gauges) -> Notation {
-    let values = gauges.rows.iter().filter_map(|row| row.value);
-    let values: Vec<Value> = values.chain(gauges.band).map(Value::Number).collect();
-    Notation::of(&values)
-}
 
 struct Axes {
     rect: Rect,

@@ -31,7 +31,7 @@ const ASIDE: f32 = 6.0;
 
 impl OnSlate for Graph {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        plan::fitted(natural.writing(Notation::Decimals), self, room)
+        plan::fitted(natural, self, room)
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
@@ -65,7 +65,7 @@ impl OnSlate for Graph {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let said = |value: &Value| look.catalog.value_as(value, Notation::Decimals);
+        let said = |value: &Value| look.catalog.value(value);
         let is_seen = |node: &&GraphNode| node.stage != NodeStage::ToCome;
         let node = |node: &GraphNode| {
             let beside = node.number.iter().chain(&node.note).map(said);

@@ -32,9 +32,8 @@ const LEAST_PART: f32 = 0.34;
 impl OnSlate for MatrixProduct {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let least = LEAST_PART * natural.scale;
-        let slate = natural.writing(Notation::Decimals);
         // All rows have their room from the start.
-        slate.shrunk_to(least, room, |slate| {
+        natural.shrunk_to(least, room, |slate| {
             let columns = Columns::new(slate, self);
             let rows = self.rows.len() as f32;
             let sums = self.rows.iter().filter_map(|row| {
@@ -96,7 +95,7 @@ impl OnSlate for MatrixProduct {
     fn spoken(&self, look: Look<'_>) -> String {
         let row = |row: &MatrixRow| {
             let sum = row.sum.as_ref()?;
-            let sum = look.catalog.formula_as(sum, Notation::Decimals);
+            let sum = look.catalog.formula(sum);
             Some(format!("{}{sum}", now(row.is_current)))
         };
         let rows = joined(self.rows.iter().filter_map(row), "; ");

@@ -32,9 +32,7 @@ const OFF: f32 = 10.0;
 
 impl OnSlate for NumberLine {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        natural
-            .writing(notation(self))
-            .fitted_in(room, |slate| vec2(0.75 * room.x, slate.pts(ABOVE + BELOW)))
+        natural.fitted_in(room, |slate| vec2(0.75 * room.x, slate.pts(ABOVE + BELOW)))
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
@@ -44,8 +42,7 @@ impl OnSlate for NumberLine {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let notation = notation(self);
-        let said = |value: &Formula| look.catalog.formula_as(value, notation);
+        let said = |value: &Formula| look.catalog.formula(value);
         let [low, high] = [0, 1].map(|i| said(&self.values[i]));
         let symbol = self.symbol;
         let bounds = format!("{symbol}_min = {low}, {symbol}_max = {high}");
@@ -67,14 +64,6 @@ impl OnSlate for NumberLine {
         });
         joined(std::iter::once(bounds).chain(empty).chain(ticks), "; ")
     }
-}
-
-/// Bounds and crossings are compared: all of them are fractions, or all decimals.
-fn notation(line: &NumberLine) -> Notation {
-    let crossings = line.ticks.iter().map(|tick| &tick.value);
-    let values = line.values.iter().chain(crossings).cloned();
-    let values: Vec<Value> = values.map(Value::Formula).collect();
-    Notation::of(&values)
 }
 
 struct Axis<'l> {

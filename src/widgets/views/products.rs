@@ -37,7 +37,7 @@ const MOST_WIDTH: f32 = 380.0;
 
 impl OnSlate for Products {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        natural.writing(notation(self)).fitted_in(room, |slate| {
+        natural.fitted_in(room, |slate| {
             let aside = slate.pts(WIDTH + ASIDE);
             let widths = self.products.iter().map(|product| {
                 let [decision, arithmetic] = words(slate, product, room.x - aside, false);
@@ -79,27 +79,15 @@ impl OnSlate for Products {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let notation = notation(self);
         let product = |product: &Product| {
             let decision = look.catalog.message(&product.decision);
-            let arithmetic = look.catalog.formula_as(&product.arithmetic, notation);
+            let arithmetic = look.catalog.formula(&product.arithmetic);
             format!("{}{decision} {arithmetic}", now(product.is_current))
         };
         let measured = self.measured.iter();
-        let measured = measured.map(|measured| spoken(look, measured, notation));
+        let measured = measured.map(|measured| spoken(look, measured));
         joined(self.products.iter().map(product).chain(measured), "; ")
     }
-}
-
-/// The same coordinates and lengths come several times: all numbers are fractions, or all decimals.
-fn notation(products: &Products) -> Notation {
-    let arithmetic = products.products.iter().map(|product| &product.arithmetic);
-    let mut values: Vec<Value> = arithmetic.cloned().map(Value::Formula).collect();
-    if let Some(measured) = &products.measured {
-        values.extend(measured.ends.iter().map(|(_, at)| Value::Number(*at)));
-        values.extend(measured.spans.iter().map(|(_, value, _)| value.clone()));
-    }
-    Notation::of(&values)
 }
 
 fn n_kept(products: &Products) -> f32 {
@@ -285,8 +273,8 @@ fn length(
 }
 
 /// `Measured along n, from the edge: P₁ −9, P₂ 18; 9; n·D = 27`.
-fn spoken(look: Look<'_>, measured: &Measured, notation: Notation) -> String {
-    let said = |value: &Value| look.catalog.value_as(value, notation);
+fn spoken(look: Look<'_>, measured: &Measured) -> String {
+    let said = |value: &Value| look.catalog.value(value);
     let ends = measured.ends.iter();
     let ends = ends.map(|(name, at)| format!("{} {}", said(name), said(&Value::Number(*at))));
     let spans = measured.spans.iter().map(|(_, value, _)| said(value));

@@ -37,8 +37,6 @@ pub struct Slate<'a> {
     pub painter: &'a Painter,
     pub look: Look<'a>,
     pub scale: f32,
-    /// How the numbers of the view are written; else those of a value suit each other.
-    notation: Option<Notation>,
     pub texts: Vec<Rect>,
     pub strokes: Vec<[Pos2; 2]>,
 }
@@ -49,15 +47,9 @@ impl<'a> Slate<'a> {
             painter,
             look,
             scale: look.theme.text_scale,
-            notation: None,
             texts: Vec::new(),
             strokes: Vec::new(),
         }
-    }
-
-    pub fn writing(self, notation: Notation) -> Self {
-        let notation = Some(notation);
-        Self { notation, ..self }
     }
 
     /// As large as `room` lets it be, and never larger than other text; `wanted` is what a slate of some scale needs.
@@ -97,27 +89,17 @@ impl<'a> Slate<'a> {
         FontId::new(self.pts(size), family)
     }
 
-    fn pieces(&self, value: &Value) -> Vec<Piece> {
-        let notation = self.notation.unwrap_or_else(|| Notation::of([value]));
-        self.look.catalog.value_pieces_as(value, notation)
-    }
-
     fn set(&self, pieces: Vec<Piece>, (face, size, colour): Style) -> Typeset {
         let span = Span::upright(pieces, self.font(face, size), colour);
         Typeset::line(self.painter, &[span])
     }
 
     pub fn value(&self, value: &Value, style: Style) -> Typeset {
-        self.set(self.pieces(value), style)
+        self.set(self.look.catalog.value_pieces(value), style)
     }
 
     pub fn formula(&self, formula: &Formula, style: Style) -> Typeset {
-        let catalog = self.look.catalog;
-        let pieces = match self.notation {
-            Some(notation) => catalog.formula_pieces_as(formula, notation),
-            None => catalog.formula_pieces(formula),
-        };
-        self.set(pieces, style)
+        self.set(self.look.catalog.formula_pieces(formula), style)
     }
 
     pub fn words(&self, words: impl AsRef<str>, (face, size, colour): Style) -> Typeset {
@@ -125,7 +107,7 @@ impl<'a> Slate<'a> {
     }
 
     pub fn low(&self, value: &Value, style: Style) -> Typeset {
-        self.words(Piece::plain(&self.pieces(value)), style)
+        self.words(self.look.catalog.value(value), style)
     }
 
     pub fn width(&self, value: &Value, face: Face, size: f32) -> f32 {
@@ -134,11 +116,7 @@ impl<'a> Slate<'a> {
     }
 
     pub fn sentence(&self, message: &Message, width: f32, (face, size, colour): Style) -> Typeset {
-        let catalog = self.look.catalog;
-        let pieces = match self.notation {
-            Some(notation) => catalog.message_pieces_as(message, notation),
-            None => catalog.message_pieces(message),
-        };
+        let pieces = self.look.catalog.message_pieces(message);
         let span = Span::upright(pieces, self.font(face, size), colour);
         Typeset::wrapped(self.painter, &[span], width)
     }

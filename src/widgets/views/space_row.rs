@@ -27,8 +27,7 @@ const PALE: f32 = 0.4;
 
 impl OnSlate for SpaceRow {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        let slate = natural.writing(Notation::Decimals);
-        slate.fitted_in(room, |slate| {
+        natural.fitted_in(room, |slate| {
             let n = self.cells.len() as f32;
             let places = self.cells.iter().filter_map(|cell| cell.place.as_ref());
             let widest = places.map(|place| slate.width(place, Face::Mono, PLACE_PTS));
@@ -64,7 +63,7 @@ impl OnSlate for SpaceRow {
         let cell = |cell: &SpaceCell| {
             let arrow = now(cell.stage == CellStage::Current);
             let place = cell.place.iter();
-            let place = place.map(|place| look.catalog.value_as(place, Notation::Decimals));
+            let place = place.map(|place| look.catalog.value(place));
             let name = std::iter::once(look.catalog.value(&cell.name));
             format!("{arrow}{}", joined(name.chain(place), " "))
         };

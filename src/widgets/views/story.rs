@@ -25,7 +25,6 @@ const FOLD_BELOW: f32 = 0.8;
 
 impl OnSlate for Story {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        let slate = natural.writing(Notation::Decimals);
         let wanted = |slate: &Slate<'_>, most: usize| {
             let n = self.cards.len().clamp(1, most) as f32;
             let card = card_size(slate, self);
@@ -34,8 +33,8 @@ impl OnSlate for Story {
             vec2(wide, titles + card.y + slate.pts(GAP + STAIRS[0]))
         };
         // Cards are folded before their text becomes too small.
-        let least = FOLD_BELOW.max(LEAST_SCALE * slate.scale);
-        let slate = slate.shrunk_to(least, room, |slate| wanted(slate, MOST_CARDS));
+        let least = FOLD_BELOW.max(LEAST_SCALE * natural.scale);
+        let slate = natural.shrunk_to(least, room, |slate| wanted(slate, MOST_CARDS));
         slate.fitted_in(room, |slate| wanted(slate, 2))
     }
 
@@ -63,7 +62,7 @@ impl OnSlate for Story {
     }
 
     fn spoken(&self, look: Look<'_>) -> String {
-        let said = |value: &Value| look.catalog.value_as(value, Notation::Decimals);
+        let said = |value: &Value| look.catalog.value(value);
         let has_come = |card: &&StoryCard| card.stage != CellStage::ToCome;
         let card = |card: &StoryCard| {
             let arrow = now(card.stage == CellStage::Current);

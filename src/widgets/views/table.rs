@@ -4,7 +4,7 @@
 
 use crate::{
     figure::{Table, TableRow},
-    text::{Piece, Token},
+    text::Token,
 };
 
 use super::prelude::*;
@@ -18,14 +18,6 @@ const AIR: [f32; 2] = [1.0, 7.0];
 const NOTE_GAP: f32 = 14.0;
 const LEAST_ROWS: usize = 3;
 const FOLD_BELOW: f32 = 0.8;
-
-/// Numbers in a column, and in its neighbours, are compared: all of them are fractions, or all decimals.
-fn notation(table: &Table) -> Notation {
-    let cells = table.rows.iter().flat_map(|row| &row.cells);
-    let notes = table.notes.iter().flat_map(|note| &note.text.args);
-    let cells = cells.filter_map(|cell| cell.value.as_ref());
-    Notation::of(cells.chain(notes.map(|(_, value)| value)))
-}
 
 struct Column {
     width: f32,
@@ -116,7 +108,7 @@ impl OnSlate for Table {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let fold_below = FOLD_BELOW * natural.scale;
         let plan_of = |slate: &Slate<'_>| Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
-        let slate = natural.writing(notation(self)).fitted_in(room, |slate| {
+        let slate = natural.fitted_in(room, |slate| {
             let plan = plan_of(slate);
             let row = plan.row + 2.0 * slate.pts(AIR[0]);
             let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
@@ -175,8 +167,7 @@ impl OnSlate for Table {
 
     /// `edge, p, q; → left: p = −8, q = −3; …`.
     fn spoken(&self, look: Look<'_>) -> String {
-        let notation = notation(self);
-        let said = |value: &Value| look.catalog.value_as(value, notation);
+        let said = |value: &Value| look.catalog.value(value);
         let titles = self.header.iter().map(|title| look.catalog.formula(title));
         let titles: Vec<String> = titles.collect();
         let row = |row: &TableRow| {
@@ -194,8 +185,7 @@ impl OnSlate for Table {
             format!("{arrow}{name} {}", joined(cells, ", "))
         };
         let notes = self.notes.iter().filter(|note| note.applies);
-        let notes = notes.map(|note| look.catalog.message_pieces_as(&note.text, notation));
-        let notes = notes.map(|pieces| Piece::plain(&pieces));
+        let notes = notes.map(|note| look.catalog.message(&note.text));
         joined(self.rows.iter().map(row).chain(notes), "; ")
     }
 }

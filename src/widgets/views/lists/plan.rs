@@ -207,7 +207,7 @@ pub fn fitted<'a>(natural: Slate<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
     let is_few = n_rows <= FEW;
     let fold_below = if is_few { FOLD_FEW_BELOW } else { FOLD_BELOW };
     let details = details_of(natural.look, lists);
-    let slate = natural.fitted_in(room, |slate| {
+    natural.fitted_in(room, |slate| {
         let around = over(slate, lists) + under(slate, lists);
         let height = |n_rows: usize| around + slate.pts(STEPS[0]) * n_rows as f32;
         let is_large = slate.scale > fold_below;
@@ -224,14 +224,7 @@ pub fn fitted<'a>(natural: Slate<'a>, room: Vec2, lists: &Lists) -> Slate<'a> {
         let n_details = if is_large { usize::MAX } else { 0 };
         let widths = widths(slate, lists, &details, n_details);
         vec2(width(slate, lists, &widths), height(n_seen))
-    });
-    slate.writing(notation(lists))
-}
-
-/// What is said of names stands under each other, and is compared.
-pub fn notation(lists: &Lists) -> Notation {
-    let entries = lists.lists.iter().flat_map(|list| &list.entries);
-    Notation::of(entries.flat_map(|entry| entry.details.iter().flatten()))
+    })
 }
 
 fn over(slate: &Slate<'_>, lists: &Lists) -> f32 {
@@ -288,8 +281,7 @@ fn width(slate: &Slate<'_>, lists: &Lists, widths: &[Widths]) -> f32 {
 
 /// The columns of details of each list, in words: said once, measured at every scale.
 fn details_of(look: Look<'_>, lists: &Lists) -> Vec<Vec<Vec<String>>> {
-    let notation = notation(lists);
-    let said = |detail: &Value| look.catalog.value_as(detail, notation);
+    let said = |detail: &Value| look.catalog.value(detail);
     let of_list = |list: &ListColumn| {
         let n_own = list.entries.iter().map(|entry| entry.details.len()).max();
         let column = |nth: usize| {
