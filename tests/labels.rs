@@ -5,7 +5,7 @@ use clipscope::{
     figure::{Mark, Shape},
     labs::Scene,
     lesson::Course,
-    paint::{Headless, Look, Obstacle, Placed, ThemeKind, Viewport},
+    paint::{Around, Headless, Look, Obstacle, Placed, ThemeKind, Viewport},
     text::{Catalog, Lang},
 };
 use egui::{Pos2, Rect, Vec2, vec2};
@@ -93,7 +93,11 @@ fn place(
     let mut found = (Vec::new(), Vec::new());
     table.draw(size, 1.0, |ui| {
         let catalog = Catalog::of(Lang::En);
-        found = Look { theme, catalog }.arrange(ui.painter(), &viewport, marks, before);
+        let around = Around {
+            before,
+            ..Around::default()
+        };
+        found = Look { theme, catalog }.arrange(ui.painter(), &viewport, marks, around);
     });
     found
 }

@@ -57,7 +57,7 @@ fn a_cross_says_not_so() {
                         assert_eq!(at[axis].fract(), 0.0, "{method}, step {k}: on no edge");
                         assert_eq!(at[1 - axis].fract(), 0.5, "{method}, step {k}");
                     }
-                    RasterShape::Line(_) | RasterShape::Dot(_) => {}
+                    RasterShape::Line(_) | RasterShape::Dot(_) | RasterShape::Hatch(_) => {}
                 }
             }
         }

@@ -173,7 +173,8 @@ impl Playback {
         }
         self.eyes = Some(eyes);
         let names: Vec<_> = methods.iter().map(|method| method.name()).collect();
-        self.together = comparison.together(&self.frames, &names);
+        let at_end = self.steps().iter().all(|[step, n_steps]| step == n_steps);
+        self.together = comparison.together(&self.frames, &names, at_end);
         self.notation = Notation::of(self.on_stage().iter().flat_map(Frame::said));
     }
 

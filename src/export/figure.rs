@@ -149,27 +149,10 @@ fn album<'a>(last: &'a mut Option<Album>, picture: &Picture<'_>) -> &'a Album {
 }
 
 fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
-    let recorded = album.recorded(picture.scene);
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let mut columns = recorded.columns(picture.step, picture.asked_in());
-    let eyes = recorded.turned(
-        &mut columns,
-        picture.options.steps == Steps::All,
-        album.eyes(),
-    );
-    let columns = recorded.drawn(columns);
-    let notation = Notation::of(columns.iter().flat_map(|column| column.frame.said()));
-    let page = Page {
-        picture,
-        look: Look {
-            theme: Theme::of(picture.options.theme),
-            catalog: Catalog::of(picture.options.lang).alike(notation),
-        },
-        album,
-        recorded,
-    };
+    let (page, columns, eyes) = Page::of(album, picture);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
@@ -178,7 +161,7 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
             layout = page.show(ui, &columns, &eyes);
         });
         let may_grow = columns.len() == 1 && !page.look.theme.has_large_text();
-        let lost = lost(&recorded.needs, &layout);
+        let lost = lost(&page.recorded.needs, &layout);
         if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
             return (image, lost);
         }
@@ -203,7 +186,30 @@ struct Page<'a> {
     recorded: &'a Recorded,
 }
 
-impl Page<'_> {
+impl<'a> Page<'a> {
+    /// With what is drawn on it, as the eyes that are found for it see it.
+    fn of(album: &'a Album, picture: &'a Picture<'a>) -> (Self, Vec<Column>, Eyes) {
+        let recorded = album.recorded(picture.scene);
+        let mut columns = recorded.columns(picture.step, picture.asked_in());
+        let eyes = recorded.turned(
+            &mut columns,
+            picture.options.steps == Steps::All,
+            album.eyes(),
+        );
+        let columns = recorded.drawn(columns);
+        let notation = Notation::of(columns.iter().flat_map(|column| column.frame.said()));
+        let page = Page {
+            picture,
+            look: Look {
+                theme: Theme::of(picture.options.theme),
+                catalog: Catalog::of(picture.options.lang).alike(notation),
+            },
+            album,
+            recorded,
+        };
+        (page, columns, eyes)
+    }
+
     /// Draws it, and says where everything stands.
     fn show(&self, ui: &mut Ui, columns: &[Column], eyes: &Eyes) -> Layout {
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));

@@ -6,13 +6,17 @@
 use super::{
     extent::{Need, Stand},
     frame::Frame,
-    mark::Mark,
+    mark::{Mark, Shape},
+    role::Role,
     run::Run,
+    small_pictures::{Raster, RasterMark, RasterShape},
     space::Seer,
     values::Costs,
     view::{Body, View, ViewId},
 };
 use crate::{text::Value, trace::Counts};
+
+type Outline = Vec<[f64; 2]>;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Comparison {
@@ -104,12 +108,25 @@ impl Comparison {
         needs.iter().map(different).collect()
     }
 
-    /// The one frame of all methods, of these names; none where each is drawn by itself.
-    pub fn together(self, frames: &[Frame], names: &[Value]) -> Option<Frame> {
-        match (self, frames) {
-            (Self::Same, [first, others @ ..]) => Some(together(first, others, names)),
-            _ => None,
+    /// The one frame of all methods, of these names; none where each is drawn by itself. What they do not agree about when
+    /// all have come to their end is hatched.
+    pub fn together(self, frames: &[Frame], names: &[Value], at_end: bool) -> Option<Frame> {
+        let (Self::Same, [first, others @ ..]) = (self, frames) else {
+            return None;
+        };
+        let mut frame = together(first, others, names);
+        if at_end {
+            for view in &mut frame.views {
+                let bodies = frames.iter().filter_map(|frame| frame.body(view.id));
+                let bodies: Vec<&Body> = bodies.collect();
+                match &mut view.body {
+                    Body::Plane(marks) => marks.extend(unlike_areas(&bodies)),
+                    Body::Raster(raster) => raster.over.extend(unlike_pixels(&bodies)),
+                    _ => {}
+                }
+            }
         }
+        Some(frame)
     }
 }
 
@@ -134,6 +151,46 @@ fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
         }
     }
     frame
+}
+
+/// What some methods fill and others do not.
+fn unlike_areas(bodies: &[&Body]) -> Option<Mark> {
+    let filled = |body: &&Body| match body {
+        Body::Plane(marks) => {
+            let areas = marks.iter().filter_map(|mark| match &mark.shape {
+                Shape::Area(outlines) | Shape::Fill(outlines) => Some(outlines),
+                _ => None,
+            });
+            areas.cloned().collect()
+        }
+        _ => Vec::new(),
+    };
+    let filled: Vec<Vec<Vec<Outline>>> = bodies.iter().map(filled).collect();
+    let is_everywhere = |area: &&Vec<Outline>| filled.iter().all(|areas| areas.contains(area));
+    let unlike = filled.iter().flatten().filter(|area| !is_everywhere(area));
+    let outlines: Vec<Outline> = unlike.flatten().cloned().collect();
+    (!outlines.is_empty()).then(|| Mark::new(Role::Signal, Shape::Hatch(outlines)))
+}
+
+/// The pixels in which not all methods have the same.
+fn unlike_pixels(bodies: &[&Body]) -> Vec<RasterMark> {
+    let rasters = bodies.iter().filter_map(|body| match body {
+        Body::Raster(raster) => Some(raster),
+        _ => None,
+    });
+    let rasters: Vec<&Raster> = rasters.collect();
+    let [first, others @ ..] = &rasters[..] else {
+        return Vec::new();
+    };
+    let pixels = first.pixels.iter().enumerate();
+    let unlike =
+        pixels.filter(|&(i, pixel)| others.iter().any(|it| it.pixels.get(i) != Some(pixel)));
+    let place = |i: usize| [i % first.size[0], i / first.size[0]].map(|at| at as f64);
+    let mark = |(i, _)| RasterMark {
+        role: Role::Signal,
+        shape: RasterShape::Hatch(place(i)),
+    };
+    unlike.map(mark).collect()
 }
 
 /// What has the same shape is one thing, however it is named.

@@ -21,6 +21,8 @@ pub enum Shape {
     Ray([[f64; 2]; 2]),
     Area(Vec<Vec<[f64; 2]>>),
     Fill(Vec<Vec<[f64; 2]>>),
+    /// Strokes across what an odd number of outlines goes round: what is not agreed about.
+    Hatch(Vec<Vec<[f64; 2]>>),
     Outline(Vec<[f64; 2]>),
     Path(Vec<[f64; 2]>),
     /// What is to the left of a → b, shaded, and the line. Its label stands on the other side, unless it says otherwise.

@@ -146,6 +146,8 @@ pub enum RasterShape {
     Ring([f64; 2]),
     /// What is not so: another surface is in front there.
     Cross([f64; 2]),
+    /// Over the whole pixel: it is not agreed about.
+    Hatch([f64; 2]),
     /// A place on an edge between two pixels, by a short stroke along this axis, across that edge.
     Tick([f64; 2], usize),
 }

@@ -5,6 +5,7 @@ mod checker;
 mod cpu;
 mod cut;
 pub mod fonts;
+mod hatch;
 mod headless;
 mod labels;
 mod layers;
@@ -27,6 +28,7 @@ mod tests;
 
 pub use cpu::{CpuPainter, Image};
 pub use cut::crosses;
+pub use hatch::hatched;
 pub use headless::Headless;
 pub use labels::{Around, Obstacle, Placed};
 pub use parts::{Part, parts};

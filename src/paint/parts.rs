@@ -7,7 +7,10 @@ use crate::{
     geom::Axis,
 };
 
-use super::Viewport;
+use super::{
+    Viewport,
+    hatch::{self, hatched},
+};
 
 pub const HEAD: f32 = 9.0;
 
@@ -82,6 +85,11 @@ pub fn parts<'a>(viewport: &Viewport, shape: &'a Shape) -> Vec<Part<'a>> {
             std::iter::once(Part::Fill(outlines)).chain(rings).collect()
         }
         Shape::Fill(outlines) => vec![Part::Fill(outlines)],
+        Shape::Hatch(outlines) => {
+            let outlines: Vec<_> = outlines.iter().map(|outline| all(outline)).collect();
+            let strokes = hatched(&outlines, viewport.rect, hatch::GAP).into_iter();
+            strokes.map(|ends| Part::Stroke(ends.to_vec())).collect()
+        }
         Shape::Outline(outline) => vec![Part::Ring(all(outline))],
         Shape::Path(points) => vec![Part::Stroke(all(points))],
         Shape::HalfPlane([a, b]) => {

@@ -122,7 +122,7 @@ fn width(mark: &Mark) -> f32 {
         return 1.0;
     }
     match &mark.shape {
-        Shape::Angle(_) | Shape::RightAngle(_) => 1.25,
+        Shape::Angle(_) | Shape::RightAngle(_) | Shape::Hatch(_) => 1.25,
         Shape::Segment(_) if role != Role::Soft => 3.0,
         Shape::Path(_) if is_living || mark.is_dashed => 3.0,
         Shape::Arrow(_) => 2.5,

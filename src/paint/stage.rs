@@ -66,14 +66,9 @@ impl Look<'_> {
         painter: &Painter,
         viewport: &Viewport,
         marks: &[Mark],
-        before: &[Placed],
+        around: Around<'_>,
     ) -> (Vec<Placed>, Vec<Obstacle>) {
         let pieces = drawn(viewport, self.theme, marks, None);
-        let around = Around {
-            before,
-            covered: &[],
-            fades: false,
-        };
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
         (labels.placed, labels.obstacles)
     }

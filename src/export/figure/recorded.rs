@@ -91,7 +91,9 @@ impl Recorded {
     pub fn drawn(&self, mut columns: Vec<Column>) -> Vec<Column> {
         let frames: Vec<Frame> = columns.iter().map(|column| column.frame.clone()).collect();
         let names: Vec<_> = columns.iter().map(|column| column.method.name()).collect();
-        if let Some(frame) = self.comparison.together(&frames, &names) {
+        if let Some(frame) =
+            (self.comparison).together(&frames, &names, columns.iter().all(Column::at_end))
+        {
             columns.truncate(1);
             columns[0].frame = frame;
         }

@@ -38,7 +38,7 @@ impl Anchor {
             | Shape::HalfPlane(_)
             | Shape::Outline(_)
             | Shape::Path(_) => Self::along(&parts, stage),
-            Shape::Area(outlines) | Shape::Fill(outlines) => {
+            Shape::Area(outlines) | Shape::Fill(outlines) | Shape::Hatch(outlines) => {
                 let on_screen = outlines.iter().map(|it| viewport.all_to_screen(it));
                 Some(Self::Within(on_screen.collect()))
             }

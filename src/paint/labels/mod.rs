@@ -31,7 +31,7 @@ const PLATE: Vec2 = vec2(3.0, 1.0);
 const UNSEEN: f32 = 1_000.0;
 const WRONG: f32 = 100_000.0;
 /// What it costs to stand nearer to another point's marker than to its own: it would seem to be that one's name.
-const AMBIGUOUS: f32 = 14.0;
+const AMBIGUOUS: f32 = 60.0;
 /// How much better than the place that it had another has to be: no label hops for the sake of a neighbour's.
 const STAY: f32 = 40.0;
 const SAME_PLACE: f32 = 2.0;

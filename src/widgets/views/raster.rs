@@ -1,6 +1,9 @@
 //! A raster in large pixels: squares with what is stored in them, the current one ringed.
 
-use crate::figure::{Raster, RasterMark, RasterShape};
+use crate::{
+    figure::{Raster, RasterMark, RasterShape},
+    paint::hatched,
+};
 
 use super::{
     prelude::*,
@@ -229,6 +232,14 @@ impl<'r> Pixels<'r> {
                 let half = [vec2(1.0, 0.0), vec2(0.0, 1.0)][axis] * slate.pts(ARM);
                 let at = self.place(at);
                 cased(slate, [at - half, at + half], 2.0, ink);
+            }
+            RasterShape::Hatch([x, y]) => {
+                let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+                let corners = corners.map(|[right, down]| self.place([x + right, y + down]));
+                let strokes = hatched(&[corners.to_vec()], Rect::EVERYTHING, slate.pts(ARM));
+                for ends in strokes {
+                    slate.painter.line_segment(ends, slate.stroke(1.25, ink));
+                }
             }
             RasterShape::Cross([x, y]) if self.is_written(slate, [x, y]) => {
                 let at = self.place([x + ASIDE[0], y + ASIDE[1]]);

@@ -1,5 +1,7 @@
 //! Every view of every figure of the course has room, and says all it has to say.
 
+mod labels;
+
 use crate::{
     export::jobs,
     figure::{Lens, Seer, judged},
@@ -92,19 +94,8 @@ fn laid_out(
 ) {
     let Studio { table, last } = studio;
     let album = album(last, picture);
-    let recorded = album.recorded(picture.scene);
-    let mut columns = recorded.columns(picture.step, picture.asked_in());
-    let eyes = recorded.turned(&mut columns, false, album.eyes());
-    let look = Look {
-        theme: table.theme(),
-        catalog: Catalog::of(picture.options.lang),
-    };
-    let page = Page {
-        picture,
-        look,
-        album,
-        recorded,
-    };
+    let (page, columns, eyes) = Page::of(album, picture);
+    let look = page.look;
     table.draw(Vec2::from(PAGE_PTS), 1.0, |ui| {
         let layout = page.show(ui, &columns, &eyes);
         look_at(ui, look, &columns, &layout);
