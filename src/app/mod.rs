@@ -72,7 +72,7 @@ use std::{cell::RefCell, collections::BTreeMap};
 use egui::Vec2;
 use web_time::Instant;
 
-use crate::{lesson::SceneFormats, panels};
+use crate::{lesson::SceneFormats, panels, widgets::Album};
 
 use bookmark::Bookmark;
 use desk::Desk;
@@ -110,6 +110,8 @@ pub struct App {
     history: History<Scene>,
     file: Option<String>,
     playback: Playback,
+    /// The scenes of the open lesson, which are shown alike.
+    album: Option<Album>,
     stage: stage_state::StageState,
     kit: Kit,
     shown: Shown,
@@ -181,6 +183,7 @@ impl App {
             file: None,
             settings,
             playback: Playback::record(&scene, 0),
+            album: None,
             stage: stage_state::StageState::new(bookmark.bounds_of(&scene)),
             bookmark,
             history: History::new(scene),
@@ -272,8 +275,10 @@ impl App {
         if self.playback.is_late && !is_dragging {
             self.playback.rerecord(self.history.now());
         }
+        self.take_up_lesson();
         let scene = self.history.now();
-        self.playback.prepare(scene, self.stage.bounds());
+        let album = self.album.as_ref();
+        self.playback.prepare(scene, self.stage.bounds(), album);
 
         self.install_theme(ui);
         self.name_window(&ctx);

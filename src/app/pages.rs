@@ -1,6 +1,9 @@
 //! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
 
-use crate::lesson::Block;
+use crate::{
+    lesson::Block,
+    widgets::{Album, Medium},
+};
 
 use super::{
     App,
@@ -75,6 +78,22 @@ impl App {
             file: std::mem::replace(&mut self.file, work.file),
             ..work
         }
+    }
+
+    /// Records the scenes of the open lesson, when one of its steps is opened.
+    pub(super) fn take_up_lesson(&mut self) {
+        if !self.playback.needs.is_empty() {
+            return;
+        }
+        let opened = self.bookmark.step().zip(self.bookmark.lesson());
+        let Some((step, lesson)) = opened else {
+            self.album = None;
+            return;
+        };
+        let known = self.album.take();
+        let known = known.filter(|album| album.holds(&step.scene, Some(lesson)));
+        let new = || Album::new(&step.scene, Some(lesson), Medium::Window);
+        self.album = Some(known.unwrap_or_else(new));
     }
 
     /// The open page's own scene, and where its run stands at first.

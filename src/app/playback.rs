@@ -3,10 +3,13 @@
 use web_time::Instant;
 
 use crate::{
-    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, needs},
+    figure::{
+        Caption, Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, needs, notation, said,
+    },
     labs::{Difference, MethodCard, Scene, comparison},
     text::Notation,
     trace::{Counts, Transport},
+    widgets::Album,
 };
 
 /// One run, or several side by side; with the frames of the present step.
@@ -31,8 +34,8 @@ pub struct Playback {
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
     together: Option<Frame>,
-    /// How the stage's numbers are written.
-    pub notation: Notation,
+    /// How numbers are written: those of the whole run, and those of the present step.
+    notations: [Notation; 2],
     /// Found with the first frames, and kept whatever is dragged; none where they are to be found anew.
     pub eyes: Option<Eyes>,
     /// Another number for every recording.
@@ -74,7 +77,7 @@ impl Playback {
             needs: Vec::new(),
             comparison,
             together: None,
-            notation: Notation::Own,
+            notations: [Notation::Own; 2],
             eyes: None,
             recording: 0,
             n_slow: 0,
@@ -135,8 +138,9 @@ impl Playback {
         }
     }
 
-    /// Makes the frames of the present step, unless they are there already, of which these bounds of the plane are to be seen.
-    pub fn prepare(&mut self, scene: &Scene, bounds: [[f64; 2]; 2]) {
+    /// Makes the frames of the present step, unless they are there already, of which these bounds of the plane are to be seen;
+    /// where the scene is in an `album`, as the others in that are seen.
+    pub fn prepare(&mut self, scene: &Scene, bounds: [[f64; 2]; 2], album: Option<&Album>) {
         let position = self.transport.position();
         if self.framed_at == Some(position) {
             return;
@@ -151,22 +155,24 @@ impl Playback {
             self.comparison = (ids, Comparison::Apart);
         }
         let comparison = self.comparison.1;
+        let is_new = self.needs.is_empty() || self.eyes.is_none();
+        let known = album.filter(|_| is_new).and_then(|album| album.find(scene));
+        let known = known.filter(|known| known.comparison == comparison);
         let mut prospect = Prospect::default();
         if self.needs.is_empty() {
-            let is_found = self.eyes.is_some();
-            let mut look = |views: &[View]| {
-                if !is_found {
-                    prospect.add(views);
+            self.needs = match known {
+                Some(known) => {
+                    self.notations[0] = known.notation;
+                    known.needs.clone()
                 }
+                None => comparison.needs(&self.wanted(bounds, &mut prospect)),
             };
-            let needs = |run| needs(run, bounds, &mut look);
-            let wanted: Vec<_> = self.runs().map(needs).collect();
-            self.needs = comparison.needs(&wanted);
         }
         let eyes = self.eyes.take().unwrap_or_else(|| {
             let views = self.frames.iter().map(|frame| &frame.views[..]);
             let views: Vec<&[View]> = views.collect();
-            prospect.eyes(&views, views.len(), None)
+            let prospect = known.map_or(&prospect, |known| &known.prospect);
+            prospect.eyes(&views, views.len(), known.and(album).map(Album::eyes))
         });
         for frame in &mut self.frames {
             eyes.turn(&mut frame.views);
@@ -175,13 +181,33 @@ impl Playback {
         let names: Vec<_> = methods.iter().map(|method| method.name()).collect();
         let at_end = self.steps().iter().all(|[step, n_steps]| step == n_steps);
         self.together = comparison.together(&self.frames, &names, at_end);
-        self.notation = Notation::of(self.on_stage().iter().flat_map(Frame::said));
+        self.notations[1] = notation(self.notations[0], self.on_stage());
+    }
+
+    /// What the views of each run want; they are seen, too, where no eyes have been found.
+    fn wanted(&mut self, bounds: [[f64; 2]; 2], prospect: &mut Prospect) -> Vec<Vec<Need>> {
+        let is_found = self.eyes.is_some();
+        let mut notation = Notation::Own;
+        let mut look = |views: &[View], caption: &Caption| {
+            notation = notation.max(Notation::of(said(views, caption)));
+            if !is_found {
+                prospect.add(views);
+            }
+        };
+        let needs = |run| needs(run, bounds, &mut look);
+        let wanted = self.runs().map(needs).collect();
+        self.notations[0] = notation;
+        wanted
     }
 
     /// Finds the eyes anew, for what is shown now.
     pub fn look_anew(&mut self) {
         (self.eyes, self.framed_at) = (None, None);
         self.needs.clear();
+    }
+
+    pub const fn notation(&self) -> Notation {
+        self.notations[1]
     }
 
     /// What the stage shows: of methods that do the same, one.

@@ -56,7 +56,7 @@ impl App {
 
     /// With the numbers of the step on stage all written alike.
     pub(super) fn look_at_step(&self) -> Look<'static> {
-        let catalog = self.catalog().alike(self.playback.notation);
+        let catalog = self.catalog().alike(self.playback.notation());
         Look {
             catalog,
             ..self.look()

@@ -113,10 +113,18 @@ fn lay_out(
     (rect, composition): (Rect, &Composition<'_>),
 ) -> Layout {
     let width = composition.column_width(rect);
-    let caption = *state.captions.get(app.on_stage(), ui, width, || {
+    let look = composition.look;
+    let own = *state.captions.get(app.on_stage(), ui, width, || {
         let said = app.playback.runs().flat_map(sentences);
-        height_for_all(ui.painter(), composition.look, said, width)
+        height_for_all(ui.painter(), look, said, width)
     });
+    // Two methods leave no room for sentences that are not shown.
+    let album = app
+        .album
+        .as_ref()
+        .filter(|_| composition.methods.len() == 1);
+    let lesson = album.map(|album| album.caption_height(ui.painter(), look, width));
+    let caption = lesson.map_or(own, |lesson| lesson.max(own));
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];

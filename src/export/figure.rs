@@ -1,26 +1,21 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
-mod album;
-mod recorded;
 #[cfg(test)]
 mod tests;
 
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId},
+    figure::{Body, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId, notation},
     labs::Scene,
     lesson::Lesson,
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
-    text::{Catalog, Lang, Message, Notation},
+    text::{Catalog, Lang, Message},
     widgets::{
-        Bars, Composition, Cost, covered, height_for_all, most_of_a_kind, place_inset, rect_of,
-        space, view,
+        Album, Bars, Column, Composition, Cost, Medium, Recorded, covered, height_for_all,
+        most_of_a_kind, place_inset, rect_of, space, view,
     },
 };
-
-use album::Album;
-use recorded::{Column, Recorded};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
 /// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
@@ -145,7 +140,7 @@ impl Studio {
 /// What is kept of this lesson; another one's goes.
 fn album<'a>(last: &'a mut Option<Album>, picture: &Picture<'_>) -> &'a Album {
     last.take_if(|known| !known.holds(picture.scene, picture.lesson));
-    last.get_or_insert_with(|| Album::new(picture.scene, picture.lesson))
+    last.get_or_insert_with(|| Album::new(picture.scene, picture.lesson, Medium::Page))
 }
 
 fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
@@ -197,7 +192,10 @@ impl<'a> Page<'a> {
             album.eyes(),
         );
         let columns = recorded.drawn(columns);
-        let notation = Notation::of(columns.iter().flat_map(|column| column.frame.said()));
+        let notation = notation(
+            recorded.notation,
+            columns.iter().map(|column| &column.frame),
+        );
         let page = Page {
             picture,
             look: Look {
@@ -253,18 +251,13 @@ impl<'a> Page<'a> {
     /// Of the highest sentence of the lesson's runs, so that pictures that follow each other stay where they are. Two methods
     /// leave no room for sentences that are not shown.
     fn caption_height(&self, ui: &Ui, columns: &[Column], width: f32) -> f32 {
-        let height = |said: &mut dyn Iterator<Item = Caption>| {
-            height_for_all(ui.painter(), self.look, said, width)
-        };
         let shown = columns.iter().map(|column| column.frame.caption.clone());
-        let shown = height(&mut shown.into_iter());
+        let shown = height_for_all(ui.painter(), self.look, shown, width);
         if self.picture.options.steps == Steps::Figures && columns.len() > 1 {
             return shown;
         }
-        let Options { theme, lang, .. } = self.picture.options;
-        let kind = (theme, lang, width.to_bits());
-        let said = || height(&mut self.album.scenes.iter().flat_map(Recorded::sentences));
-        self.album.captions.once(kind, said).max(shown)
+        let highest = self.album.caption_height(ui.painter(), self.look, width);
+        highest.max(shown)
     }
 
     /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.

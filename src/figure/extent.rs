@@ -195,11 +195,15 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
 
 /// What the views of a run want, in the order in which a step shows them: enough for every step; `look` sees them, too. A
 /// drawing of the plane has the shape of these bounds, its least corner and its largest.
-pub fn needs(run: &dyn Run, [min, max]: [[f64; 2]; 2], mut look: impl FnMut(&[View])) -> Vec<Need> {
+pub fn needs(
+    run: &dyn Run,
+    [min, max]: [[f64; 2]; 2],
+    mut look: impl FnMut(&[View], &Caption),
+) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
     ask(run, MOST_ASKED, |shown| {
         let views = shown.views();
-        look(&views);
+        look(&views, &shown.caption());
         for view in &views {
             let more = view.need();
             match needs.iter_mut().find(|need| need.id == more.id) {

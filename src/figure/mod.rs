@@ -41,6 +41,7 @@ pub use project::{Projected, project};
 pub(crate) use project::{between, complement, inside};
 pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};
+pub use said::{notation, said};
 pub use small_pictures::{
     CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage, Screen,
     Screens, SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate,

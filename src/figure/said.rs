@@ -1,23 +1,29 @@
 //! What a frame says: every text and every number of its views and of its caption.
 
-use crate::text::{Said, Value};
+use crate::text::{Notation, Said, Value};
 
 use super::{
-    frame::Frame,
+    frame::{Caption, Frame},
     graph::Graph,
     role::Label,
     small_pictures::{Multiples, Screens, Story},
     values::{Bits, Gauges, ListRow, Lists, MatrixProduct, Products, Table},
-    view::{Body, ClipperRow, NumberLine},
+    view::{Body, ClipperRow, NumberLine, View},
 };
 
-impl Frame {
-    pub fn said(&self) -> Vec<Said<'_>> {
-        let views = self.views.iter().flat_map(|view| view.body.said());
-        let arithmetic = self.caption.arithmetic.iter().map(Said::Formula);
-        let decision = Said::Message(&self.caption.decision);
-        views.chain([decision]).chain(arithmetic).collect()
-    }
+/// How the numbers of these frames are written, which stand beside each other, in a run that writes its own so.
+pub fn notation<'a>(of_run: Notation, frames: impl IntoIterator<Item = &'a Frame>) -> Notation {
+    let frames = frames.into_iter();
+    of_run.max(Notation::of(
+        frames.flat_map(|frame| said(&frame.views, &frame.caption)),
+    ))
+}
+
+pub fn said<'a>(views: &'a [View], caption: &'a Caption) -> Vec<Said<'a>> {
+    let views = views.iter().flat_map(|view| view.body.said());
+    let arithmetic = caption.arithmetic.iter().map(Said::Formula);
+    let decision = Said::Message(&caption.decision);
+    views.chain([decision]).chain(arithmetic).collect()
 }
 
 impl Body {

@@ -18,9 +18,11 @@ const SMALL: f64 = 1e-4;
 const MINUS: &str = "−";
 
 /// How numbers that stand beside each other are written, so that a reader can compare them.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+/// Of two, the later one writes what both have to.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub enum Notation {
     /// Each in its own best way: they do not mix.
+    #[default]
     Own,
     Fractions,
     Decimals,

@@ -1,6 +1,7 @@
 //! Parts of the window that know figures and runs, but no lab: each draws one thing and says what was
 //! done to it. None keeps state that undo would miss.
 
+mod album;
 mod boundary;
 mod canvas;
 mod caption;
@@ -21,6 +22,7 @@ mod watch;
 mod whole_rows;
 
 pub use crate::paint::Look;
+pub use album::{Album, Column, Medium, Recorded};
 pub use boundary::{BoundaryMoved, boundary};
 pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};

@@ -1,16 +1,16 @@
 //! Labels in the slots that drawings really get: on a page, beside lists and in halves of comparisons.
 
 use crate::{
-    paint::Placed,
+    paint::{Obstacle, Placed},
     widgets::{projected, title_ground},
 };
 
 use super::*;
 
 /// Of all labels so many, in percent, may have no place that is free, and stand in a halo.
-const MOST_HALOS_PERCENT: f64 = 2.5;
+const MOST_HALOS_PERCENT: f64 = 2.0;
 /// And so many may stand nearer to another mark's marker than to their own.
-const MOST_AMBIGUOUS_PERCENT: f64 = 0.5;
+const MOST_AMBIGUOUS_PERCENT: f64 = 0.3;
 
 #[test]
 fn in_the_slots_of_the_course_labels_belong_to_their_points() {
@@ -58,6 +58,11 @@ fn in_the_slots_of_the_course_labels_belong_to_their_points() {
     }
 }
 
+/// On a face a name is meant to stand.
+const fn is_line(obstacle: &Obstacle) -> bool {
+    matches!(obstacle, Obstacle::Stroke(..) | Obstacle::Disc(..))
+}
+
 /// The labels of each of a figure's drawings.
 fn placed(studio: &mut Studio, picture: &Picture<'_>) -> Vec<Vec<Placed>> {
     let mut all = Vec::new();
@@ -89,7 +94,12 @@ fn placed(studio: &mut Studio, picture: &Picture<'_>) -> Vec<Vec<Placed>> {
                 covered: &covered,
                 ..Around::default()
             };
-            let (labels, _) = look.arrange(ui.painter(), &viewport, &marks, around);
+            let (mut labels, obstacles) = look.arrange(ui.painter(), &viewport, &marks, around);
+            for label in &mut labels {
+                label.has_halo = obstacles
+                    .iter()
+                    .any(|it| is_line(it) && it.covers(label.rect));
+            }
             all.push(labels);
         }
     });

@@ -1,17 +1,30 @@
 //! What is recorded of the scenes of a lesson, which are drawn alike: views stand in one place, at one scale, over one
 //! hairline, seen by one eye, as far as they can.
 
+mod recorded;
+
 use std::cell::{OnceCell, RefCell};
+
+use egui::Painter;
 
 use crate::{
     figure::{Eyes, Prospect, View},
     labs::Scene,
     lesson::Lesson,
-    paint::ThemeKind,
+    paint::{Look, ThemeKind},
     text::Lang,
 };
 
-use super::recorded::{Column, Recorded};
+use super::caption::height_for_all;
+
+pub use recorded::{Column, Recorded};
+
+/// What scenes are recorded for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Medium {
+    Page,
+    Window,
+}
 
 pub struct Album {
     pub scenes: Vec<Recorded>,
@@ -19,17 +32,17 @@ pub struct Album {
     figures: Vec<(usize, usize)>,
     /// For all figures together.
     eyes: OnceCell<Eyes>,
-    pub captions: Heights,
+    captions: Heights,
 }
 
 /// How high the highest sentence is, in a theme, a language and a width that have been asked for.
 #[derive(Default)]
-pub struct Heights(RefCell<Vec<(Kind, f32)>>);
+struct Heights(RefCell<Vec<(Kind, f32)>>);
 
 type Kind = (ThemeKind, Lang, u32);
 
 impl Heights {
-    pub fn once(&self, kind: Kind, measured: impl FnOnce() -> f32) -> f32 {
+    fn once(&self, kind: Kind, measured: impl FnOnce() -> f32) -> f32 {
         let known = self.0.borrow().iter().find(|(it, _)| *it == kind).copied();
         known.map_or_else(
             || {
@@ -44,14 +57,12 @@ impl Heights {
 
 impl Album {
     /// One scene by itself, or all of a lesson.
-    pub fn new(scene: &Scene, lesson: Option<&Lesson>) -> Self {
+    pub fn new(scene: &Scene, lesson: Option<&Lesson>, medium: Medium) -> Self {
         let scenes = scenes(scene, lesson);
         let of = |scene: &&Scene| {
             let own = || scene.document().bounds();
-            Recorded::new(
-                scene,
-                lesson.map_or_else(own, |lesson| lesson.bounds_of(scene)),
-            )
+            let bounds = lesson.map_or_else(own, |lesson| lesson.bounds_of(scene));
+            Recorded::new(scene, bounds, medium)
         };
         let mut recorded: Vec<Recorded> = scenes.iter().map(of).collect();
         let wants: Vec<_> = recorded.iter().map(|it| it.needs.clone()).collect();
@@ -83,9 +94,25 @@ impl Album {
         known.eq(scenes(scene, lesson))
     }
 
+    pub fn find(&self, scene: &Scene) -> Option<&Recorded> {
+        self.scenes.iter().find(|it| it.scene == *scene)
+    }
+
+    /// Of this scene, which is one of them.
     pub fn recorded(&self, scene: &Scene) -> &Recorded {
-        let found = self.scenes.iter().find(|it| it.scene == *scene);
-        found.unwrap_or(&self.scenes[0])
+        self.find(scene).unwrap_or(&self.scenes[0])
+    }
+
+    /// How high a sentence is, in lines of this width, with room for each of the lesson's.
+    pub fn caption_height(&self, painter: &Painter, look: Look<'_>, width: f32) -> f32 {
+        let kind = (look.theme.kind, look.catalog.lang(), width.to_bits());
+        let height = |recorded: &Recorded| {
+            let catalog = look.catalog.alike(recorded.notation);
+            let look = Look { catalog, ..look };
+            height_for_all(painter, look, recorded.sentences(), width)
+        };
+        let highest = || self.scenes.iter().map(height).fold(0.0, f32::max);
+        self.captions.once(kind, highest)
     }
 
     /// Those that see all figures of the lesson, for whom they are enough.

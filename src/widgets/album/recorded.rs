@@ -4,11 +4,13 @@ use std::ops::ControlFlow;
 
 use crate::{
     figure::{
-        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, View, needs, sentences,
+        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, View, needs, said, sentences,
     },
     labs::{Difference, MethodCard, Scene, comparison},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Lang, Message, Notation},
 };
+
+use super::Medium;
 
 /// A scene with its runs, and what they want of a page.
 pub struct Recorded {
@@ -17,24 +19,35 @@ pub struct Recorded {
     pub needs: Vec<Vec<Need>>,
     /// What it shows of the plane.
     pub bounds: [[f64; 2]; 2],
-    comparison: Comparison,
+    /// How the numbers of all its steps are written.
+    pub notation: Notation,
+    pub comparison: Comparison,
     pub prospect: Prospect,
     pub difference: Option<Difference>,
 }
 
 impl Recorded {
-    pub fn new(scene: &Scene, bounds: [[f64; 2]; 2]) -> Self {
+    pub fn new(scene: &Scene, bounds: [[f64; 2]; 2], medium: Medium) -> Self {
         let runs = scene.document().record();
         let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
         let methods = scene.document().methods();
         let comparison = comparison(&methods, &all);
         let mut prospect = Prospect::default();
-        let needs = |&run: &&dyn Run| needs(run, bounds, |views| prospect.add(views));
+        let mut notation = Notation::Own;
+        let mut look = |views: &[View], caption: &Caption| {
+            prospect.add(views);
+            notation = notation.max(Notation::of(said(views, caption)));
+        };
+        let needs = |&run: &&dyn Run| needs(run, bounds, &mut look);
         let wanted: Vec<_> = all.iter().map(needs).collect();
         Self {
             scene: scene.clone(),
             bounds,
-            needs: comparison.needs_of_page(&wanted, &all),
+            needs: match medium {
+                Medium::Page => comparison.needs_of_page(&wanted, &all),
+                Medium::Window => comparison.needs(&wanted),
+            },
+            notation,
             comparison,
             prospect,
             difference: Difference::between(&methods, &all),
