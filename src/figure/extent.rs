@@ -73,6 +73,9 @@ impl View {
                 let n = screens.screens.len() as f32;
                 (Stand::Beside, [17.0, 7.2 * n], [30.0, 16.0 * n])
             }
+            Body::Multiples(multiples) if multiples.is_beside => {
+                (Stand::Beside, [15.0, 6.5], [28.0, 15.0])
+            }
             Body::Multiples(multiples) => {
                 let n = multiples.drawings.len() as f32;
                 // Two are curves: they need not be as high as they are wide.

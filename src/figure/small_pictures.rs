@@ -12,6 +12,8 @@ use super::{
 pub struct Multiples {
     pub drawings: Vec<SmallDrawing>,
     pub bounds: [[f64; 2]; 2],
+    /// They stand beside the drawing, in rows of as many as are the largest; else across under it, in one row.
+    pub is_beside: bool,
 }
 
 #[derive(Clone, PartialEq, Debug)]

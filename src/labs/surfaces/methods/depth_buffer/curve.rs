@@ -51,6 +51,7 @@ pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiple
     Multiples {
         drawings: vec![drawing(false), drawing(true)],
         bounds: [[0.0, 0.0], [WIDTH, 1.0]],
+        is_beside: false,
     }
 }
 
