@@ -27,6 +27,19 @@ pub struct SmallDrawing {
     pub link: Option<Link>,
 }
 
+impl SmallDrawing {
+    pub fn new(title: Value, marks: Vec<Mark>) -> Self {
+        Self {
+            title,
+            note: None,
+            marks,
+            is_current: false,
+            is_to_come: false,
+            link: None,
+        }
+    }
+}
+
 #[derive(Clone, PartialEq, Debug)]
 pub struct Screens {
     pub screens: Vec<Screen>,

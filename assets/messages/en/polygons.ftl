@@ -142,6 +142,7 @@ sh-outside = outside
 sh-bridge = bridge
 sh-list-input = Input list
 sh-list-output = Output list
+sh-list-handed-on = Output list = input list
 sh-list-next = Next input list
 sh-list-given = Polygon
 sh-list-left = What is left

@@ -142,6 +142,7 @@ sh-outside = fuera
 sh-bridge = puente
 sh-list-input = Lista de entrada
 sh-list-output = Lista de salida
+sh-list-handed-on = Salida = entrada
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = Lo que queda

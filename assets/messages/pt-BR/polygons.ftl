@@ -142,6 +142,7 @@ sh-outside = fora
 sh-bridge = ponte
 sh-list-input = Lista de entrada
 sh-list-output = Lista de saída
+sh-list-handed-on = Saída = entrada
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = O que resta

@@ -143,6 +143,7 @@ sh-outside = 外侧
 sh-bridge = 桥边
 sh-list-input = 输入表
 sh-list-output = 输出表
+sh-list-handed-on = 输出表 = 输入表
 sh-list-next = 下一轮的输入表
 sh-list-given = 被裁剪多边形
 sh-list-left = 裁剪结果

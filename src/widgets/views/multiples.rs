@@ -19,7 +19,7 @@ const PAD: f32 = 7.0;
 const GAP: f32 = 8.0;
 const MARGIN: f32 = 5.0;
 const LEAST_DRAWING: f32 = 34.0;
-/// Titles shrink to this part before there are fewer drawings in a row.
+/// Titles shrink to this part of ordinary text before there are fewer drawings in a row.
 const CROWDED: f32 = 0.85;
 
 impl OnSlate for Multiples {
@@ -66,18 +66,20 @@ impl Multiples {
         widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD)
     }
 
-    /// Columns and rows: as many as make the drawings largest.
+    /// Columns and rows, all of them full: as many as make the drawings largest.
     fn grid(&self, slate: &Slate<'_>, room: Vec2) -> [usize; 2] {
         let n = self.drawings.len().max(1);
         let grid = |columns: usize| [columns, n.div_ceil(columns)];
-        let widest = CROWDED * self.widest(slate);
+        let widest = CROWDED * self.widest(slate) / slate.scale;
         let fits = |&columns: &usize| Self::cell(slate, room, grid(columns)).x >= widest;
         let scale = |&columns: &usize| {
             let cell = Rect::from_min_size(Pos2::ZERO, Self::cell(slate, room, grid(columns)));
             self.viewport(drawn_in(slate, cell), slate.pts(MARGIN))
                 .scale
         };
-        let columns = (1..=n).filter(fits);
+        let columns = (1..=n)
+            .filter(|columns| n.is_multiple_of(*columns))
+            .filter(fits);
         let largest = columns.max_by(|a, b| scale(a).total_cmp(&scale(b)));
         grid(largest.filter(|_| self.is_beside).unwrap_or(n))
     }
