@@ -7,7 +7,7 @@ use super::{
     graph::{Graph, Places, layers, size_of},
     lens::Lens,
     run::Run,
-    small_pictures::Raster,
+    small_pictures::{Multiples, Raster},
     values::{Bits, Costs, Lists, Table},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
@@ -73,6 +73,7 @@ impl View {
                 let n = screens.screens.len() as f32;
                 (Stand::Beside, [17.0, 7.2 * n], [30.0, 16.0 * n])
             }
+            Body::Multiples(multiples) if multiples.is_beside => grid_need(multiples),
             Body::Multiples(multiples) => {
                 let n = multiples.drawings.len() as f32;
                 // Two are curves: they need not be as high as they are wide.
@@ -128,6 +129,18 @@ impl View {
     }
 }
 
+fn grid_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
+    const WIDE: f32 = 28.0;
+    let [min, max] = multiples.bounds;
+    let [width, height] = [0, 1].map(|i| (max[i] - min[i]).max(f64::MIN_POSITIVE));
+    let aspect = (width / height).clamp(FLATTEST.recip().into(), FLATTEST.into()) as f32;
+    // What is flat stands in two rows.
+    let rows = if aspect < 2.0 { 1.0 } else { 2.0 };
+    let drawn = WIDE * rows / multiples.drawings.len().max(1) as f32;
+    let height = rows * (2.8 + drawn / aspect);
+    (Stand::Beside, [15.0, 4.0 + 2.5 * rows], [WIDE, height])
+}
+
 fn raster_need(raster: &Raster) -> (Stand, [f32; 2], [f32; 2]) {
     let [columns, rows] = raster.size.map(|n| n as f32);
     // Where there are more pixels they may be smaller: the picture is seen, if not each number.
@@ -160,7 +173,12 @@ fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {
     let n = costs.counts.len() as f32;
     // Of two a row has both; of more each has its own.
     let rows = if n > 2.0 { n + 2.1 } else { 4.5 };
-    let natural = [27.0, 2.5 + 5.0 * rows];
+    let height = if n > 3.0 {
+        2.0 * (1.4 * n + 2.1)
+    } else {
+        5.0 * rows
+    };
+    let natural = [27.0, 2.5 + height];
     (Stand::Beside, natural.map(|side| 0.6 * side), natural)
 }
 

@@ -12,6 +12,8 @@ use super::{
 pub struct Multiples {
     pub drawings: Vec<SmallDrawing>,
     pub bounds: [[f64; 2]; 2],
+    /// They stand beside the drawing, in rows of as many as are the largest; else across under it, in one row.
+    pub is_beside: bool,
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -23,6 +25,19 @@ pub struct SmallDrawing {
     /// Has the run not come here yet? Its words are pale, its marks have weights of their own.
     pub is_to_come: bool,
     pub link: Option<Link>,
+}
+
+impl SmallDrawing {
+    pub fn new(title: Value, marks: Vec<Mark>) -> Self {
+        Self {
+            title,
+            note: None,
+            marks,
+            is_current: false,
+            is_to_come: false,
+            link: None,
+        }
+    }
 }
 
 #[derive(Clone, PartialEq, Debug)]

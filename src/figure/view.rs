@@ -100,6 +100,8 @@ pub struct NumberLine {
     pub values: [Formula; 2],
     pub empty: bool,
     pub ticks: Vec<LineTick>,
+    /// Into how many equal parts the segment is divided, and what is said of the part that is left.
+    pub kept: Option<(usize, Value)>,
 }
 
 impl NumberLine {

@@ -11,7 +11,7 @@ use super::words::{along, axis_symbol, sum_of, sym};
 
 /// Both ends' distances from a border, positive where it lies between them.
 pub struct Weights {
-    ends: [f64; 2],
+    pub ends: [f64; 2],
     whole: [f64; 2],
 }
 

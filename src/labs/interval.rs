@@ -65,6 +65,7 @@ impl ShownInterval {
             values,
             empty,
             ticks,
+            kept: None,
         }
     }
 

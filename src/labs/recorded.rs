@@ -5,7 +5,7 @@ use std::{ops::ControlFlow, sync::Arc};
 use serde_json::{Value as Json, json};
 
 use crate::{
-    figure::{Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
+    figure::{Body, Caption, Choice, Decides, Link, Run, Shown, Tick, View, Watch, Words},
     labs::Answer,
     text::{Message, Value},
     trace::{Counts, Method, Recording},
@@ -19,6 +19,8 @@ pub struct Recorded<M: Telling> {
     rows: Vec<&'static Row>,
     scenery: Option<Arc<M::Scenery>>,
     differs_at: Option<usize>,
+    /// What is beside the drawing at the end, in place of what the method holds.
+    last: Option<Body>,
 }
 
 impl<M: Telling> Recorded<M> {
@@ -29,7 +31,12 @@ impl<M: Telling> Recorded<M> {
             rows,
             scenery,
             differs_at: None,
+            last: None,
         }
+    }
+
+    pub fn ending_in(self, last: Option<Body>) -> Self {
+        Self { last, ..self }
     }
 
     /// The same of a method that may be wrong on purpose: such a run knows where it first differs from the one of `Right`.
@@ -51,6 +58,7 @@ struct ShownStep<'a, M: Telling> {
     at: At<'a, M>,
     /// The step's number, where the run differs from the right one here for the first time.
     differs: Option<usize>,
+    last: Option<&'a Body>,
 }
 
 impl<M: Telling> Shown for ShownStep<'_, M> {
@@ -67,7 +75,14 @@ impl<M: Telling> Shown for ShownStep<'_, M> {
     }
 
     fn views(&self) -> Vec<View> {
-        M::views(&self.at)
+        let mut views = M::views(&self.at);
+        if let Some(last) = self.last {
+            views.truncate(2);
+            if let [_, View { body, .. }] = &mut views[..] {
+                *body = last.clone();
+            }
+        }
+        views
     }
 
     fn decision(&self) -> Option<(Decides, Link)> {
@@ -143,7 +158,8 @@ impl<M: Telling> Run for Recorded<M> {
         self.recording.walk(from_to, |n, &step| {
             let at = At { step, scenery };
             let differs = self.differs_at.filter(|&at| at == n);
-            look(n, &ShownStep { at, differs })
+            let last = self.last.as_ref().filter(|_| n == self.n_steps());
+            look(n, &ShownStep { at, differs, last })
         });
     }
 

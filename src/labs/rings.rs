@@ -164,7 +164,7 @@ pub const fn side_term(is_inside: bool) -> &'static str {
     if is_inside { "sh-inside" } else { "sh-outside" }
 }
 
-const fn rule_term(rule: Rule) -> &'static str {
+pub const fn rule_term(rule: Rule) -> &'static str {
     match rule {
         Rule::InIn => "rule-in-in",
         Rule::InOut => "rule-in-out",

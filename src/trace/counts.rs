@@ -79,6 +79,12 @@ impl Counts {
         cmp: 0,
     };
 
+    /// Operations of any kind.
+    #[must_use]
+    pub const fn total(&self) -> u64 {
+        self.add + self.mul + self.div + self.cmp
+    }
+
     /// What `work` counts on this thread, and its result.
     pub fn of<T>(work: impl FnOnce() -> T) -> (T, Self) {
         let outer = TALLY.with(|tally| tally.replace(Self::ZERO));

@@ -30,6 +30,7 @@ bf-option-one = One end lies beyond the { $edge }.
 bf-option-both = Both ends lie beyond the { $edge }.
 bf-note-tests = A point is inside if it passes all four.
 bf-in-vain = in vain
+bf-kept = { $part } of it is visible
 code-bf-each = for each side, not parallel to P₁P₂
 code-bf-intersect = X ← line P₁P₂ ∩ line of side
 code-bf-reject = if both ends are beyond: reject
@@ -59,6 +60,9 @@ cs-note-code = A 1 for each side that the point lies beyond.
 cs-note-order = In the order top, bottom, right, left it is { $other }.
 cs-note-or = OR sets a bit where either code has it.
 cs-note-and = AND keeps a bit only where both codes have it.
+cs-cuts = cut
+cs-this-order = this order:
+cs-usual-order = usual order:
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = loop
 code-cs-accept = if code₁ OR code₂ = 0: accept

@@ -30,6 +30,7 @@ bf-option-one = Un extremo está más allá del { $edge }.
 bf-option-both = Los dos extremos están más allá del { $edge }.
 bf-note-tests = Un punto está dentro si cumple las cuatro condiciones.
 bf-in-vain = en vano
+bf-kept = { $part } es visible
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
 code-bf-reject = si ambos extremos están fuera: rechazar
@@ -59,6 +60,9 @@ cs-note-code = Un 1 por cada borde más allá del cual está el punto.
 cs-note-order = En el orden superior, inferior, derecho, izquierdo es { $other }.
 cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.
 cs-note-and = AND conserva un 1 solo donde lo tienen los dos.
+cs-cuts = corte
+cs-this-order = este orden:
+cs-usual-order = orden habitual:
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = repetir
 code-cs-accept = si code₁ OR code₂ = 0: aceptar

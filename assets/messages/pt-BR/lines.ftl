@@ -30,6 +30,7 @@ bf-option-one = Um extremo está além da { $edge }.
 bf-option-both = Os dois extremos estão além da { $edge }.
 bf-note-tests = Um ponto está dentro se cumpre as quatro condições.
 bf-in-vain = em vão
+bf-kept = { $part } é visível
 code-bf-each = para cada lado não paralelo a P₁P₂
 code-bf-intersect = X ← reta P₁P₂ ∩ reta do lado
 code-bf-reject = se os dois extremos estão além: rejeite
@@ -59,6 +60,9 @@ cs-note-code = Um 1 para cada lado além do qual o ponto está.
 cs-note-order = Na ordem superior, inferior, direita, esquerda é { $other }.
 cs-note-or = OR põe um 1 onde algum dos dois códigos o tem.
 cs-note-and = AND mantém um 1 só onde os dois códigos o têm.
+cs-cuts = corte
+cs-this-order = esta ordem:
+cs-usual-order = ordem usual:
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = repita
 code-cs-accept = se code₁ OR code₂ = 0: aceite

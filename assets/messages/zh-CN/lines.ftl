@@ -30,6 +30,7 @@ bf-option-one = 一个端点在{ $edge }外侧。
 bf-option-both = 两端点都在{ $edge }外侧。
 bf-note-tests = 四个不等式都成立，点就在窗口内。
 bf-in-vain = 未用上
+bf-kept = 可见部分占 { $part }
 code-bf-each = 对每条不与 P₁P₂ 平行的边界：
 code-bf-intersect = X ← 直线 P₁P₂ ∩ 边界所在直线
 code-bf-reject = 若两端点都在外侧，则舍弃
@@ -59,6 +60,9 @@ cs-note-code = 点在哪条边界外侧，哪一位就是 1。
 cs-note-order = 按上、下、右、左的顺序，则写作 { $other }。
 cs-note-or = OR：任一区域码该位为 1，结果就是 1。
 cs-note-and = AND：两个区域码该位都为 1，结果才是 1。
+cs-cuts = 截断
+cs-this-order = 本次顺序：
+cs-usual-order = 常用顺序：
 code-cs-codes = code₁ ← code(P₁); code₂ ← code(P₂)
 code-cs-loop = 循环：
 code-cs-accept = 若 code₁ OR code₂ = 0，则接受

@@ -30,6 +30,8 @@ pub trait Rules: Copy {
     const COPIES: usize = 1;
     /// Does P come before the crossing where an edge comes in?
     const END_FIRST: bool = false;
+    /// Has an edge that only touches the border with its inside end a crossing there?
+    const CUTS_ON_BORDER: bool = false;
     /// Are the clip edges walked clockwise, with the inside still to their left?
     const CLOCKWISE: bool = false;
 }
@@ -221,7 +223,7 @@ impl<V: Copy> Clip<V> {
         tell: &mut impl FnMut(Happening<V>) -> Told<S>,
     ) -> Told<S> {
         let p = Known::find::<L, R>(limit, vertex);
-        let (rule, crossing) = edge::<V, R, S>(limit, idx, [self.previous, p], tell)?;
+        let (rule, crossing) = edge::<L, V, R, S>(limit, idx, [self.previous, p], tell)?;
         let end = rule.ends_inside().then_some(vertex);
         if L::END_FIRST {
             put_out(end, 1, tell)?;
@@ -267,7 +269,7 @@ impl<V: Copy> Clip<V> {
         tell: &mut impl FnMut(Happening<V>) -> Told<S>,
     ) -> Told<S> {
         if L::CLOSES {
-            let (_, crossing) = edge::<V, R, S>(limit, idx, [self.previous, self.first], tell)?;
+            let (_, crossing) = edge::<L, V, R, S>(limit, idx, [self.previous, self.first], tell)?;
             put_out(crossing, L::COPIES, tell)?;
             self.previous = self.first;
         }
@@ -276,7 +278,7 @@ impl<V: Copy> Clip<V> {
 }
 
 #[inline]
-fn edge<V: Copy, R: Real, S>(
+fn edge<L: Rules, V: Copy, R: Real, S>(
     limit: &impl Limit<V>,
     idx: [usize; 2],
     [s, p]: [Known<V>; 2],
@@ -299,7 +301,9 @@ fn edge<V: Copy, R: Real, S>(
     if let Some(crossing) = crossing {
         tell(Happening::Cross(crossing))?;
     }
-    Told::Continue((rule, crossing.map(|crossing| crossing.at)))
+    let touched = if p.inside { p.at } else { s.at };
+    let touched = (L::CUTS_ON_BORDER && rule.changes_side()).then_some(touched);
+    Told::Continue((rule, crossing.map(|crossing| crossing.at).or(touched)))
 }
 
 /// Has it an end strictly on either side? One of the ends is outside.

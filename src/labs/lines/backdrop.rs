@@ -6,11 +6,13 @@ use crate::{
         CyrusBeck, CyrusBeckInput,
         batch::{ClippedSegments, Segments, clip_all},
     },
+    figure::Costs,
     geom::{Segment, extent},
     labs::{Backdrop, prelude::*},
+    trace::Counts,
 };
 
-use super::Scene;
+use super::{Method, Scene};
 
 impl Backdrop for Scene {
     /// What lies under a step's marks: the clip region of `method`, and the segments out of focus. These show
@@ -43,6 +45,29 @@ impl Backdrop for Scene {
 
 /// Up to this many segments are looked at one by one: a view shows all of them at first. Of more, the one in focus.
 pub const MAX_FITTED: usize = 20;
+
+/// Of more the costs are not counted each time.
+const MOST_COUNTED: usize = 1000;
+
+impl Scene {
+    /// Of segments that are too many to look at each: what all of them cost by each method, the least first.
+    pub fn costs_of_all(&self) -> Option<Costs> {
+        let is_crowd = (MAX_FITTED + 1..=MOST_COUNTED).contains(&self.segments().len());
+        let region = self.region(self.method);
+        let of = |method: Method| {
+            let counts = self
+                .segments()
+                .iter()
+                .map(|&it| (method.info().cost)(self, it));
+            (counts.sum::<Counts>(), method.card().name())
+        };
+        let methods = Method::all().filter(|&method| is_crowd && self.region(method) == region);
+        let mut costs: Vec<_> = methods.map(of).collect();
+        costs.sort_by_key(|(counts, _)| counts.total());
+        let (counts, names) = costs.into_iter().unzip();
+        is_crowd.then_some(Costs { names, counts })
+    }
+}
 
 const LETTERS: [&str; 3] = ["Q", "R", "S"];
 

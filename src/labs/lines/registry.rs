@@ -3,6 +3,7 @@
 
 use crate::{
     algo::line,
+    figure::Body,
     geom::Segment,
     labs::{Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
     trace::{Counted, Counts, held_after, silent},
@@ -27,7 +28,10 @@ const fn info<M: LineTelling>() -> MethodEntry<MethodInfo> {
         info: MethodInfo {
             takes_polygon: M::TAKES_POLYGON,
             writes_codes: M::WRITES_CODES,
-            record: |scene, segment| Box::new(Recorded::<M>::new(M::input(scene, segment), None)),
+            record: |scene, segment| {
+                let run = Recorded::<M>::new(M::input(scene, segment), None);
+                Box::new(run.ending_in(scene.costs_of_all().map(Body::Costs)))
+            },
             cost: |scene, segment| {
                 let input = M::input(scene, segment);
                 Counts::of(|| held_after::<M, Counted>(&input)).1

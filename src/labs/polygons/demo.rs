@@ -4,7 +4,7 @@ use crate::{geom::Point, labs::prelude::*};
 
 use super::{GivenSubject, Scene, UnfitScene};
 
-pub trait PolygonTelling: Telling<Scenery = ()> {
+pub trait PolygonTelling: Telling {
     const CLIPS: bool = true;
     const CARRIES_TEXTURE: bool = false;
     const GIVEN: GivenSubject = GivenSubject::Whole;

@@ -19,5 +19,7 @@ pub use handles::SceneVertex;
 pub use presets::{PRESETS, Preset, REGIONS};
 pub use random::random_polygon;
 pub use registry::{LAB, METHODS};
-pub use scene::{GivenSubject, MAX_VERTICES, Method, MethodInfo, Scene, SceneError, Texture};
+pub use scene::{
+    GivenSubject, MAX_VERTICES, Method, MethodInfo, Panels, Scene, SceneError, Texture,
+};
 pub use unfit_scene::{ScenePart, UnfitScene};

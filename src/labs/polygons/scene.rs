@@ -30,6 +30,32 @@ impl Texture {
     }
 }
 
+/// What small drawings beside the lists of Sutherland–Hodgman show, whatever the step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
+pub enum Panels {
+    #[default]
+    None,
+    /// The four rules, each with an edge of this pass.
+    Rules,
+    /// What each pass makes of the list.
+    Passes,
+    /// The triangle with none, one, two and three vertices inside of the first clip edge.
+    Vertices,
+}
+
+impl Panels {
+    pub const ALL: [Self; 4] = [Self::None, Self::Rules, Self::Passes, Self::Vertices];
+
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Rules => "rules",
+            Self::Passes => "passes",
+            Self::Vertices => "vertices",
+        }
+    }
+}
+
 pub type Method = crate::labs::Method<MethodInfo>;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -77,6 +103,7 @@ pub struct Scene {
     pub subject: Polygon,
     pub holes: Vec<Polygon>,
     pub texture: Texture,
+    pub panels: Panels,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -107,6 +134,7 @@ impl Scene {
             subject,
             holes: Vec::new(),
             texture: Texture::None,
+            panels: Panels::None,
         }
     }
 

@@ -60,6 +60,11 @@ pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
     /// What stands under the bits while nothing is made of them; the code is that which is found at this step.
     fn rule(&self, code: Option<Self::Code>) -> Message;
 
+    /// What stands in place of the bits.
+    fn rows(_: &CodeStep<'_, N, Self>) -> Option<Table> {
+        None
+    }
+
     fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
 }
 
@@ -341,7 +346,8 @@ impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
         let shown = CodeStep::of(&at.step);
-        let codes = View::new(CODES_VIEW, Body::Bits(shown.bits()));
+        let rows = I::rows(&shown).map(Body::Table);
+        let codes = View::new(CODES_VIEW, rows.unwrap_or_else(|| Body::Bits(shown.bits())));
         let drawing = I::drawing(&shown, at.scenery);
         drawing.into_iter().chain([codes]).collect()
     }

@@ -3,7 +3,9 @@
 use crate::{
     geom::{Polygon, Window},
     input::{CLIP, POLYGON, WINDOW},
-    labs::polygons::{LAB, MAX_VERTICES, Method, Scene, SceneError, Texture, random_polygon},
+    labs::polygons::{
+        LAB, MAX_VERTICES, Method, Panels, Scene, SceneError, Texture, random_polygon,
+    },
 };
 
 use super::prelude::*;
@@ -11,7 +13,7 @@ use super::prelude::*;
 pub(super) static FORMAT: SceneFormat = SceneFormat {
     lab: LAB,
     fields: &[
-        "method", "compare", "window", "clip", "polygon", "holes", "random", "texture",
+        "method", "compare", "window", "clip", "polygon", "holes", "random", "texture", "panels",
     ],
     own_field: "polygon",
     room: 10 * MAX_VERTICES,
@@ -30,10 +32,13 @@ fn scene(fields: &TomlFields<'_>, vertices_left: &mut usize) -> Option<labs::Sce
     let holes = holes.and_then(|node| node.each("expect-holes", |node| node.made(&POLYGON)));
     let texture = fields.get("texture");
     let texture = texture.and_then(|node| node.value(Texture::ALL, Texture::id));
+    let panels = fields.get("panels");
+    let panels = panels.and_then(|node| node.value(Panels::ALL, Panels::id));
     let mut scene = Scene::new(method?, window?, subject?);
     (scene.compare, scene.clip) = (compare, clip);
     scene.holes = holes.unwrap_or_default();
     scene.texture = texture.unwrap_or_default();
+    scene.panels = panels.unwrap_or_default();
     let n_vertices = scene.n_vertices();
     if n_vertices > MAX_VERTICES.min(*vertices_left) {
         let error = SceneError::TooManyVertices(n_vertices);
@@ -67,6 +72,7 @@ fn to_toml(scene: &Scene) -> String {
     let compare = scene.compare.map(|method| quoted(method.card().id));
     let clip = scene.clip.as_ref();
     let has_texture = scene.texture != Texture::None;
+    let has_panels = scene.panels != Panels::None;
     let holes: Vec<String> = scene.holes.iter().map(|h| points(h.vertices())).collect();
     lines([
         ("method", Some(quoted(scene.method.card().id))),
@@ -74,6 +80,7 @@ fn to_toml(scene: &Scene) -> String {
         ("window", Some(array(&scene.window.to_array()))),
         ("clip", clip.map(|clip| points(clip.vertices()))),
         ("texture", has_texture.then(|| quoted(scene.texture.id()))),
+        ("panels", has_panels.then(|| quoted(scene.panels.id()))),
         ("polygon", Some(points(scene.subject.vertices()))),
         (
             "holes",

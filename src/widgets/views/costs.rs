@@ -18,27 +18,33 @@ use crate::{
 use super::{prelude::*, slate::Style};
 
 const SIZE: f32 = 13.0;
-/// A bar's height, and what is left under a kind's bars: of two methods, and of more, which have a bar each.
-const BARS: [f32; 2] = [20.0, 11.0];
+/// A bar's height, of two methods, of more, and of many; what is left under a kind's bars, of two, and of more, which have a bar each.
+const BARS: [f32; 3] = [20.0, 11.0, 16.0];
+/// More methods are compared by their divisions and in total only.
+const MOST_WITH_KINDS: usize = 3;
 const LINE: f32 = 19.0;
 const GAPS: [f32; 2] = [18.0, 8.0];
 const WITHIN: f32 = 7.0;
 const HEAD: f32 = 32.0;
 
-const TOTAL: Kind = ("cost-total", "cost-total", |c| {
-    c.div + c.mul + c.add + c.cmp
-});
-
-fn rows() -> impl Iterator<Item = Kind> {
-    KINDS.into_iter().chain([TOTAL])
-}
+const TOTAL: Kind = ("cost-total", "cost-total", Counts::total);
 
 impl Costs {
+    /// Of many methods what divides them most.
+    fn rows(&self) -> impl Iterator<Item = Kind> + use<> {
+        let n = if self.is_crowd() { 1 } else { KINDS.len() };
+        KINDS.into_iter().take(n).chain([TOTAL])
+    }
+
+    const fn is_crowd(&self) -> bool {
+        self.counts.len() > MOST_WITH_KINDS
+    }
+
     /// The most of any kind: the bars' full length. The total is not one, and has its own scale.
     fn most(&self, kind: &Kind) -> u64 {
         let of = |kind: &Kind| self.counts.iter().map(kind.2).max();
         let is_total = kind.0 == TOTAL.0;
-        let most = if is_total {
+        let most = if is_total || self.is_crowd() {
             of(kind)
         } else {
             KINDS.iter().filter_map(of).max()
@@ -53,7 +59,11 @@ impl Costs {
     }
 
     const fn bar(&self) -> f32 {
-        BARS[if self.is_pair() { 0 } else { 1 }]
+        match self.counts.len() {
+            2 => BARS[0],
+            ..=MOST_WITH_KINDS => BARS[1],
+            _ => BARS[2],
+        }
     }
 
     const fn is_pair(&self) -> bool {
@@ -61,7 +71,9 @@ impl Costs {
     }
 
     fn numbers(&self, slate: &Slate<'_>) -> f32 {
-        let all = rows().flat_map(|kind| self.counts.iter().map(move |counts| (kind.2)(counts)));
+        let all = self
+            .rows()
+            .flat_map(|kind| self.counts.iter().map(move |counts| (kind.2)(counts)));
         let width = |n: u64| slate.width(&number(n), Face::Strong, SIZE);
         all.map(width).fold(0.0, f32::max) + slate.pts(WITHIN)
     }
@@ -82,7 +94,7 @@ impl OnSlate for Costs {
         natural.fitted_in(room, |slate| {
             let names = self.names(slate);
             let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
-            let height = slate.pts(HEAD) + 5.0 * self.row_height(slate);
+            let height = slate.pts(HEAD) + self.rows().count() as f32 * self.row_height(slate);
             let n = if self.is_pair() { 2.0 } else { 1.0 };
             vec2(n * (widest + slate.pts(WITHIN)), height)
         })
@@ -99,7 +111,7 @@ impl OnSlate for Costs {
         }
         let height = self.row_height(slate);
         let mut top = rect.top() + slate.pts(HEAD);
-        for kind in rows() {
+        for kind in self.rows() {
             let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
             let style = (Face::Plain, SIZE, slate.theme().soft);
             let words = slate.words(slate.look.say(kind.0), style);
@@ -123,7 +135,7 @@ impl OnSlate for Costs {
             };
             format!("{}: {}", look.say(kind.1), joined(named.map(said), ", "))
         };
-        joined(rows().map(of), "; ")
+        joined(self.rows().map(of), "; ")
     }
 }
 

@@ -1,4 +1,4 @@
-//! Small drawings in a row, at one scale; this step's has a frame.
+//! Small drawings at one scale, in a row or in several; this step's has a frame.
 //!
 //! ```text
 //!   near    3 → 4     far     4 → 5     left    5 → 5   ┌ right   5 → 6 ┐
@@ -19,29 +19,27 @@ const PAD: f32 = 7.0;
 const GAP: f32 = 8.0;
 const MARGIN: f32 = 5.0;
 const LEAST_DRAWING: f32 = 34.0;
+/// Titles shrink to this part of ordinary text before there are fewer drawings in a row.
+const CROWDED: f32 = 0.85;
 
 impl OnSlate for Multiples {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        let n = self.drawings.len().max(1) as f32;
+        let [columns, rows] = self.grid(&natural, room);
         natural.fitted_in(room, |slate| {
-            let widths = self.drawings.iter().map(|drawing| {
-                let note = drawing.note.as_ref();
-                let note = note.map_or(0.0, |note| slate.width(note, Face::Mono, NOTE_PTS));
-                slate.width(&drawing.title, Face::Strong, TITLE_PTS) + note
-            });
-            let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
+            let widest = self.widest(slate) + slate.pts(GAP);
             let high = slate.pts(HEADING) + slate.pts(2.0 * PAD + LEAST_DRAWING);
-            vec2(n * (widest + slate.pts(GAP)), high)
+            vec2(columns as f32 * widest, rows as f32 * high)
         })
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        let n = self.drawings.len().max(1) as f32;
+        let [columns, rows] = self.grid(slate, rect.size());
         let gap = slate.pts(GAP);
-        let width = (rect.width() - (n - 1.0) * gap) / n;
+        let size = Self::cell(slate, rect.size(), [columns, rows]);
         for (i, drawing) in self.drawings.iter().enumerate() {
-            let left = rect.left() + i as f32 * (width + gap);
-            let place = Rect::from_x_y_ranges(left..=left + width, rect.y_range());
+            let at = vec2((i % columns) as f32, (i / columns) as f32);
+            let at = rect.min + at * (size + Vec2::splat(gap));
+            let place = Rect::from_min_size(at, size);
             let is_lit = links.touch(place, drawing.link);
             self.draw_one(slate, drawing, place, is_lit);
         }
@@ -59,6 +57,38 @@ impl OnSlate for Multiples {
 }
 
 impl Multiples {
+    fn widest(&self, slate: &Slate<'_>) -> f32 {
+        let widths = self.drawings.iter().map(|drawing| {
+            let note = drawing.note.as_ref();
+            let note = note.map_or(0.0, |note| slate.width(note, Face::Mono, NOTE_PTS));
+            slate.width(&drawing.title, Face::Strong, TITLE_PTS) + note
+        });
+        widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD)
+    }
+
+    /// Columns and rows, all of them full: as many as make the drawings largest.
+    fn grid(&self, slate: &Slate<'_>, room: Vec2) -> [usize; 2] {
+        let n = self.drawings.len().max(1);
+        let grid = |columns: usize| [columns, n.div_ceil(columns)];
+        let widest = CROWDED * self.widest(slate) / slate.scale;
+        let fits = |&columns: &usize| Self::cell(slate, room, grid(columns)).x >= widest;
+        let scale = |&columns: &usize| {
+            let cell = Rect::from_min_size(Pos2::ZERO, Self::cell(slate, room, grid(columns)));
+            self.viewport(drawn_in(slate, cell), slate.pts(MARGIN))
+                .scale
+        };
+        let columns = (1..=n)
+            .filter(|columns| n.is_multiple_of(*columns))
+            .filter(fits);
+        let largest = columns.max_by(|a, b| scale(a).total_cmp(&scale(b)));
+        grid(largest.filter(|_| self.is_beside).unwrap_or(n))
+    }
+
+    fn cell(slate: &Slate<'_>, room: Vec2, grid: [usize; 2]) -> Vec2 {
+        let n = Vec2::from(grid.map(|n| n as f32));
+        (room - (n - Vec2::splat(1.0)) * slate.pts(GAP)) / n
+    }
+
     fn viewport(&self, rect: Rect, margin: f32) -> Viewport {
         let [min, max] = self.bounds;
         let room = rect.shrink(margin).size().max(vec2(1.0, 1.0));
@@ -96,10 +126,15 @@ impl Multiples {
             let note = slate.value(value, (Face::Mono, NOTE_PTS, note));
             slate.put(&note, inner.right_top(), Align2::RIGHT_TOP);
         }
-        let top = inner.top() + slate.pts(HEADING);
-        let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
-        let viewport = self.viewport(room, slate.pts(MARGIN));
+        let viewport = self.viewport(drawn_in(slate, place), slate.pts(MARGIN));
         let (look, around) = (slate.look, Around::default());
         look.stage(slate.painter, &viewport, &drawing.marks, None, around);
     }
+}
+
+/// Under the title.
+fn drawn_in(slate: &Slate<'_>, place: Rect) -> Rect {
+    let inner = place.shrink(slate.pts(PAD));
+    let top = inner.top() + slate.pts(HEADING);
+    inner.with_min_y(top.min(inner.bottom() - 1.0))
 }

@@ -62,7 +62,9 @@ impl OnSlate for NumberLine {
             let (arrow, name) = (now(tick.current), look.catalog.value(&tick.name));
             format!("{arrow}{name} {sign} {symbol} = {}", said(&tick.value))
         });
-        joined(std::iter::once(bounds).chain(empty).chain(ticks), "; ")
+        let kept = self.kept.as_ref().map(|(_, kept)| look.catalog.value(kept));
+        let said = std::iter::once(bounds).chain(empty).chain(ticks);
+        joined(said.chain(kept), "; ")
     }
 }
 
@@ -122,12 +124,8 @@ impl<'l> Axis<'l> {
             let stroke = slate.stroke(4.0, slate.theme().accent);
             let [low, high] = self.line.interval.map(|u| self.at(u));
             slate.line([low, high], stroke);
-            if high.x - low.x < stroke.width {
-                // A point is left, and is seen.
-                let r = slate.pts(3.5);
-                slate.painter.circle_filled(low, r, slate.theme().accent);
-            }
         }
+        self.parts(slate);
         for tick in self.line.ticks.iter().filter(|tick| !tick.holds) {
             self.tick(slate, tick);
         }
@@ -139,6 +137,23 @@ impl<'l> Axis<'l> {
         }
         for side in [Side::Entering, Side::Leaving] {
             self.head_of(slate, side);
+        }
+    }
+
+    /// Has what is left no length? Then both bounds are one mark.
+    fn is_point(&self) -> bool {
+        let [low, high] = self.line.interval;
+        !self.line.empty && low.total_cmp(&high).is_eq()
+    }
+
+    /// Equal parts of the segment, as on a ruler.
+    fn parts(&self, slate: &mut Slate<'_>) {
+        let n = self.line.kept.as_ref().map_or(1, |(n, _)| *n);
+        let half = vec2(0.0, slate.pts(4.0));
+        let stroke = slate.stroke(1.0, slate.theme().ink);
+        for part in 1..n {
+            let at = self.at(part as f64 / n as f64);
+            slate.line([at - half, at + half], stroke);
         }
     }
 
@@ -193,6 +208,11 @@ impl<'l> Axis<'l> {
         let colour = colour(slate.theme(), role_of_bound(self.line, side));
         let half = vec2(0.0, slate.pts(0.5 * HEAD));
         slate.strokes.push([flat - half, flat + half]);
+        if self.is_point() {
+            slate.head(flat, vec2(along, 0.0), length, colour);
+            slate.line([flat - half, flat + half], slate.stroke(2.0, colour));
+            return;
+        }
         let [low, high] = self.line.interval.map(|u| self.at(u).x);
         if !self.line.empty && high - low < 2.0 * length {
             // No room for both: the lower bound's head stands above the axis, the upper one's below it.
@@ -225,9 +245,12 @@ impl<'l> Axis<'l> {
         self.ends(slate);
         // This step's bound chooses first.
         let is_last = |tick: &LineTick| tick.current && tick.side == Side::Leaving;
-        let mut sides = [Side::Entering, Side::Leaving];
+        let mut sides = vec![Side::Entering, Side::Leaving];
         if self.line.ticks.iter().any(is_last) {
             sides.reverse();
+        }
+        if self.is_point() {
+            sides.truncate(1);
         }
         let width = |side| self.set_bound(slate, side).size().x;
         let both = width(Side::Entering) + width(Side::Leaving);
@@ -235,6 +258,11 @@ impl<'l> Axis<'l> {
         let [low, high] = self.line.interval.map(|u| self.at(u).x);
         // Labels that would touch make way to both sides.
         let way = (0.5 * (apart - (high - low).abs())).max(0.0);
+        if let Some((_, kept)) = &self.line.kept {
+            let text = slate.value(kept, (Face::Strong, END_SIZE, slate.theme().ink));
+            let [low, high] = self.line.interval.map(|u| self.at(u));
+            self.put_near(slate, low.lerp(high, 0.5), &text);
+        }
         for side in sides {
             self.bound(slate, side, way);
         }
@@ -271,6 +299,8 @@ impl<'l> Axis<'l> {
         };
         let nth = side as usize;
         let symbol = format!("{}{suffix} = ", self.line.symbol);
+        let both = format!("{0}_min = {0}_max = ", self.line.symbol);
+        let symbol = if self.is_point() { both } else { symbol };
         let mut formula = Formula::default().sym(symbol);
         formula.0.extend_from_slice(&self.line.values[nth].0);
         let colour = if (self.line.interval[nth] - own).abs() < f64::EPSILON {

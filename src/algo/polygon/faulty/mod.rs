@@ -59,6 +59,14 @@ impl Rules for EndFirst {
     const END_FIRST: bool = true;
 }
 
+/// An edge is cut at its inside end on the border, too, which is then put out twice.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CutsOnBorder;
+
+impl Rules for CutsOnBorder {
+    const CUTS_ON_BORDER: bool = true;
+}
+
 /// Sutherland–Hodgman with the mistake `L`.
 pub type Faulty<L, V = Point> = SutherlandHodgman<V, L>;
 

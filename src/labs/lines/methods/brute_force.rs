@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    crossings::{Fate, Shown, crossing_table, crossing_values, current_edge, tests_table},
+    crossings::{Fate, Shown, axis, crossing_table, crossing_values, current_edge, tests_table},
     prelude::*,
     shared::{
         border, border_mark, crossing_mark, end_now, ends, inside_mark, outside_marks,
@@ -125,6 +125,7 @@ impl Telling for BruteForce {
         vec![
             View::plane(marks(&at.step)),
             View::new(CROSSINGS_VIEW, Body::Table(table)),
+            View::new("t-axis", Body::NumberLine(axis(&at.step))),
         ]
     }
 }

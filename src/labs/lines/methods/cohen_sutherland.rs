@@ -15,13 +15,14 @@ use crate::{
 };
 
 use super::{
+    cuts::{cut_marks, cut_table},
     prelude::*,
     shared::{
         self, border, crossing_mark, outside_marks, point, region_key, segment_marks, side_key,
     },
 };
 
-type Shown<'a> = CodeStep<'a, 2, Input>;
+pub type Shown<'a> = CodeStep<'a, 2, Input>;
 
 impl LineTelling for CohenSutherland {
     const WRITES_CODES: bool = true;
@@ -106,6 +107,10 @@ impl CodeLook<2> for Input {
         }
     }
 
+    fn rows(shown: &Shown<'_>) -> Option<Table> {
+        cut_table(shown)
+    }
+
     fn drawing(shown: &Shown<'_>, _: Option<&()>) -> Option<View> {
         let Input {
             window, segment, ..
@@ -114,7 +119,7 @@ impl CodeLook<2> for Input {
         if let Some(edge) = shown.deciding() {
             marks.extend(outside_marks(window, edge));
         }
-        marks.extend(numbered_cuts(shown));
+        marks.extend(cut_marks(shown));
         let verdict = shown.verdict.map(|visible| visible.is_some());
         marks.extend(segment_marks(segment, shown.ends.map(point), verdict));
         match shown.event {
@@ -179,20 +184,4 @@ fn regions(shown: &Shown<'_>) -> Vec<Mark> {
         }
     }
     marks
-}
-
-/// Several cuts have numbers, in the order in which they were made; a cross is where an end was cut off again.
-fn numbered_cuts(shown: &Shown<'_>) -> Vec<Mark> {
-    let cuts = &shown.cuts;
-    if cuts.len() < 2 {
-        return Vec::new();
-    }
-    let mark = |(nth, &at): (usize, &[f64; 2])| {
-        let is_end = shown.ends.contains(&at);
-        let shape = if is_end { Shape::Vertex } else { Shape::Cross };
-        let role = if is_end { Role::Soft } else { Role::Discarded };
-        let label = name(numbered('I', nth));
-        Mark::new(role, shape(at)).labelled(label)
-    };
-    cuts.iter().enumerate().map(mark).collect()
 }

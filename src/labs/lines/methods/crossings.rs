@@ -2,6 +2,7 @@
 
 use crate::{
     algo::line::{BruteForce, BruteForceEvent as Event, Ratio},
+    figure::{LineTick, NumberLine, Side},
     labs::{interval::value_of, words::end_symbol},
 };
 
@@ -136,7 +137,59 @@ pub fn crossing_table(step: &Step<'_, BruteForce>) -> Table {
     }
 }
 
-fn fate_word(fate: Fate) -> Value {
+/// Where the crossings lie along the segment, and what of it is left.
+pub fn axis(step: &Step<'_, BruteForce>) -> NumberLine {
+    let shown = Shown::of(step);
+    let current = current_edge(step.event()).filter(|_| shown.is_visible.is_none());
+    let [from, to] = End::BOTH.map(|end| end.of(&step.input.segment));
+    let mut bounds = [0.0, 1.0].map(|num| Ratio { num, den: 1.0 });
+    let mut ticks = Vec::new();
+    for edge in Edge::ALL {
+        let Some((_, u)) = shown.crossings[edge as usize] else {
+            continue;
+        };
+        let fate = shown.fates[edge as usize];
+        if let Some(Fate::Replaces(end)) = fate {
+            bounds[end.idx()] = u;
+        }
+        let [[a, _], [b, _]] = [from, to].map(|at| along(at, edge.axis()));
+        let inwards = if edge.is_max() { a - b } else { b - a };
+        ticks.push(LineTick {
+            u: u.num / u.den,
+            value: Formula::default().ratio(u.num, u.den),
+            side: Side::of(-inwards),
+            holds: matches!(fate, Some(Fate::Replaces(_))),
+            current: current == Some(edge),
+            name: Value::Term(side_key(edge)),
+            link: Some(edge_link(edge)),
+        });
+    }
+    NumberLine {
+        symbol: "t",
+        ends: End::BOTH.map(end_name),
+        shown: NumberLine::showing(ticks.iter().map(|tick| tick.u)),
+        interval: bounds.map(|bound| bound.num / bound.den),
+        values: bounds.map(|bound| Formula::default().ratio(bound.num, bound.den)),
+        empty: shown.is_visible == Some(false),
+        ticks,
+        kept: kept(bounds).filter(|_| shown.is_visible == Some(true)),
+    }
+}
+
+/// Into how few equal parts the segment is divided by what bounds the part that is left, and how much of it that part is.
+fn kept([low, high]: [Ratio; 2]) -> Option<(usize, Value)> {
+    const MOST: u8 = 16;
+    let divides = |n: u8| move |at: &Ratio| at.num * f64::from(n) % at.den == 0.0;
+    let n = (2..=MOST).find(|&n| [low, high].iter().all(divides(n)))?;
+    let part = Value::Ratio {
+        num: high.num * low.den - low.num * high.den,
+        den: low.den * high.den,
+    };
+    let is_cut = low.num != 0.0 || high.num != high.den;
+    is_cut.then(|| (n.into(), Message::new("bf-kept").with("part", part).into()))
+}
+
+pub fn fate_word(fate: Fate) -> Value {
     match fate {
         Fate::Parallel => Value::Term("verdict-parallel"),
         Fate::InVain => Value::Term("bf-in-vain"),

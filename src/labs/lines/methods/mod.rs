@@ -4,6 +4,7 @@ mod brute_force;
 mod cohen_sutherland;
 mod convex_edges;
 mod crossings;
+mod cuts;
 mod cyrus_beck;
 mod liang_barsky;
 mod nicholl_lee_nicholl;

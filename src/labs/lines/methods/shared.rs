@@ -58,7 +58,7 @@ pub fn segment_marks(original: &Segment, ends: [Point; 2], is_visible: Option<bo
         let given = match (moved, rejected) {
             (true, _) => Role::Discarded,
             (false, true) => Role::Ink,
-            (false, false) => Role::Accent,
+            (false, false) => role,
         };
         marks.push(
             Mark::new(given, Shape::Ring(from.to_array()))
@@ -201,7 +201,11 @@ impl SegmentInterval {
             return segment_marks(segment, visible.map(point), Some(true));
         }
         let mut marks = self.parts(segment);
+        let both = self.both_bounds();
         for crossing in &self.shown.crossings {
+            if both.is_some() && crossing.holds {
+                continue;
+            }
             let at = on_line(segment, crossing.at);
             let is_drawn = self.goes_on || (0.0..=1.0).contains(&crossing.at);
             let on_end = End::BOTH.iter().any(|end| end.of(segment).to_array() == at);
@@ -215,11 +219,30 @@ impl SegmentInterval {
                 // The end itself is enough; a cross on no line says nothing.
                 continue;
             } else {
-                Mark::new(Role::Discarded, Shape::Cross(at))
+                Mark::new(Role::Soft, Shape::Vertex(at))
             };
             marks.push(mark.linked(crossing.link));
         }
+        marks.extend(both.map(|crossing| {
+            let symbols = [Side::Entering, Side::Leaving].map(|side| self.shown.bound_symbol(side));
+            let Mark { role, link, .. } = self.bound_mark(crossing, segment);
+            let dot = Mark::new(role, Shape::Dot(on_line(segment, crossing.at)));
+            let label = equal_to(symbols.join(" = "), crossing.quotient);
+            Mark {
+                link,
+                ..dot.labelled(label).strong()
+            }
+        }));
         marks
+    }
+
+    /// Where both bounds stand: of the two crossings there this step's.
+    fn both_bounds(&self) -> Option<&ShownCrossing> {
+        let [low, high] = self.shown.bounds;
+        let holding = self.shown.crossings.iter().filter(|it| it.holds);
+        holding
+            .max_by_key(|it| it.current)
+            .filter(|_| low.total_cmp(&high).is_eq())
     }
 
     fn bound_mark(&self, crossing: &ShownCrossing, segment: &Segment) -> Mark {

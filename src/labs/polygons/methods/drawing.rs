@@ -19,6 +19,7 @@ pub struct Picture<'a, V> {
     pub rings: RingStep<'a, V>,
     edge: Option<ClipEdge<'a>>,
     pub event: Option<Event<V>>,
+    pub n_passed: usize,
 }
 
 impl<'a, V: LabVertex> Picture<'a, V> {
@@ -29,6 +30,7 @@ impl<'a, V: LabVertex> Picture<'a, V> {
             rings: RingStep::of(&step.held.lists, step.past, is_turn),
             edge: edge(step),
             event: step.event(),
+            n_passed: step.held.lists.n_passed(),
         }
     }
 }

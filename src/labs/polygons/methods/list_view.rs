@@ -50,6 +50,10 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
         now: Now::Looks,
     };
     let pair = match now.event {
+        Some(Event::Edge { .. }) if now.n_passed > 0 => Pair {
+            titles: ["sh-list-handed-on", "sh-list-output"],
+            ..looks
+        },
         None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => looks,
         Some(Event::Cross(Crossing { at, .. })) => Pair {
             now: Now::Finds(at),

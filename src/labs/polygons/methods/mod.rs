@@ -7,6 +7,7 @@ mod ear_clipping;
 mod fates;
 mod list_view;
 mod lists;
+mod panels;
 mod pipeline;
 mod prelude;
 mod result;

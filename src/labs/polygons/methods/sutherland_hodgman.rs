@@ -1,5 +1,7 @@
 //! Sutherland–Hodgman, shown.
 
+use std::sync::Arc;
+
 use crate::{
     algo::{
         polygon::{
@@ -8,7 +10,7 @@ use crate::{
         },
         ring::{EdgeTest, Known},
     },
-    labs::polygons::{GivenSubject, Texture},
+    labs::polygons::{GivenSubject, Panels, Texture},
 };
 
 use super::{
@@ -16,6 +18,7 @@ use super::{
     drawing::{Picture, edge, marks},
     list_view::lists,
     lists::{LISTS, output_symbol, rows as list_rows},
+    panels,
     prelude::*,
     skin::{LabVertex, NamedVertex},
     variant::{EACH, FIRST, IN_IN, IN_OUT, OUT_IN, OUT_OUT, PASS, Variant},
@@ -55,7 +58,10 @@ impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
         };
         Ok(match texture {
             Texture::None => {
-                let run = Recorded::<Self>::beside::<SutherlandHodgman>(input(scene)?, None);
+                let run = Recorded::<Self>::beside::<SutherlandHodgman>(
+                    input(scene)?,
+                    Some(Arc::new(scene.panels)),
+                );
                 Box::new(run)
             }
             Texture::Interpolated => {
@@ -124,7 +130,7 @@ fn rule<V: LabVertex, L: Variant>(step: &Step<'_, SutherlandHodgman<V, L>>) -> O
 }
 
 impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
-    type Scenery = ();
+    type Scenery = Panels;
 
     const ID: &'static str = L::ID;
     const NAME_KEY: &'static str = L::NAME_KEY;
@@ -206,10 +212,12 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
         let picture = Picture::of(&at.step);
-        vec![
-            View::plane(marks(&picture)),
-            View::new(LISTS, Body::Lists(lists(&picture))),
-        ]
+        let panels = at
+            .scenery
+            .and_then(|&panels| panels::view(&at.step, panels));
+        let drawing = [View::plane(marks(&picture))].into_iter().chain(panels);
+        let lists = View::new(LISTS, Body::Lists(lists(&picture)));
+        drawing.chain([lists]).collect()
     }
 }
 

@@ -208,5 +208,6 @@ pub fn axis(interval: [f64; 2], current: usize) -> NumberLine {
         values: interval.map(|u| Formula::default().num(u)),
         empty: low > high,
         ticks,
+        kept: None,
     }
 }

@@ -216,6 +216,7 @@ pub fn small_view<M: ByPlanes>(
             bound(f64::INFINITY, f64::min),
             bound(-f64::INFINITY, f64::max),
         ],
+        is_beside: false,
     };
     View::new(PLANES_VIEW, Body::Multiples(row))
 }

@@ -39,18 +39,16 @@ pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiple
             let message = Message::new("curve-step").with("step", step);
             Some(Value::Message(message.with("distance", distance)))
         });
+        let marks = marks(rays, &format, depth);
         SmallDrawing {
-            title: Value::Term(key),
             note,
-            marks: marks(rays, &format, depth),
-            is_current: false,
-            is_to_come: false,
-            link: None,
+            ..SmallDrawing::new(Value::Term(key), marks)
         }
     };
     Multiples {
         drawings: vec![drawing(false), drawing(true)],
         bounds: [[0.0, 0.0], [WIDTH, 1.0]],
+        is_beside: false,
     }
 }
 

@@ -185,5 +185,6 @@ fn axis(at: &At<'_, RayCasting>, scenery: &Scenery) -> NumberLine {
         values: [0.0, until].map(|t| Formula::decimals().num(t)),
         empty: false,
         ticks: ticks.collect(),
+        kept: None,
     }
 }

@@ -99,5 +99,6 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
     Multiples {
         drawings: PLANES.into_iter().enumerate().map(drawing).collect(),
         bounds: [[0.0, 0.0], [4.0, 3.0]],
+        is_beside: false,
     }
 }
