@@ -86,6 +86,8 @@ impl Comparison {
             (Self::Over { wrong }, [_, _]) => {
                 let mut needs = needs.to_vec();
                 let right = needs.swap_remove(1 - wrong);
+                // How much is left is not what differs.
+                needs[0].retain(|need| need.stand != Stand::Across);
                 for need in &mut needs[0] {
                     if let Some(more) = right.iter().find(|more| more.id == need.id) {
                         need.widen(more);

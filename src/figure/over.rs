@@ -73,8 +73,12 @@ const fn is_quiet(role: Role) -> bool {
     matches!(role, Role::Soft | Role::Faint | Role::Discarded)
 }
 
+fn with_what(key: &'static str, what: Value) -> Value {
+    Message::new(key).with("what", what).into()
+}
+
 fn not_so(text: Value) -> Value {
-    Message::new("not-so").with("what", text).into()
+    with_what("not-so", text)
 }
 
 /// Crosses in `marks` what is not right, and returns what is missing in them.
@@ -112,6 +116,12 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
     let shapes: Vec<Shape> = marks.iter().map(|mark| mark.shape.clone()).collect();
     let mut missing = crossed(marks, right);
     for mark in &mut missing {
+        if let (Shape::Dot(at), Some(label)) = (&mark.shape, &mut mark.label)
+            && !own.is_empty()
+            && !own.contains(at)
+        {
+            label.text = not_so(with_what("is-missing", label.text.clone()));
+        }
         // Of what is on the same side and has another name the line is enough.
         if let Shape::HalfPlane(ends) = mark.shape
             && shapes.contains(&mark.shape)
@@ -120,8 +130,14 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
         }
     }
     marks.extend(missing);
-    let crosses = surplus.into_iter().map(Shape::Cross);
-    marks.extend(crosses.map(|cross| Mark::new(Role::Signal, cross)));
+    marks.extend(surplus.into_iter().map(|at| {
+        let cross = Mark::new(Role::Signal, Shape::Cross(at));
+        let known = right.iter().find(|mark| mark.shape == Shape::Dot(at));
+        match known.and_then(|mark| mark.label.as_ref()) {
+            Some(label) => cross.labelled(not_so(with_what("again", label.text.clone()))),
+            None => cross,
+        }
+    }));
 }
 
 /// Of all outlines: one that is there twice is twice among them.
@@ -162,14 +178,20 @@ fn solids(space: &mut Space, right: &Space) {
         .collect();
     let edges = right.edges.iter().filter(drawn);
     let edges = edges.filter(|edge| !own.contains(&bits(&edge.ends)));
-    marks.extend(edges.map(|edge| {
+    let edges = edges.map(|edge| {
         let edge = Mark3::new(Role::Signal, Shape3::Segment(edge.ends));
         edge.edge().dashed()
-    }));
-    if matches!(space.seer, Seer::Eye(_)) {
+    });
+    let edges: Vec<Mark3> = edges.collect();
+    // Who goes round sees solids that are left out; which of their faces are, the camera sees.
+    let is_camera = matches!(space.seer, Seer::Camera(_));
+    if is_camera || !edges.is_empty() {
         marks.extend(named(&missing, "part-missing"));
+    }
+    if is_camera {
         marks.extend(named(&surplus, "part-surplus"));
     }
+    space.marks.extend(edges);
     space.marks.extend(marks);
 }
 

@@ -188,6 +188,9 @@ part-missing = missing
 part-surplus = too much
 result-right = Right result: { $n }
 result-wrong = × Wrong result: { $n }
+again = { $what } again
+is-missing = { $what } missing
+refused = refused
 run-later = The scene is too large to follow a drag: its run is recorded when you let go.
 
 ## Views beside the drawing

@@ -145,7 +145,6 @@ sh-list-output = Output list
 sh-list-next = Next input list
 sh-list-given = Polygon
 sh-list-left = What is left
-sh-list-wrong = × Wrong result
 sh-opening = Clip the whole polygon, { $n } vertices, against one edge of the region after the other: { $edges } edges.
 sh-edge-side = Clip against the { $edge }: inside is { $inside }.
 sh-edge = Clip against { $edge }: inside is { $inside }.

@@ -188,6 +188,9 @@ part-missing = falta
 part-surplus = sobra
 result-right = Resultado correcto: { $n }
 result-wrong = × Resultado erróneo: { $n }
+again = { $what } otra vez
+is-missing = falta { $what }
+refused = rechazado
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
 
 ## Vistas junto al dibujo

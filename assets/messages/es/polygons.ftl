@@ -145,7 +145,6 @@ sh-list-output = Lista de salida
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = Lo que queda
-sh-list-wrong = × Resultado erróneo
 sh-opening = Se recorta el polígono entero, { $n } vértices, contra un borde de la región tras otro: { $edges } bordes.
 sh-edge-side = Recorte contra el { $edge }: dentro es { $inside }.
 sh-edge = Recorte contra { $edge }: dentro es { $inside }.

@@ -188,6 +188,9 @@ part-missing = falta
 part-surplus = sobra
 result-right = Resultado certo: { $n }
 result-wrong = × Resultado errado: { $n }
+again = { $what } de novo
+is-missing = falta { $what }
+refused = recusado
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
 
 ## Vistas ao lado do desenho

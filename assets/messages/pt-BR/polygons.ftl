@@ -145,7 +145,6 @@ sh-list-output = Lista de saída
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = O que resta
-sh-list-wrong = × Resultado errado
 sh-opening = O polígono inteiro, { $n } vértices, é recortado contra uma borda da região após a outra: { $edges } bordas.
 sh-edge-side = Recorte contra a { $edge }: dentro é { $inside }.
 sh-edge = Recorte contra { $edge }: dentro é { $inside }.

@@ -80,9 +80,14 @@ impl Telling for PointPlanes {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
             let mut marks = vec![dot(at)];
-            let distance = at.step.held.distances.last().copied().unwrap_or_default();
-            let camera = scenery.scene().culler();
-            marks.extend(asked.marks(camera, at.step.input.point, distance));
+            let (camera, distances) = (scenery.scene().culler(), &at.step.held.distances);
+            marks.extend(asked.marks(camera, at.step.input.point, distances));
+            marks.extend(
+                asked
+                    .current
+                    .and(asked.lit())
+                    .and_then(|side| opening(camera, side)),
+            );
             views.push(scenery.observer(|_| Fate::ToCome, marks));
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, vec![dot(at)]));
         }
@@ -107,6 +112,7 @@ fn asked<'a>(at: &At<'a, PointPlanes>) -> Asked<'a> {
         n_planes: planes.len(),
         current,
         answers: at.step.held.distances.iter().map(says).collect(),
+        is_done: matches!(at.step.event(), Some(Event::Done { .. })),
         ..Asked::default()
     }
 }
@@ -118,6 +124,33 @@ fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
         Some(Event::Done { inside: false }) => Role::Discarded,
     };
     Mark3::new(role, Shape3::Dot(at.step.input.point)).labelled(words::name("P"))
+}
+
+/// How far a plane at a side and the one across from it open, seen from the eye.
+fn opening(camera: &Camera, side: VolumeSide) -> Option<Mark3> {
+    const N_PARTS: u32 = 16;
+    let symbol = ["fov_x", "fov_y"].get(side.axis())?;
+    if camera.volume().sight() != Sight::Perspective {
+        return None;
+    }
+    let (eye, corners) = (DVec3::from(camera.position()), camera.corners_in_world());
+    // Far corners, in the middle between those of one side.
+    let across = [[[4, 6], [5, 7]], [[4, 5], [6, 7]]][side.axis()];
+    let ends = across.map(|ends| {
+        let [a, b] = ends.map(|i| DVec3::from(corners[i]));
+        a.midpoint(b) - eye
+    });
+    let [a, b] = ends.map(DVec3::normalize_or_zero);
+    let part = |i| {
+        a.lerp(b, f64::from(i) / f64::from(N_PARTS))
+            .normalize_or_zero()
+    };
+    let arc = (0..=N_PARTS).map(|i| eye + part(i) * (0.3 * ends[0].length()));
+    let sector = std::iter::once(eye).chain(arc).map(Into::into);
+    let degrees = sym(*symbol)
+        .equals(a.angle_between(b).to_degrees())
+        .sym("°");
+    Some(Mark3::new(Role::Soft, Shape3::Wash(sector.collect())).labelled(degrees))
 }
 
 fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {

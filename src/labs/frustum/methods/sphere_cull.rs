@@ -9,6 +9,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
+use super::super::Object;
 use super::asked::{Asked, both, distance_formula, fate_of, place, says};
 
 const GAUGES_VIEW: &str = "distances";
@@ -17,10 +18,14 @@ impl AnswerAsItIs for SphereCullOutput {}
 
 impl SpaceTelling for SphereCull {
     fn input(scene: &Scene) -> SphereCullInput {
-        SphereCullInput {
-            planes: scene.culler().planes_in_world().to_vec(),
-            sphere: scene.focused().in_funnel().sphere,
-        }
+        input_of(scene, scene.focused())
+    }
+}
+
+fn input_of(scene: &Scene, object: &Object) -> SphereCullInput {
+    SphereCullInput {
+        planes: scene.culler().planes_in_world().to_vec(),
+        sphere: object.in_funnel().sphere,
     }
 }
 
@@ -78,8 +83,10 @@ impl Telling for SphereCull {
         let asked = asked(at);
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
-            let marks = asked.marks(scenery.scene().culler());
-            views.extend(both(scenery, fate_of(asked.planes.class), marks));
+            let scene = scenery.scene();
+            let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
+            let (fate, marks) = (fate_of(asked.planes.class), asked.marks(scene.culler()));
+            views.extend(both(scenery, fate, class, marks));
         }
         views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
         views
@@ -98,6 +105,7 @@ fn asked<'a>(at: &At<'a, SphereCull>) -> AskedSphere<'a> {
         n_planes: planes.len(),
         current,
         class,
+        is_done: class.is_some(),
         ..Asked::default()
     };
     AskedSphere::new::<Right>(*sphere, at.step.held, planes)
@@ -152,21 +160,34 @@ impl<'a> AskedSphere<'a> {
         })
     }
 
-    /// The sphere, and the plane that is asked of it: its perpendicular in ink as far as the sphere reaches.
+    /// The sphere with its radius, towards the plane that is asked of it: on its perpendicular.
     pub fn marks(&self, camera: &Camera) -> Vec<Mark3> {
         let (center, radius) = (self.sphere.center(), self.sphere.radius());
         let mut marks = vec![
             Mark3::new(Role::Ink, Shape3::Ball(center, radius)),
             Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
         ];
-        if let Some((plane, &d)) = self.planes.current.zip(self.distances.last()) {
-            marks.extend(self.planes.marks(camera, center, d));
-            let unit = DVec3::from(plane.unit_normal());
-            let towards = DVec3::from(center) - unit * radius * d.signum();
-            let reach = Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]));
-            let radius = sym("r").equals(radius);
-            marks.push(reach.labelled(Value::Formula(radius)));
+        marks.extend(self.planes.marks(camera, center, self.distances));
+        if self.turns_sign
+            && let Some(normal) = marks
+                .iter_mut()
+                .rev()
+                .find_map(|mark| match &mut mark.shape {
+                    Shape3::Arrow(ends) => Some(ends),
+                    _ => None,
+                })
+        {
+            // What it takes for the inside.
+            let [from, to] = normal.map(DVec3::from);
+            normal[1] = (from + from - to).into();
         }
+        let towards = self.planes.lit().map_or(DVec3::Y, |side| {
+            let unit = DVec3::from(camera.planes_in_world()[side as usize].unit_normal());
+            -unit * self.distances[side as usize].signum()
+        });
+        let end = DVec3::from(center) + radius * towards;
+        let reach = Mark3::new(Role::Ink, Shape3::Segment([center, end.into()]));
+        marks.push(reach.labelled(Value::Formula(sym("r").equals(radius))));
         marks
     }
 

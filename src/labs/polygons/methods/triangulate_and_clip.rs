@@ -10,7 +10,7 @@ use super::{
     drawing::{self, Picture},
     ear_clipping,
     fates::{FATES, fates, is_done, is_triangulating, triangle_now},
-    lists::outline,
+    lists::{middle, outline},
     prelude::*,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
@@ -324,8 +324,16 @@ fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
     if rings.is_empty() {
         return Vec::new();
     }
-    let seams = pieces.rings().take(FEW_ENOUGH);
-    let seams = seams.map(|ring| Mark::new(Role::Faint, Shape::Outline(outline(ring))));
+    let pieces = || pieces.rings().take(FEW_ENOUGH).enumerate();
+    let seams = pieces().map(|(_, ring)| {
+        let seam = Mark::new(Role::Ink, Shape::Outline(outline(ring)));
+        seam.dashed()
+    });
+    let names = pieces().map(|(i, ring)| {
+        let piece = Mark::new(Role::Accepted, Shape::Label(middle(ring)));
+        piece.labelled(name(numbered('Q', i)))
+    });
     let merged = Mark::new(Role::Accepted, Shape::Area(rings));
-    std::iter::once(merged).chain(seams).collect()
+    let merged = std::iter::once(merged).chain(seams);
+    merged.chain(names).collect()
 }

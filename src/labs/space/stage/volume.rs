@@ -63,6 +63,15 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     marks
 }
 
+/// Its normal, of length 1, in the middle of what is drawn of it.
+pub fn normal_of(camera: &Camera, side: VolumeSide) -> Mark3 {
+    let middle = outline(camera, side).into_iter().map(DVec3::from);
+    let middle = middle.sum::<DVec3>() / 4.0;
+    let unit = DVec3::from(camera.planes_in_world()[side as usize].unit_normal());
+    let arrow = Shape3::Arrow([middle.into(), (middle + unit).into()]);
+    Mark3::new(Role::Ink, arrow).labelled(name("n"))
+}
+
 pub fn plane_at_work(camera: &Camera, side: VolumeSide) -> Vec<Mark3> {
     let outline = outline(camera, side);
     vec![
