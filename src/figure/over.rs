@@ -130,14 +130,15 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
         }
     }
     marks.extend(missing);
-    marks.extend(surplus.into_iter().map(|at| {
+    for at in surplus {
         let cross = Mark::new(Role::Signal, Shape::Cross(at));
-        let known = right.iter().find(|mark| mark.shape == Shape::Dot(at));
-        match known.and_then(|mark| mark.label.as_ref()) {
-            Some(label) => cross.labelled(not_so(with_what("again", label.text.clone()))),
+        let dot = marks.iter_mut().find(|mark| mark.shape == Shape::Dot(at));
+        let label = dot.and_then(|dot| dot.label.take());
+        marks.push(match label {
+            Some(label) => cross.labelled(not_so(with_what("again", label.text))),
             None => cross,
-        }
-    }));
+        });
+    }
 }
 
 /// Of all outlines: one that is there twice is twice among them.

@@ -123,25 +123,25 @@ impl Seen {
     fn arrow(&mut self, mark: &Mark3, ends: [[f64; 3]; 2]) -> Vec<Mark> {
         let tip = self.in_view(ends[1]).map(|view| self.on_picture(view));
         let Parted { visible, hidden } = self.parted(ends, [None; 2]);
-        let dashed = hidden.iter().map(|ends| {
-            let part = Mark::new(mark.role, Shape::Path(ends.to_vec())).dashed();
-            part.weighing(if mark.is_fine { FINE_HIDDEN } else { HIDDEN })
-        });
-        let mut drawn: Vec<Mark> = dashed.collect();
-        let is_tip = |at: [f64; 2]| {
-            tip.is_some_and(|tip| libm::hypot(at[0] - tip[0], at[1] - tip[1]) < NEAR)
-        };
-        let parts = visible.into_iter().map(|ends| {
-            let shape = if is_tip(ends[1]) {
+        let part = |ends: [[f64; 2]; 2]| {
+            let by = tip.map(|tip| libm::hypot(ends[1][0] - tip[0], ends[1][1] - tip[1]));
+            let shape = if by.is_some_and(|by| by < NEAR) {
                 Shape::Arrow(ends)
             } else {
                 Shape::Segment(ends)
             };
-            let mut part = weighed(Mark::new(mark.role, shape), mark.is_fine);
+            weighed(Mark::new(mark.role, shape), mark.is_fine)
+        };
+        let dashed = hidden.into_iter().map(|ends| {
+            let weight = if mark.is_fine { FINE_HIDDEN } else { HIDDEN };
+            part(ends).dashed().weighing(weight)
+        });
+        let mut drawn: Vec<Mark> = dashed.collect();
+        drawn.extend(visible.into_iter().map(|ends| {
+            let mut part = part(ends);
             (part.is_cased, part.is_dashed) = (stands_out(mark.role), mark.is_dashed);
             part
-        });
-        drawn.extend(parts);
+        }));
         for part in &mut drawn {
             part.link = mark.link;
         }

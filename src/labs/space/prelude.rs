@@ -6,7 +6,7 @@ pub use crate::labs::{
         Scene, SpaceTelling, Subject,
         stage::{
             FaceLook, Fate, Scenery, face_link, normal_of, object_link, plane_at_work, side_link,
-            side_name, side_named,
+            side_name, side_named, volume,
         },
     },
 };

@@ -83,6 +83,8 @@ pub struct Asked<'a> {
     pub class: Option<Containment>,
     /// In the end the planes are lit that have rejected it.
     pub is_done: bool,
+    /// Is the outside taken for the inside?
+    pub turns_sign: bool,
 }
 
 impl Asked<'_> {
@@ -148,7 +150,7 @@ impl Asked<'_> {
         let mut marks: Vec<Mark3> = lit.flat_map(|side| plane_at_work(camera, side)).collect();
         if let Some(side) = self.lit() {
             let plane = camera.planes_in_world()[side as usize];
-            marks.push(normal_of(camera, side));
+            marks.extend(normal_of(camera, side, self.turns_sign));
             marks.extend(perpendicular(&plane, at, distances[side as usize]));
         }
         marks

@@ -230,8 +230,10 @@ pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
         let arrow = Shape3::Arrow([a.into(), tip.into()]);
         marks.push(Mark3::new(Role::Ink, arrow).labelled(name("e")).strong());
         if let Some(normal) = normal_tip {
-            let angle = [a, normal, tip].map(Into::into);
-            marks.push(Mark3::new(Role::Signal, Shape3::Angle(angle)));
+            let degrees = (normal - a).angle_between(tip - a).to_degrees();
+            let angle = Shape3::Angle([a, normal, tip].map(Into::into));
+            let angle = Mark3::new(Role::Signal, angle);
+            marks.push(angle.labelled(sym(format!("{degrees:.0}°"))));
         }
     }
     marks

@@ -125,6 +125,7 @@ fn asked<'a>(at: &At<'a, BoxCull>) -> Asked<'a> {
         answers: answers.collect(),
         class,
         is_done: class.is_some(),
+        turns_sign: false,
     }
 }
 
@@ -177,7 +178,7 @@ fn cuts(at: &At<'_, BoxCull>, asked: &Asked<'_>, camera: &Camera) -> Vec<Mark3> 
         let sheet = upright.map(|around| Shape3::Sheet(section(plane, &around)));
         let sheet = sheet.map(|sheet| Mark3::new(Role::Accent, sheet).fine());
         let wash = Mark3::new(Role::Accent, Shape3::Wash(cut.clone()));
-        let outline = Mark3::new(Role::Accent, Shape3::Outline(cut)).labelled(side_name(side));
+        let outline = Mark3::new(Role::Accent, Shape3::Sheet(cut)).labelled(side_name(side));
         sheet
             .into_iter()
             .chain([wash, outline.linked(side_link(side))])

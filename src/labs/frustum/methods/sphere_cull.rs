@@ -85,7 +85,10 @@ impl Telling for SphereCull {
         if let Some(scenery) = at.scenery {
             let scene = scenery.scene();
             let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
-            let (fate, marks) = (fate_of(asked.planes.class), asked.marks(scene.culler()));
+            let (fate, mut marks) = (fate_of(asked.planes.class), asked.marks(scene.culler()));
+            if asked.planes.lit().is_none() {
+                marks.extend(asked.reach(DVec3::Y));
+            }
             views.extend(both(scenery, fate, class, marks));
         }
         views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
@@ -115,7 +118,6 @@ pub struct AskedSphere<'a> {
     pub planes: Asked<'a>,
     sphere: Sphere,
     distances: &'a [f64],
-    turns_sign: bool,
 }
 
 impl<'a> AskedSphere<'a> {
@@ -125,13 +127,13 @@ impl<'a> AskedSphere<'a> {
         mut planes: Asked<'a>,
     ) -> Self {
         let distances = &held.distances[..];
+        planes.turns_sign = L::TURNS_SIGN;
         let says = |d: f64| sphere_side::<f64, L>(d, sphere.radius());
         planes.answers = distances.iter().map(|&d| (d.into(), says(d))).collect();
         Self {
             planes,
             sphere,
             distances,
-            turns_sign: L::TURNS_SIGN,
         }
     }
 
@@ -150,7 +152,7 @@ impl<'a> AskedSphere<'a> {
         let plane = self.planes.current?;
         let (c, r) = (self.sphere.center(), self.sphere.radius());
         let d = distance_formula(["d", "c"], &plane, c, *d);
-        Some(match (class, self.turns_sign) {
+        Some(match (class, self.planes.turns_sign) {
             (Outside, false) => d.sym(" < −r").equals(-r),
             (Straddles, false) => d.sym(",  −r ≤ d < r").equals(r),
             (Inside, false) => d.sym(" ≥ r").equals(r),
@@ -160,7 +162,7 @@ impl<'a> AskedSphere<'a> {
         })
     }
 
-    /// The sphere with its radius, towards the plane that is asked of it: on its perpendicular.
+    /// The sphere, and the plane that is asked of it: its perpendicular in ink as far as the sphere reaches.
     pub fn marks(&self, camera: &Camera) -> Vec<Mark3> {
         let (center, radius) = (self.sphere.center(), self.sphere.radius());
         let mut marks = vec![
@@ -168,27 +170,25 @@ impl<'a> AskedSphere<'a> {
             Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
         ];
         marks.extend(self.planes.marks(camera, center, self.distances));
-        if self.turns_sign
-            && let Some(normal) = marks
-                .iter_mut()
-                .rev()
-                .find_map(|mark| match &mut mark.shape {
-                    Shape3::Arrow(ends) => Some(ends),
-                    _ => None,
-                })
-        {
-            // What it takes for the inside.
-            let [from, to] = normal.map(DVec3::from);
-            normal[1] = (from + from - to).into();
-        }
-        let towards = self.planes.lit().map_or(DVec3::Y, |side| {
+        if let Some(side) = self.planes.lit() {
             let unit = DVec3::from(camera.planes_in_world()[side as usize].unit_normal());
-            -unit * self.distances[side as usize].signum()
-        });
-        let end = DVec3::from(center) + radius * towards;
-        let reach = Mark3::new(Role::Ink, Shape3::Segment([center, end.into()]));
-        marks.push(reach.labelled(Value::Formula(sym("r").equals(radius))));
+            let towards = -unit * self.distances[side as usize].signum();
+            let [reach, name] = self.reach(towards);
+            marks.push(Mark3 {
+                label: name.label,
+                ..reach
+            });
+        }
         marks
+    }
+
+    /// Its radius, and beside its end what that is called: it is not what has to be seen in its length.
+    fn reach(&self, towards: DVec3) -> [Mark3; 2] {
+        let (center, radius) = (self.sphere.center(), self.sphere.radius());
+        let end = (DVec3::from(center) + radius * towards).into();
+        let shapes = [Shape3::Segment([center, end]), Shape3::Label(end)];
+        let [reach, name] = shapes.map(|shape| Mark3::new(Role::Ink, shape));
+        [reach, name.labelled(sym("r").equals(radius))]
     }
 
     pub fn gauges(&self) -> Gauges {

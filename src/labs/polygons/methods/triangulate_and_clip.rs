@@ -1,9 +1,12 @@
 //! Ear clipping first, then each triangle clipped on its own, shown.
 
-use crate::algo::polygon::{
-    EachTriangleEvent as Each, EarClipping, Pieces, SutherlandHodgman, Triangle,
-    TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
-    TriangulateAndClipInput as Input,
+use crate::{
+    algo::polygon::{
+        EachTriangleEvent as Each, EarClipping, Pieces, SutherlandHodgman, Triangle,
+        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
+        TriangulateAndClipInput as Input,
+    },
+    geom::pairs_around,
 };
 
 use super::{
@@ -325,9 +328,19 @@ fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
         return Vec::new();
     }
     let pieces = || pieces.rings().take(FEW_ENOUGH).enumerate();
-    let seams = pieces().map(|(_, ring)| {
-        let seam = Mark::new(Role::Ink, Shape::Outline(outline(ring)));
-        seam.dashed()
+    let edges = |ring: &[Point]| pairs_around(ring).collect::<Vec<_>>();
+    let all: Vec<[Point; 2]> = pieces().flat_map(|(_, ring)| edges(ring)).collect();
+    // A piece's edge that another one has the other way round, told once.
+    let is_seam = |&(i, &[a, b]): &(usize, &[Point; 2])| all[..i].contains(&[b, a]);
+    let seams = all.iter().enumerate().filter(is_seam).enumerate();
+    let seams = seams.map(|(nth, (_, ends))| {
+        let seam = Shape::Segment(ends.map(Point::to_array));
+        let seam = Mark::new(Role::Ink, seam).dashed();
+        if nth == 0 {
+            seam.labelled(Value::Term("tac-seam"))
+        } else {
+            seam
+        }
     });
     let names = pieces().map(|(i, ring)| {
         let piece = Mark::new(Role::Accepted, Shape::Label(middle(ring)));

@@ -142,18 +142,24 @@ fn arrows<L: Variant>(at: &At<'_, Funnel<L>>) -> Vec<Mark3> {
 
 pub fn both<L: Variant>(at: &At<'_, Funnel<L>>, scenery: &Scenery) -> [View; 2] {
     let known = Known::of(at);
+    let camera = asked_camera::<L>(&at.step.input.camera);
     let fate = |i| known.fate(i);
     let outline = |face: [[f64; 3]; 3]| {
         let corners = face.to_vec();
         Mark3::new(Role::Signal, Shape3::Outline(corners))
     };
     let triangle = asked_face(at).map(outline);
-    let marks = match &triangle {
+    let mut marks = match &triangle {
         Some(triangle) => [vec![triangle.clone()], pieces(at), arrows(at)].concat(),
-        None => sphere(at).map_or(Vec::new(), |sphere| {
-            sphere.marks(&asked_camera::<L>(&at.step.input.camera))
-        }),
+        None => sphere(at).map_or(Vec::new(), |sphere| sphere.marks(&camera)),
     };
+    if camera != at.step.input.camera {
+        // What is asked is not what is drawn.
+        let asked = volume(&camera).into_iter();
+        marks.extend(
+            asked.filter(|mark| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_))),
+        );
+    }
     let pale = |object, face| known.look(object, face, FaceLook::Own(Role::Discarded));
     let gone = |object, face| known.look(object, face, FaceLook::Hidden);
     [

@@ -75,7 +75,7 @@ fn turn([before, at, after]: [Point; 3]) -> Vec<Mark> {
         let (from, to) = (along(before), along(at));
         to + part * (to - from)
     });
-    let radius = 0.4 * length(at, after).min(length(before, at));
+    let radius = 0.15 * length(at, after).min(length(before, at));
     let [before, at, after] = [before, at, after].map(Point::to_array);
     let signal = |shape| Mark::new(Role::Signal, shape);
     let towards = |to: [f64; 2]| libm::atan2(to[1] - at[1], to[0] - at[0]);
