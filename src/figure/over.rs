@@ -115,6 +115,9 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
     surplus.dedup();
     let shapes: Vec<Shape> = marks.iter().map(|mark| mark.shape.clone()).collect();
     let mut missing = crossed(marks, right);
+    // Of the side of another border nothing is said.
+    missing
+        .retain(|mark| !matches!(mark.shape, Shape::HalfPlane(_)) || shapes.contains(&mark.shape));
     for mark in &mut missing {
         if let (Shape::Dot(at), Some(label)) = (&mark.shape, &mut mark.label)
             && !own.is_empty()
@@ -123,9 +126,7 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
             label.text = not_so(with_what("is-missing", label.text.clone()));
         }
         // Of what is on the same side and has another name the line is enough.
-        if let Shape::HalfPlane(ends) = mark.shape
-            && shapes.contains(&mark.shape)
-        {
+        if let Shape::HalfPlane(ends) = mark.shape {
             mark.shape = Shape::Line(ends);
         }
     }

@@ -126,31 +126,26 @@ fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
     Mark3::new(role, Shape3::Dot(at.step.input.point)).labelled(words::name("P"))
 }
 
-/// How far a plane at a side and the one across from it open, seen from the eye.
+/// How far a plane at a side and the one across from it open, where that is not the same in both directions.
 fn opening(camera: &Camera, side: VolumeSide) -> Option<Mark3> {
     const N_PARTS: u32 = 16;
-    let symbol = ["fov_x", "fov_y"].get(side.axis())?;
-    if camera.volume().sight() != Sight::Perspective {
+    let corners = camera.corners_in_world().map(DVec3::from);
+    // Those of the far side that differ in one direction.
+    let [width, height] = [5, 6].map(|other| corners[4].distance(corners[other]));
+    if camera.volume().sight() != Sight::Perspective || side.axis() == 2 || width == height {
         return None;
     }
-    let (eye, corners) = (DVec3::from(camera.position()), camera.corners_in_world());
-    // Far corners, in the middle between those of one side.
+    let eye = DVec3::from(camera.position());
     let across = [[[4, 6], [5, 7]], [[4, 5], [6, 7]]][side.axis()];
-    let ends = across.map(|ends| {
-        let [a, b] = ends.map(|i| DVec3::from(corners[i]));
-        a.midpoint(b) - eye
-    });
+    let ends = across.map(|[a, b]| corners[a].midpoint(corners[b]) - eye);
     let [a, b] = ends.map(DVec3::normalize_or_zero);
-    let part = |i| {
-        a.lerp(b, f64::from(i) / f64::from(N_PARTS))
-            .normalize_or_zero()
-    };
-    let arc = (0..=N_PARTS).map(|i| eye + part(i) * (0.3 * ends[0].length()));
-    let sector = std::iter::once(eye).chain(arc).map(Into::into);
-    let degrees = sym(*symbol)
-        .equals(a.angle_between(b).to_degrees())
-        .sym("°");
-    Some(Mark3::new(Role::Soft, Shape3::Wash(sector.collect())).labelled(degrees))
+    let along = |i| a.lerp(b, f64::from(i) / f64::from(N_PARTS));
+    let reach = 0.3 * ends[0].length();
+    let arc = (0..=N_PARTS).map(|i| eye + along(i).normalize_or_zero() * reach);
+    let sector = std::iter::once(eye).chain(arc).map(Into::into).collect();
+    let degrees = Formula::decimals().num(a.angle_between(b).to_degrees());
+    let sector = Mark3::new(Role::Ink, Shape3::Wash(sector));
+    Some(sector.labelled(degrees.sym("°")))
 }
 
 fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
