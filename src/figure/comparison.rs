@@ -7,6 +7,7 @@ use super::{
     extent::{Need, Stand},
     frame::Frame,
     mark::{Mark, Shape},
+    over::over,
     role::Role,
     run::Run,
     small_pictures::{Raster, RasterMark, RasterShape},
@@ -23,6 +24,10 @@ pub enum Comparison {
     /// Nothing is compared, or what differs is not known.
     Apart,
     Same,
+    /// Of two the one at this place is wrong on purpose, and what it does lies over what is right.
+    Over {
+        wrong: usize,
+    },
 }
 
 impl Comparison {
@@ -55,6 +60,24 @@ impl Comparison {
         }
     }
 
+    /// Of two runs of which the one at this place is wrong: in one frame where both draw the same things, and make no picture of
+    /// their own.
+    pub fn over(runs: &[&dyn Run], wrong: usize) -> Self {
+        let ends = ends(runs);
+        let ids = |end: &Frame| end.views.iter().map(|view| view.id).collect::<Vec<_>>();
+        let is_drawn = |view: &View| {
+            matches!(
+                view.body,
+                Body::Plane(_) | Body::Space(_) | Body::Lists(_) | Body::Ribbon(_)
+            )
+        };
+        let is_one = |[a, b]: &[Frame; 2]| ids(a) == ids(b) && a.views.iter().all(is_drawn);
+        match <[Frame; 2]>::try_from(ends) {
+            Ok(ends) if is_one(&ends) => Self::Over { wrong },
+            _ => Self::Apart,
+        }
+    }
+
     /// What is drawn live, from what each run wants.
     pub fn needs(self, needs: &[Vec<Need>]) -> Vec<Vec<Need>> {
         match (self, needs) {
@@ -63,6 +86,18 @@ impl Comparison {
                 let counts = vec![Counts::default(); 1 + others.len()];
                 let costs = View::costs(Vec::new(), counts);
                 vec![drawings.copied().chain([costs.need()]).collect()]
+            }
+            (Self::Over { wrong }, [_, _]) => {
+                let mut needs = needs.to_vec();
+                let right = needs.swap_remove(1 - wrong);
+                // How much is left is not what differs.
+                needs[0].retain(|need| need.stand != Stand::Across);
+                for need in &mut needs[0] {
+                    if let Some(more) = right.iter().find(|more| more.id == need.id) {
+                        need.widen(more);
+                    }
+                }
+                needs
             }
             _ => needs.to_vec(),
         }
@@ -111,8 +146,12 @@ impl Comparison {
     /// The one frame of all methods, of these names; none where each is drawn by itself. What they do not agree about when
     /// all have come to their end is hatched.
     pub fn together(self, frames: &[Frame], names: &[Value], at_end: bool) -> Option<Frame> {
-        let (Self::Same, [first, others @ ..]) = (self, frames) else {
-            return None;
+        let (first, others) = match (self, frames) {
+            (Self::Same, [first, others @ ..]) => (first, others),
+            (Self::Over { wrong }, [_, _]) => {
+                return Some(over(&frames[wrong], &frames[1 - wrong]));
+            }
+            _ => return None,
         };
         let mut frame = together(first, others, names);
         if at_end {

@@ -10,6 +10,7 @@ mod layout;
 mod lens;
 mod mark;
 mod moment;
+mod over;
 mod project;
 mod role;
 mod run;

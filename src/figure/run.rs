@@ -99,10 +99,21 @@ pub trait Run {
         };
         match (1..=as_many).find(&mut is_parted) {
             None => as_many,
-            Some(parted) if parted < step => self.find(&other.moment(step)).unwrap_or(as_many),
+            Some(parted) if parted < step => {
+                let moment = other.moment(step);
+                let same = self.find(&moment);
+                same.or_else(|| self.find(&moment.of_any_kind()))
+                    .unwrap_or(as_many)
+            }
             Some(_) => {
+                let is_other_kind = own.name() != others.name();
                 other.read_words(step + 1, &mut others);
-                as_many - usize::from(own == others)
+                let same = is_other_kind.then(|| self.find(&other.moment(step)));
+                match same.flatten() {
+                    _ if own == others => as_many - 1,
+                    Some(same) => same,
+                    None => as_many,
+                }
             }
         }
     }

@@ -7,12 +7,14 @@ use crate::{
 
 use super::MethodCard;
 
-/// How methods stand beside each other: where one is wrong on purpose apart, whatever they answer.
+/// How methods stand beside each other: one that is wrong on purpose over a right one, or apart from others, whatever they answer.
 pub fn comparison(methods: &[&MethodCard], runs: &[&dyn Run]) -> Comparison {
-    if methods.iter().any(|method| method.is_faulty) {
-        Comparison::Apart
-    } else {
-        Comparison::between(runs)
+    let faulty: Vec<bool> = methods.iter().map(|method| method.is_faulty).collect();
+    match faulty[..] {
+        [true, false] => Comparison::over(runs, 0),
+        [false, true] => Comparison::over(runs, 1),
+        _ if faulty.contains(&true) => Comparison::Apart,
+        _ => Comparison::between(runs),
     }
 }
 

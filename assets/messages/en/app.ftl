@@ -182,6 +182,15 @@ faulty-title = What is wrong here?
 faulty-unnamed = A student’s program
 differs-from = differs from step { $step } on
 differs-nowhere = same steps on this input
+not-so = × { $what }
+wrong-and-right = Wrong: { $wrong } Right: { $right }
+part-missing = missing
+part-surplus = too much
+result-right = Right result: { $n }
+result-wrong = × Wrong result: { $n }
+again = { $what } again
+is-missing = { $what } missing
+refused = refused
 run-later = The scene is too large to follow a drag: its run is recorded when you let go.
 
 ## Views beside the drawing

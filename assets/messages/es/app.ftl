@@ -182,6 +182,15 @@ faulty-title = ¿Qué falla aquí?
 faulty-unnamed = El programa de un estudiante
 differs-from = difiere desde el paso { $step }
 differs-nowhere = mismos pasos con esta entrada
+not-so = × { $what }
+wrong-and-right = Mal: { $wrong } Bien: { $right }
+part-missing = falta
+part-surplus = sobra
+result-right = Resultado correcto: { $n }
+result-wrong = × Resultado erróneo: { $n }
+again = { $what } otra vez
+is-missing = falta { $what }
+refused = rechazado
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
 
 ## Vistas junto al dibujo

@@ -182,6 +182,15 @@ faulty-title = O que está errado aqui?
 faulty-unnamed = O programa de um estudante
 differs-from = difere a partir do passo { $step }
 differs-nowhere = mesmos passos com esta entrada
+not-so = × { $what }
+wrong-and-right = Errado: { $wrong } Certo: { $right }
+part-missing = falta
+part-surplus = sobra
+result-right = Resultado certo: { $n }
+result-wrong = × Resultado errado: { $n }
+again = { $what } de novo
+is-missing = falta { $what }
+refused = recusado
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
 
 ## Vistas ao lado do desenho

@@ -170,6 +170,15 @@ faulty-title = 这里错在哪里？
 faulty-unnamed = 某位学生的程序
 differs-from = 从第 { $step } 步起不同
 differs-nowhere = 对此输入，各步相同
+not-so = × { $what }
+wrong-and-right = 错误：{ $wrong } 正确：{ $right }
+part-missing = 缺失
+part-surplus = 多余
+result-right = 正确结果：{ $n }
+result-wrong = × 错误结果：{ $n }
+again = { $what } 重复
+is-missing = 缺 { $what }
+refused = 拒绝
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。
 
 ## 图旁的视图

@@ -7,7 +7,7 @@ use super::super::{
     role::{Label, Role},
     space::{Mark3, Shape3},
 };
-use super::{Seen, facets::cut_at, weight};
+use super::{Parted, Seen, facets::cut_at, weight};
 
 /// Lines of construction: widths in points, and how strong.
 const FINE: Weight = weight(1.2, 1.0);
@@ -20,6 +20,8 @@ const OUTLINE: Weight = weight(2.25, 1.0);
 const FINE_DOT: Weight = weight(2.2, 1.0);
 const ANGLE: Weight = weight(1.25, 1.0);
 const BALL: Weight = weight(1.75, 1.0);
+/// Places of a picture that are so near, of its half height, are one.
+const NEAR: f64 = 1e-6;
 
 impl Seen {
     pub(super) fn wash(&self, mark: &Mark3) -> Option<Mark> {
@@ -117,18 +119,36 @@ impl Seen {
         drawn
     }
 
-    fn arrow(&self, mark: &Mark3, ends: [[f64; 3]; 2]) -> Vec<Mark> {
-        let Some(seen) = self.cut(ends) else {
-            return Vec::new();
+    /// What solids hide of it is dashed.
+    fn arrow(&mut self, mark: &Mark3, ends: [[f64; 3]; 2]) -> Vec<Mark> {
+        let tip = self.in_view(ends[1]).map(|view| self.on_picture(view));
+        let Parted { visible, hidden } = self.parted(ends, [None; 2]);
+        let part = |ends: [[f64; 2]; 2]| {
+            let by = tip.map(|tip| libm::hypot(ends[1][0] - tip[0], ends[1][1] - tip[1]));
+            let shape = if by.is_some_and(|by| by < NEAR) {
+                Shape::Arrow(ends)
+            } else {
+                Shape::Segment(ends)
+            };
+            weighed(Mark::new(mark.role, shape), mark.is_fine)
         };
-        let seen = seen.map(|at| self.on_picture(at));
-        let shape = match self.in_view(ends[1]) {
-            Some(_) => Shape::Arrow(seen),
-            None => Shape::Segment(seen),
-        };
-        let mut drawn = Mark::new(mark.role, shape);
-        drawn.is_cased = stands_out(mark.role);
-        vec![named(weighed(drawn, mark.is_fine), mark)]
+        let dashed = hidden.into_iter().map(|ends| {
+            let weight = if mark.is_fine { FINE_HIDDEN } else { HIDDEN };
+            part(ends).dashed().weighing(weight)
+        });
+        let mut drawn: Vec<Mark> = dashed.collect();
+        drawn.extend(visible.into_iter().map(|ends| {
+            let mut part = part(ends);
+            (part.is_cased, part.is_dashed) = (stands_out(mark.role), mark.is_dashed);
+            part
+        }));
+        for part in &mut drawn {
+            part.link = mark.link;
+        }
+        if let Some(last) = drawn.last_mut() {
+            last.label.clone_from(&mark.label);
+        }
+        drawn
     }
 
     fn ball(&self, mark: &Mark3, centre: [f64; 3], radius: f64) -> Vec<Mark> {
@@ -173,6 +193,7 @@ impl Seen {
 
 fn named(mut drawn: Mark, mark: &Mark3) -> Mark {
     (drawn.label, drawn.link) = (mark.label.clone(), mark.link);
+    drawn.is_dashed |= mark.is_dashed;
     drawn
 }
 

@@ -48,7 +48,9 @@ impl UnfitScene {
         let vertices: Vec<[f64; 2]> = outline.vertices().iter().map(|p| p.to_array()).collect();
         let edge = |i: usize| [i, i + 1].map(|k| k % vertices.len());
         let symbol = |i: usize| self.symbol(scene, subject, i);
-        let mut marks = vec![Mark::new(Role::Discarded, Shape::Outline(vertices.clone()))];
+        let refused = Message::new("not-so").with("what", Value::Term("refused"));
+        let outline = Mark::new(Role::Discarded, Shape::Outline(vertices.clone()));
+        let mut marks = vec![outline.labelled(refused)];
         if vertices.len() <= MOST_NAMED {
             let mark =
                 |(i, &at)| Mark::new(Role::Soft, Shape::Vertex(at)).labelled(name(symbol(i)));
@@ -66,10 +68,11 @@ impl UnfitScene {
             }
             GeomError::EdgesMeet { edges } => {
                 let [first, second] = edges.map(|i| name(edge(i).map(symbol).concat()));
-                let message = Message::new("refused-edges-meet").with("first", first);
+                let message = Message::new("refused-edges-meet").with("first", first.clone());
                 let line = |i| Shape::Segment(edge(i).map(|k| vertices[k]));
-                let lines = edges.map(|i| Mark::new(Role::Signal, line(i)));
-                (message.with("second", second), lines.to_vec())
+                let named = [first, second.clone()].into_iter().zip(edges);
+                let lines = named.map(|(name, i)| Mark::new(Role::Signal, line(i)).labelled(name));
+                (message.with("second", second), lines.collect())
             }
             GeomError::MisplacedHole { .. } => (Message::new("refused-misplaced-hole"), vec![]),
             GeomError::NotFinite { .. }

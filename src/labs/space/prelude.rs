@@ -5,8 +5,8 @@ pub use crate::labs::{
     space::{
         Scene, SpaceTelling, Subject,
         stage::{
-            FaceLook, Fate, Scenery, face_link, object_link, plane_at_work, side_link, side_name,
-            side_named,
+            FaceLook, Fate, Scenery, face_link, normal_of, object_link, plane_at_work, side_link,
+            side_name, side_named, volume,
         },
     },
 };

@@ -2,6 +2,8 @@
 
 use crate::labs::{frustum::prelude::*, plane_symbol};
 
+use super::super::Object;
+
 /// A plane's name: its side's in a scene, a symbol where a case gives planes alone.
 pub fn plane_name(scenery: Option<&Scenery>, plane_idx: usize) -> Value {
     match scenery.and(VolumeSide::ALL.get(plane_idx)) {
@@ -79,11 +81,27 @@ pub struct Asked<'a> {
     /// What each plane that has been asked says: in the watch table, and of the thing as a whole.
     pub answers: Vec<(Value, Containment)>,
     pub class: Option<Containment>,
+    /// In the end the planes are lit that have rejected it.
+    pub is_done: bool,
+    /// Is the outside taken for the inside?
+    pub turns_sign: bool,
 }
 
 impl Asked<'_> {
     pub fn current_idx(&self) -> Option<usize> {
         self.current.and(self.answers.len().checked_sub(1))
+    }
+
+    fn is_lit(&self, plane_idx: usize) -> bool {
+        let class = self.answers.get(plane_idx).map(|(_, class)| *class);
+        self.current_idx() == Some(plane_idx) || (self.is_done && class == Some(Outside))
+    }
+
+    /// The plane that is lit, if it is one.
+    pub fn lit(&self) -> Option<VolumeSide> {
+        let mut lit = (0..self.n_planes).filter(|&i| self.is_lit(i));
+        let only = lit.next().filter(|_| lit.next().is_none())?;
+        VolumeSide::ALL.get(only).copied()
     }
 
     pub fn named(&self, name: &str) -> Option<Named> {
@@ -126,12 +144,15 @@ impl Asked<'_> {
         answers.map(named).collect()
     }
 
-    pub fn marks(&self, camera: &Camera, at: [f64; 3], distance: f64) -> Vec<Mark3> {
-        let Some((plane_idx, plane)) = self.current_idx().zip(self.current) else {
-            return Vec::new();
-        };
-        let mut marks = plane_at_work(camera, VolumeSide::ALL[plane_idx]);
-        marks.extend(perpendicular(&plane, at, distance));
+    pub fn marks(&self, camera: &Camera, at: [f64; 3], distances: &[f64]) -> Vec<Mark3> {
+        let sides = VolumeSide::ALL.into_iter();
+        let lit = sides.filter(|&side| self.is_lit(side as usize));
+        let mut marks: Vec<Mark3> = lit.flat_map(|side| plane_at_work(camera, side)).collect();
+        if let Some(side) = self.lit() {
+            let plane = camera.planes_in_world()[side as usize];
+            marks.extend(normal_of(camera, side, self.turns_sign));
+            marks.extend(perpendicular(&plane, at, distances[side as usize]));
+        }
         marks
     }
 
@@ -139,7 +160,7 @@ impl Asked<'_> {
     fn role(&self, plane_idx: usize) -> Option<Role> {
         let (_, class) = self.answers.get(plane_idx)?;
         Some(match class {
-            _ if self.current_idx() == Some(plane_idx) => Role::Signal,
+            _ if self.is_lit(plane_idx) => Role::Signal,
             Inside | Straddles => Role::Accent,
             Outside => Role::Discarded,
         })
@@ -166,7 +187,7 @@ impl Asked<'_> {
         let row = |plane_idx: usize| TableRow {
             name: plane_name(self.scenery, plane_idx),
             cells: cells(plane_idx, self.role(plane_idx).unwrap_or(Role::Ink)),
-            is_current: self.current_idx() == Some(plane_idx),
+            is_current: self.is_lit(plane_idx),
             link: Some(plane_link(plane_idx)),
         };
         Table {
@@ -186,9 +207,16 @@ pub const fn fate_of(class: Option<Containment>) -> Fate {
     }
 }
 
-pub fn both(scenery: &Scenery, fate: Fate, marks: Vec<Mark3>) -> [View; 2] {
-    let focus = scenery.scene().focus();
-    let fate = |i: usize| if i == focus { fate } else { Fate::ToCome };
+/// What becomes of the object in hand, and what comes of the others by the same test.
+pub fn both(
+    scenery: &Scenery,
+    fate: Fate,
+    class: impl Fn(&Object) -> Containment,
+    marks: Vec<Mark3>,
+) -> [View; 2] {
+    let scene = scenery.scene();
+    let other = |i: usize| fate_of(Some(class(&scene.objects()[i])));
+    let fate = |i: usize| if i == scene.focus() { fate } else { other(i) };
     [
         scenery.observer(fate, marks),
         scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()),

@@ -81,7 +81,7 @@ impl Telling for BackFace {
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
-        let (known, triangle) = (Known::of(at), at.step.input.triangle);
+        let (known, triangle) = (Known::of(at.step.past), at.step.input.triangle);
         let [v0, v1, v2] = triangle.map(place);
         Some(match name {
             "face" => face_name(at),
@@ -108,7 +108,7 @@ impl Telling for BackFace {
         let Some(scenery) = at.scenery else {
             return Vec::new();
         };
-        let known = Known::of(at);
+        let known = Known::of(at.step.past);
         let scene = scenery.scene();
         let is_kept = |i: usize| i == scene.focus();
         let fate = |i: usize| if is_kept(i) { Fate::Kept } else { Fate::ToCome };
@@ -125,10 +125,11 @@ impl Telling for BackFace {
             pale.unwrap_or(FaceLook::Whole)
         };
         let corners = corner_marks(&at.step.input.triangle);
+        let arrows = arrows(at.step.input, at.step.past);
         let gauges = face_gauges(&known, scene, &answers);
         let columns = (gauges.rows.len() <= MOST_BESIDE_COLUMNS).then(|| columns(at, &known));
         let mut views = vec![
-            scenery.observer_with(fate, role, marks(at.step.input, &known)),
+            scenery.observer_with(fate, role, [&corners[..], &arrows].concat()),
             scenery.camera(fate, role, corners),
             View::new(FACES_VIEW, Body::Gauges(gauges)),
         ];
@@ -148,9 +149,9 @@ struct Known {
 }
 
 impl Known {
-    fn of(at: &At<'_, BackFace>) -> Self {
+    fn of(past: &[Event]) -> Self {
         let mut known = Self::default();
-        for event in at.step.past {
+        for event in past {
             match *event {
                 Event::Normal { edges, normal } => {
                     (known.edges, known.normal) = (Some(edges), Some(normal));
@@ -209,11 +210,10 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     marks
 }
 
-/// n and e begin in V₀, as they are computed.
-fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
-    let triangle = &input.triangle;
-    let mut marks = corner_marks(triangle);
-    let [a, b, c] = triangle.map(DVec3::from);
+/// n and e, from V₀, as they have been computed.
+pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
+    let (known, mut marks) = (Known::of(past), Vec::new());
+    let [a, b, c] = input.triangle.map(DVec3::from);
     let mut normal_tip = None;
     if let Some(n) = known.normal {
         let size = (b - a).length().max((c - a).length());
@@ -230,8 +230,10 @@ fn marks(input: &BackFaceInput, known: &Known) -> Vec<Mark3> {
         let arrow = Shape3::Arrow([a.into(), tip.into()]);
         marks.push(Mark3::new(Role::Ink, arrow).labelled(name("e")).strong());
         if let Some(normal) = normal_tip {
-            let angle = [a, normal, tip].map(Into::into);
-            marks.push(Mark3::new(Role::Signal, Shape3::Angle(angle)));
+            let degrees = (normal - a).angle_between(tip - a).to_degrees();
+            let angle = Shape3::Angle([a, normal, tip].map(Into::into));
+            let angle = Mark3::new(Role::Signal, angle);
+            marks.push(angle.labelled(sym(format!("{degrees:.0}°"))));
         }
     }
     marks

@@ -1,10 +1,14 @@
 //! A bounding box against the planes of the view volume, and what they cannot tell, shown.
 
 use crate::{
-    algo::cull::{BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput},
+    algo::{
+        cull::{BoxCull, BoxCullEvent as Event, BoxCullInput, BoxCullOutput},
+        volume::{signed_distance, split},
+    },
     labs::frustum::prelude::*,
 };
 
+use super::super::Object;
 use super::asked::{Asked, both, fate_of, place, says};
 
 const CORNERS_VIEW: &str = "corners";
@@ -13,10 +17,14 @@ impl AnswerAsItIs for BoxCullOutput {}
 
 impl SpaceTelling for BoxCull {
     fn input(scene: &Scene) -> BoxCullInput {
-        BoxCullInput {
-            planes: scene.culler().planes_in_world().to_vec(),
-            bounds: scene.focused().bounds().expect("its vertices are finite"),
-        }
+        input_of(scene, scene.focused())
+    }
+}
+
+fn input_of(scene: &Scene, object: &Object) -> BoxCullInput {
+    BoxCullInput {
+        planes: scene.culler().planes_in_world().to_vec(),
+        bounds: object.bounds().expect("its vertices are finite"),
     }
 }
 
@@ -80,13 +88,16 @@ impl Telling for BoxCull {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
             let mut marks = box_marks(at, &asked);
+            marks.extend(cuts(at, &asked, scenery.scene().culler()));
             if let Some(plane_idx) = asked.current_idx() {
                 let side = VolumeSide::ALL[plane_idx];
                 marks.extend(plane_at_work(scenery.scene().culler(), side));
             }
             let in_vain = at.step.held.false_positive.then_some(Fate::Culled);
             let fate = in_vain.unwrap_or(fate_of(asked.class));
-            views.extend(both(scenery, fate, marks));
+            let scene = scenery.scene();
+            let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
+            views.extend(both(scenery, fate, class, marks));
         }
         let table = corner_table(at, &asked);
         views.push(View::new(CORNERS_VIEW, Body::Table(table)));
@@ -113,6 +124,8 @@ fn asked<'a>(at: &At<'a, BoxCull>) -> Asked<'a> {
         current,
         answers: answers.collect(),
         class,
+        is_done: class.is_some(),
+        turns_sign: false,
     }
 }
 
@@ -145,6 +158,53 @@ fn box_marks(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Vec<Mark3> {
         }));
     }
     marks
+}
+
+/// Once all planes have been asked: where those that keep the box in vain run through it. Upright ones are drawn as far as box and
+/// volume reach.
+fn cuts(at: &At<'_, BoxCull>, asked: &Asked<'_>, camera: &Camera) -> Vec<Mark3> {
+    let bounds = &at.step.input.bounds;
+    let corners = camera.corners_in_world().into_iter();
+    let around = AlignedBox::around(corners.chain(bounds.corners())).ok();
+    if asked.current.is_some() || asked.answers.len() < asked.n_planes {
+        return Vec::new();
+    }
+    let planes = VolumeSide::ALL.into_iter().zip(&at.step.input.planes);
+    let answers = asked.answers.iter().map(|(_, class)| *class);
+    let straddled = planes.zip(answers).filter(|(_, class)| *class == Straddles);
+    let marks = straddled.flat_map(|((side, plane), _)| {
+        let cut = section(plane, bounds);
+        let upright = around.filter(|_| side.axis() != 1);
+        let sheet = upright.map(|around| Shape3::Sheet(section(plane, &around)));
+        let sheet = sheet.map(|sheet| Mark3::new(Role::Accent, sheet).fine());
+        let wash = Mark3::new(Role::Accent, Shape3::Wash(cut.clone()));
+        let outline = Mark3::new(Role::Accent, Shape3::Sheet(cut)).labelled(side_name(side));
+        sheet
+            .into_iter()
+            .chain([wash, outline.linked(side_link(side))])
+    });
+    marks.collect()
+}
+
+/// What a box has of a plane.
+fn section(plane: &Plane, bounds: &AlignedBox) -> Vec<[f64; 3]> {
+    let ends = [bounds.min(), bounds.max()];
+    let [min, max] = ends.map(DVec3::from);
+    let unit = DVec3::from(plane.unit_normal());
+    let (u, v) = unit.any_orthonormal_pair();
+    let foot = min.midpoint(max) - unit * signed_distance::<f64>(plane, min.midpoint(max).into());
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let square = square.map(|[a, b]| (foot + (u * a + v * b) * min.distance(max)).into());
+    let sides = (0..6).filter_map(|i| {
+        let (axis, sign) = (i % 3, if i < 3 { 1.0 } else { -1.0 });
+        let mut side = [0.0, 0.0, 0.0, -sign * ends[i / 3][axis]];
+        side[axis] = sign;
+        Plane::new(side).ok()
+    });
+    sides.fold(square.to_vec(), |left, side| {
+        let [inside, _] = split(&left, &side);
+        inside
+    })
 }
 
 fn corner_table(at: &At<'_, BoxCull>, asked: &Asked<'_>) -> Table {

@@ -80,9 +80,14 @@ impl Telling for PointPlanes {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
             let mut marks = vec![dot(at)];
-            let distance = at.step.held.distances.last().copied().unwrap_or_default();
-            let camera = scenery.scene().culler();
-            marks.extend(asked.marks(camera, at.step.input.point, distance));
+            let (camera, distances) = (scenery.scene().culler(), &at.step.held.distances);
+            marks.extend(asked.marks(camera, at.step.input.point, distances));
+            marks.extend(
+                asked
+                    .current
+                    .and(asked.lit())
+                    .and_then(|side| opening(camera, side)),
+            );
             views.push(scenery.observer(|_| Fate::ToCome, marks));
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, vec![dot(at)]));
         }
@@ -107,6 +112,7 @@ fn asked<'a>(at: &At<'a, PointPlanes>) -> Asked<'a> {
         n_planes: planes.len(),
         current,
         answers: at.step.held.distances.iter().map(says).collect(),
+        is_done: matches!(at.step.event(), Some(Event::Done { .. })),
         ..Asked::default()
     }
 }
@@ -118,6 +124,28 @@ fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
         Some(Event::Done { inside: false }) => Role::Discarded,
     };
     Mark3::new(role, Shape3::Dot(at.step.input.point)).labelled(words::name("P"))
+}
+
+/// How far a plane at a side and the one across from it open, where that is not the same in both directions.
+fn opening(camera: &Camera, side: VolumeSide) -> Option<Mark3> {
+    const N_PARTS: u32 = 16;
+    let corners = camera.corners_in_world().map(DVec3::from);
+    // Those of the far side that differ in one direction.
+    let [width, height] = [5, 6].map(|other| corners[4].distance(corners[other]));
+    if camera.volume().sight() != Sight::Perspective || side.axis() == 2 || width == height {
+        return None;
+    }
+    let eye = DVec3::from(camera.position());
+    let across = [[[4, 6], [5, 7]], [[4, 5], [6, 7]]][side.axis()];
+    let ends = across.map(|[a, b]| corners[a].midpoint(corners[b]) - eye);
+    let [a, b] = ends.map(DVec3::normalize_or_zero);
+    let along = |i| a.lerp(b, f64::from(i) / f64::from(N_PARTS));
+    let reach = 0.3 * ends[0].length();
+    let arc = (0..=N_PARTS).map(|i| eye + along(i).normalize_or_zero() * reach);
+    let sector = std::iter::once(eye).chain(arc).map(Into::into).collect();
+    let degrees = Formula::decimals().num(a.angle_between(b).to_degrees());
+    let sector = Mark3::new(Role::Ink, Shape3::Wash(sector));
+    Some(sector.labelled(degrees.sym("°")))
 }
 
 fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {

@@ -9,6 +9,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
+use super::super::Object;
 use super::asked::{Asked, both, distance_formula, fate_of, place, says};
 
 const GAUGES_VIEW: &str = "distances";
@@ -17,10 +18,14 @@ impl AnswerAsItIs for SphereCullOutput {}
 
 impl SpaceTelling for SphereCull {
     fn input(scene: &Scene) -> SphereCullInput {
-        SphereCullInput {
-            planes: scene.culler().planes_in_world().to_vec(),
-            sphere: scene.focused().in_funnel().sphere,
-        }
+        input_of(scene, scene.focused())
+    }
+}
+
+fn input_of(scene: &Scene, object: &Object) -> SphereCullInput {
+    SphereCullInput {
+        planes: scene.culler().planes_in_world().to_vec(),
+        sphere: object.in_funnel().sphere,
     }
 }
 
@@ -78,8 +83,13 @@ impl Telling for SphereCull {
         let asked = asked(at);
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
-            let marks = asked.marks(scenery.scene().culler());
-            views.extend(both(scenery, fate_of(asked.planes.class), marks));
+            let scene = scenery.scene();
+            let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
+            let (fate, mut marks) = (fate_of(asked.planes.class), asked.marks(scene.culler()));
+            if asked.planes.lit().is_none() {
+                marks.extend(asked.reach(DVec3::Y));
+            }
+            views.extend(both(scenery, fate, class, marks));
         }
         views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
         views
@@ -98,6 +108,7 @@ fn asked<'a>(at: &At<'a, SphereCull>) -> AskedSphere<'a> {
         n_planes: planes.len(),
         current,
         class,
+        is_done: class.is_some(),
         ..Asked::default()
     };
     AskedSphere::new::<Right>(*sphere, at.step.held, planes)
@@ -107,7 +118,6 @@ pub struct AskedSphere<'a> {
     pub planes: Asked<'a>,
     sphere: Sphere,
     distances: &'a [f64],
-    turns_sign: bool,
 }
 
 impl<'a> AskedSphere<'a> {
@@ -117,13 +127,13 @@ impl<'a> AskedSphere<'a> {
         mut planes: Asked<'a>,
     ) -> Self {
         let distances = &held.distances[..];
+        planes.turns_sign = L::TURNS_SIGN;
         let says = |d: f64| sphere_side::<f64, L>(d, sphere.radius());
         planes.answers = distances.iter().map(|&d| (d.into(), says(d))).collect();
         Self {
             planes,
             sphere,
             distances,
-            turns_sign: L::TURNS_SIGN,
         }
     }
 
@@ -142,7 +152,7 @@ impl<'a> AskedSphere<'a> {
         let plane = self.planes.current?;
         let (c, r) = (self.sphere.center(), self.sphere.radius());
         let d = distance_formula(["d", "c"], &plane, c, *d);
-        Some(match (class, self.turns_sign) {
+        Some(match (class, self.planes.turns_sign) {
             (Outside, false) => d.sym(" < −r").equals(-r),
             (Straddles, false) => d.sym(",  −r ≤ d < r").equals(r),
             (Inside, false) => d.sym(" ≥ r").equals(r),
@@ -159,15 +169,26 @@ impl<'a> AskedSphere<'a> {
             Mark3::new(Role::Ink, Shape3::Ball(center, radius)),
             Mark3::new(Role::Ink, Shape3::Dot(center)).labelled(name("c")),
         ];
-        if let Some((plane, &d)) = self.planes.current.zip(self.distances.last()) {
-            marks.extend(self.planes.marks(camera, center, d));
-            let unit = DVec3::from(plane.unit_normal());
-            let towards = DVec3::from(center) - unit * radius * d.signum();
-            let reach = Mark3::new(Role::Ink, Shape3::Segment([center, towards.into()]));
-            let radius = sym("r").equals(radius);
-            marks.push(reach.labelled(Value::Formula(radius)));
+        marks.extend(self.planes.marks(camera, center, self.distances));
+        if let Some(side) = self.planes.lit() {
+            let unit = DVec3::from(camera.planes_in_world()[side as usize].unit_normal());
+            let towards = -unit * self.distances[side as usize].signum();
+            let [reach, name] = self.reach(towards);
+            marks.push(Mark3 {
+                label: name.label,
+                ..reach
+            });
         }
         marks
+    }
+
+    /// Its radius, and beside its end what that is called: it is not what has to be seen in its length.
+    fn reach(&self, towards: DVec3) -> [Mark3; 2] {
+        let (center, radius) = (self.sphere.center(), self.sphere.radius());
+        let end = (DVec3::from(center) + radius * towards).into();
+        let shapes = [Shape3::Segment([center, end]), Shape3::Label(end)];
+        let [reach, name] = shapes.map(|shape| Mark3::new(Role::Ink, shape));
+        [reach, name.labelled(sym("r").equals(radius))]
     }
 
     pub fn gauges(&self) -> Gauges {

@@ -90,9 +90,16 @@ fn end<V: LabVertex>(input: &Input<V>, ring: &[V], outcome: RingOutcome) -> Vec<
     let role = result_role(right.is_some());
     let right = right.map(|right| {
         let shape = Shape::Outline(outline(&right));
-        Mark::new(Role::Ink, shape).dashed().linked("right")
+        let said = Message::new("result-right").with("n", right.len());
+        let mark = Mark::new(Role::Accent, shape).labelled(said);
+        mark.linked("right")
     });
     let given = &input.vertices;
+    let mut result = result(ring, (outcome, role), &input.region, given);
+    if right.is_some() && outcome != RingOutcome::Empty {
+        let said = Message::new("result-wrong").with("n", ring.len());
+        result[0] = result[0].clone().labelled(said);
+    }
     let names = match outcome {
         RingOutcome::Empty => names(given, vertex_symbol, Role::Discarded, &[], &[]),
         RingOutcome::Degenerate | RingOutcome::Whole | RingOutcome::Cut => {
@@ -101,7 +108,7 @@ fn end<V: LabVertex>(input: &Input<V>, ring: &[V], outcome: RingOutcome) -> Vec<
     };
     right
         .into_iter()
-        .chain(result(ring, (outcome, role), &input.region, given))
+        .chain(result)
         .chain(names)
         .chain(slipped(given, ring))
         .collect()
@@ -131,7 +138,7 @@ fn slipped<V: LabVertex>(given: &[V], ring: &[V]) -> Vec<Mark> {
     });
     let marks = moved.flat_map(|(uv, home, now)| {
         let arrow = Mark::new(Role::Ink, Shape::Arrow([home, now])).dashed();
-        let label = Formula::default().sym("uv = ").point(uv);
+        let label = Formula::default().point(uv);
         let ring = Mark::new(Role::Ink, Shape::Ring(home)).labelled(label);
         [arrow, ring]
     });
@@ -159,7 +166,7 @@ fn moment<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
     if let Some(Crossing { at: crossing, t }) = now.rings.asked.crossing {
         let label = Formula::default().sym("I: t = ").ratio(t.num, t.den);
         let label = match crossing.uv() {
-            Some(uv) => label.sym(", uv = ").point(uv),
+            Some(uv) => label.sym(", ").point(uv),
             None => label,
         };
         let dot = Shape::Dot(crossing.at().to_array());

@@ -73,13 +73,8 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
         },
         Some(Event::Done { .. }) => {
             let is_wrong = right_result(now.input, rings.list).is_some();
-            let left = if is_wrong {
-                "sh-list-wrong"
-            } else {
-                "sh-list-left"
-            };
             Pair {
-                titles: ["sh-list-given", left],
+                titles: ["sh-list-given", "sh-list-left"],
                 input: &now.input.vertices,
                 output: rings.list,
                 sides: &[],
@@ -191,11 +186,16 @@ impl<V: LabVertex> Pair<'_, V> {
                 ..ListRow::new(name(symbol))
             }
         };
-        let title = Value::Term(self.titles[1]);
+        let title = match self.now {
+            Now::Ends { is_wrong: true } => Message::new("result-wrong").with("n", n).into(),
+            _ => Value::Term(self.titles[1]),
+        };
+        // Of a whole ring its beginning is seen, of one that grows its end.
+        let focus = n.checked_sub(1).filter(|_| !is_closed);
         ListColumn {
             columns: vec![column::<V>()],
             is_ring: is_closed,
-            ..ListColumn::about(title, n, n.checked_sub(1), entry)
+            ..ListColumn::about(title, n, focus, entry)
         }
     }
 

@@ -82,16 +82,18 @@ pub fn names<V: LabVertex>(
     others.iter().filter(is_first).map(mark).collect()
 }
 
-/// `V₂: uv = (1, 1/4)`, or the name alone of a vertex that has no place in a texture.
+/// `V₂ (1, 1/4)`, or the name alone of a vertex that has no place in a texture.
 pub fn with_texel<V: LabVertex>(symbol: String, vertex: &V) -> Value {
     match vertex.uv() {
-        Some(uv) => Formula::default()
-            .sym(symbol)
-            .sym(": uv = ")
-            .point(uv)
-            .into(),
+        Some(uv) => Formula::default().sym(symbol).sym(" ").point(uv).into(),
         None => name(symbol),
     }
+}
+
+/// In the middle of its vertices.
+pub fn middle(ring: &[Point]) -> [f64; 2] {
+    let mean = |of: fn(&Point) -> f64| ring.iter().map(of).sum::<f64>() / ring.len() as f64;
+    [mean(|at| at.x()), mean(|at| at.y())]
 }
 
 pub fn outline<V: Vertex>(ring: &[V]) -> Vec<[f64; 2]> {

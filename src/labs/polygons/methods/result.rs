@@ -85,7 +85,9 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
     let mark = |(i, ends): (usize, [Point; 2])| {
         let mark = Mark::new(Role::Signal, Shape::Segment(ends.map(Point::to_array)));
         if i == 0 {
-            mark.labelled(Value::Term("sh-bridge"))
+            let [[x1, y1], [x2, y2]] = ends.map(Point::to_array);
+            let length = libm::hypot(x2 - x1, y2 - y1);
+            mark.labelled(Message::new("sh-bridge").with("length", length))
         } else {
             mark
         }

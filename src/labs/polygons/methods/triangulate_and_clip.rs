@@ -1,16 +1,19 @@
 //! Ear clipping first, then each triangle clipped on its own, shown.
 
-use crate::algo::polygon::{
-    EachTriangleEvent as Each, EarClipping, Pieces, SutherlandHodgman, Triangle,
-    TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
-    TriangulateAndClipInput as Input,
+use crate::{
+    algo::polygon::{
+        EachTriangleEvent as Each, EarClipping, Pieces, SutherlandHodgman, Triangle,
+        TriangulateAndClip, TriangulateAndClipEvent as Event, TriangulateAndClipHeld as Held,
+        TriangulateAndClipInput as Input,
+    },
+    geom::pairs_around,
 };
 
 use super::{
     drawing::{self, Picture},
     ear_clipping,
     fates::{FATES, fates, is_done, is_triangulating, triangle_now},
-    lists::outline,
+    lists::{middle, outline},
     prelude::*,
     sutherland_hodgman,
     triangles::{points_of, triangle_link, triangle_name},
@@ -324,8 +327,26 @@ fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
     if rings.is_empty() {
         return Vec::new();
     }
-    let seams = pieces.rings().take(FEW_ENOUGH);
-    let seams = seams.map(|ring| Mark::new(Role::Faint, Shape::Outline(outline(ring))));
+    let pieces = || pieces.rings().take(FEW_ENOUGH).enumerate();
+    let edges = |ring: &[Point]| pairs_around(ring).collect::<Vec<_>>();
+    let all: Vec<[Point; 2]> = pieces().flat_map(|(_, ring)| edges(ring)).collect();
+    // A piece's edge that another one has the other way round, told once.
+    let is_seam = |&(i, &[a, b]): &(usize, &[Point; 2])| all[..i].contains(&[b, a]);
+    let seams = all.iter().enumerate().filter(is_seam).enumerate();
+    let seams = seams.map(|(nth, (_, ends))| {
+        let seam = Shape::Segment(ends.map(Point::to_array));
+        let seam = Mark::new(Role::Ink, seam).dashed();
+        if nth == 0 {
+            seam.labelled(Value::Term("tac-seam"))
+        } else {
+            seam
+        }
+    });
+    let names = pieces().map(|(i, ring)| {
+        let piece = Mark::new(Role::Accepted, Shape::Label(middle(ring)));
+        piece.labelled(name(numbered('Q', i)))
+    });
     let merged = Mark::new(Role::Accepted, Shape::Area(rings));
-    std::iter::once(merged).chain(seams).collect()
+    let merged = std::iter::once(merged).chain(seams);
+    merged.chain(names).collect()
 }

@@ -63,6 +63,21 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     marks
 }
 
+/// Its normal, of length 1, in the middle of what is drawn of it, or the one of whom takes the outside for the inside.
+pub fn normal_of(camera: &Camera, side: VolumeSide, is_turned: bool) -> [Mark3; 2] {
+    let middle = outline(camera, side).into_iter().map(DVec3::from);
+    let middle = middle.sum::<DVec3>() / 4.0;
+    let unit = DVec3::from(camera.planes_in_world()[side as usize].unit_normal());
+    let tip = middle + if is_turned { -unit } else { unit };
+    // Named beside it: what is measured is parallel to it.
+    let shapes = [
+        Shape3::Arrow([middle.into(), tip.into()]),
+        Shape3::Label(tip.into()),
+    ];
+    let [arrow, at_tip] = shapes.map(|shape| Mark3::new(Role::Ink, shape));
+    [arrow, at_tip.labelled(name("n"))]
+}
+
 pub fn plane_at_work(camera: &Camera, side: VolumeSide) -> Vec<Mark3> {
     let outline = outline(camera, side);
     vec![

@@ -5,7 +5,11 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::{super::asked::fate_of, Now, sphere, variant::Variant};
+use super::{
+    super::{asked::fate_of, back_face},
+    Now, sphere,
+    variant::Variant,
+};
 
 /// Of scenes with more triangles the faces of objects that are done with are not asked again for the picture.
 const MOST_ASKED_AGAIN: usize = 2_000;
@@ -96,23 +100,66 @@ fn dropped(past: &[Event], n_faces: usize) -> Vec<bool> {
     dropped
 }
 
-fn triangle<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<Mark3> {
+fn asked_face<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<[[f64; 3]; 3]> {
     let now = Now::of(at);
     let object = at.step.input.objects.get(now.object_idx?)?;
-    let corners = object.triangles.get(now.face_idx?)?.to_vec();
-    Some(Mark3::new(Role::Signal, Shape3::Outline(corners)))
+    object.triangles.get(now.face_idx?).copied()
+}
+
+/// Into what the clipper cuts the triangle that is asked.
+fn pieces<L: Variant>(at: &At<'_, Funnel<L>>) -> Vec<Mark3> {
+    let Some(Event::Triangle {
+        fate: TriangleFate::Cut,
+        ..
+    }) = at.step.event()
+    else {
+        return Vec::new();
+    };
+    let corners = asked_face(at).map(|face| face.map(SpaceVertex::new));
+    let planes = at.step.input.camera.planes_in_world().to_vec();
+    let cut =
+        corners.map(|triangle| silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle }));
+    let pieces = cut.into_iter().flat_map(|cut| cut.triangles).enumerate();
+    let mark = |(i, piece): (usize, [SpaceVertex; 3])| {
+        let corners = piece.map(|vertex| vertex.at).to_vec();
+        let outline = Mark3::new(Role::Accent, Shape3::Outline(corners));
+        outline.labelled(name(numbered('T', i)))
+    };
+    pieces.map(mark).collect()
+}
+
+/// n and e of the face that is asked, as these rules compute them.
+fn arrows<L: Variant>(at: &At<'_, Funnel<L>>) -> Vec<Mark3> {
+    let Some(Event::Face { .. }) = at.step.event() else {
+        return Vec::new();
+    };
+    asked_face(at).map_or_else(Vec::new, |triangle| {
+        let viewer = asked_viewer::<L>(&at.step.input.camera);
+        let asked = Recording::<BackFace<L>>::new(BackFaceInput { triangle, viewer });
+        back_face::arrows(asked.input(), asked.events())
+    })
 }
 
 pub fn both<L: Variant>(at: &At<'_, Funnel<L>>, scenery: &Scenery) -> [View; 2] {
     let known = Known::of(at);
+    let camera = asked_camera::<L>(&at.step.input.camera);
     let fate = |i| known.fate(i);
-    let triangle = triangle(at);
-    let marks = match &triangle {
-        Some(triangle) => vec![triangle.clone()],
-        None => sphere(at).map_or(Vec::new(), |sphere| {
-            sphere.marks(&asked_camera::<L>(&at.step.input.camera))
-        }),
+    let outline = |face: [[f64; 3]; 3]| {
+        let corners = face.to_vec();
+        Mark3::new(Role::Signal, Shape3::Outline(corners))
     };
+    let triangle = asked_face(at).map(outline);
+    let mut marks = match &triangle {
+        Some(triangle) => [vec![triangle.clone()], pieces(at), arrows(at)].concat(),
+        None => sphere(at).map_or(Vec::new(), |sphere| sphere.marks(&camera)),
+    };
+    if camera != at.step.input.camera {
+        // What is asked is not what is drawn.
+        let asked = volume(&camera).into_iter();
+        marks.extend(
+            asked.filter(|mark| matches!(mark.shape, Shape3::Segment(_) | Shape3::Outline(_))),
+        );
+    }
     let pale = |object, face| known.look(object, face, FaceLook::Own(Role::Discarded));
     let gone = |object, face| known.look(object, face, FaceLook::Hidden);
     [

@@ -1,5 +1,7 @@
 //! What ear clipping draws.
 
+use std::f64::consts::TAU;
+
 use crate::algo::polygon::{
     Corner, EarClipping, EarClippingEvent as Event, Triangle, Triangulation,
 };
@@ -13,6 +15,7 @@ use super::{
 };
 
 const FEW_ENOUGH: usize = 60;
+const STEPS_OF_ARC: u32 = 32;
 
 pub fn marks(step: &Step<'_, EarClipping>) -> Vec<Mark> {
     let held = step.held;
@@ -63,7 +66,7 @@ fn ear(whole: &Triangulation, corner: Triangle, role: Role) -> [Mark; 2] {
     ]
 }
 
-/// Both edges at a vertex, and how far the second turns away from where the first was going.
+/// Both edges at a vertex, the angle inside between them, and where the first was going.
 fn turn([before, at, after]: [Point; 3]) -> Vec<Mark> {
     let length = |a: Point, b: Point| ((b.x() - a.x()).powi(2) + (b.y() - a.y()).powi(2)).sqrt();
     // Half as far as the edge that goes on, so that the two can be compared.
@@ -72,11 +75,22 @@ fn turn([before, at, after]: [Point; 3]) -> Vec<Mark> {
         let (from, to) = (along(before), along(at));
         to + part * (to - from)
     });
+    let radius = 0.15 * length(at, after).min(length(before, at));
     let [before, at, after] = [before, at, after].map(Point::to_array);
     let signal = |shape| Mark::new(Role::Signal, shape);
+    let towards = |to: [f64; 2]| libm::atan2(to[1] - at[1], to[0] - at[0]);
+    // The inside is to the left of both edges.
+    let inside = (towards(before) - towards(after)).rem_euclid(TAU);
+    let arc = (0..=STEPS_OF_ARC).map(|i| {
+        let turned = towards(after) + inside * f64::from(i) / f64::from(STEPS_OF_ARC);
+        let (sin, cos) = libm::sincos(turned);
+        [at[0] + radius * cos, at[1] + radius * sin]
+    });
+    let sector: Vec<[f64; 2]> = std::iter::once(at).chain(arc).collect();
+    let degrees = sym(format!("{:.0}°", inside.to_degrees()));
     vec![
         Mark::new(Role::Soft, Shape::Segment([at, onwards])).dashed(),
-        signal(Shape::Angle([at, onwards, after])),
+        signal(Shape::Fill(vec![sector])).labelled(degrees),
         signal(Shape::Segment([before, at])),
         signal(Shape::Segment([at, after])),
         signal(Shape::Heading([before, at])),

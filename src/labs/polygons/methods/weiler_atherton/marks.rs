@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::geom::orientation;
 
-use super::super::lists::outline;
+use super::super::lists::{middle, outline};
 
 use super::{
     names,
@@ -20,6 +20,9 @@ pub fn marks(step: &Step<'_, WeilerAtherton>) -> Vec<Mark> {
     let lens = BOTH.map(|list| standing::len(step, list));
     let few = lens.iter().sum::<usize>() <= FEW_ENOUGH;
     let mut marks: Vec<Mark> = pieces(held).into_iter().collect();
+    if few && standing::is_done(step.event()) {
+        marks.extend(ring_names(held));
+    }
     if few && !standing::is_done(step.event()) {
         marks.extend(headings(step));
     }
@@ -42,6 +45,16 @@ fn pieces(held: &Held) -> Option<Mark> {
         .filter(|ring| ring.kind != RingKind::Sliver);
     let outlines: Vec<Vec<[f64; 2]>> = rings.map(|ring| outline(&ring.points)).collect();
     (!outlines.is_empty()).then(|| Mark::new(Role::Accepted, Shape::Area(outlines)))
+}
+
+/// What the pieces are called, and not their holes.
+fn ring_names(held: &Held) -> impl Iterator<Item = Mark> {
+    let rings = held.rings.iter().enumerate();
+    let outer = rings.filter(|(_, ring)| ring.kind == RingKind::Outer);
+    outer.map(|(i, ring)| {
+        let mark = Mark::new(Role::Accepted, Shape::Label(middle(&ring.points)));
+        mark.labelled(name(numbered('R', i)))
+    })
 }
 
 /// Which way the edges run, but for those that a walk is on: it has heads of its own. Where the subject runs along an

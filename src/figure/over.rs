@@ -1,0 +1,262 @@
+//! A mistake over what is right, in one frame: what both show is drawn once, under the name that the right one gives it; what only the
+//! wrong one shows is crossed, and what only the right one shows lies under it.
+
+use std::collections::HashSet;
+
+use glam::DVec3;
+
+use super::{
+    frame::{Caption, Frame},
+    mark::{Mark, Shape},
+    role::{Label, Role},
+    space::{Edge3, Facet, Mark3, Seer, Shape3, Space},
+    values::{ItemMarker, ListColumn, ListLink, ListRow, Lists},
+    view::Body,
+};
+use crate::text::{Message, Value};
+
+/// The frame of a wrong method over that of the right one at the same moment.
+pub fn over(wrong: &Frame, right: &Frame) -> Frame {
+    let mut frame = wrong.clone();
+    frame.caption = said(&wrong.caption, &right.caption);
+    for view in &mut frame.views {
+        match (&mut view.body, right.body(view.id)) {
+            (Body::Plane(marks), Some(Body::Plane(right))) => plane(marks, right),
+            (Body::Space(space), Some(Body::Space(right))) => solids(space, right),
+            (Body::Lists(lists), Some(Body::Lists(right))) => *lists = results(lists, right),
+            _ => {}
+        }
+    }
+    frame
+}
+
+/// Both verdicts.
+fn said(wrong: &Caption, right: &Caption) -> Caption {
+    if wrong.decision == right.decision {
+        return wrong.clone();
+    }
+    let decision = Message::new("wrong-and-right")
+        .with("wrong", wrong.decision.clone())
+        .with("right", right.decision.clone());
+    Caption {
+        decision,
+        arithmetic: wrong.arithmetic.clone(),
+    }
+}
+
+/// What marks of the plane and of space are told by.
+trait Told: Clone {
+    /// The same thing: points whatever they are called.
+    fn is_same(&self, other: &Self) -> bool;
+    fn parts(&mut self) -> (&mut Role, &mut Option<Label>, &mut bool);
+}
+
+macro_rules! told_by {
+    ($mark:ty, $point:pat) => {
+        impl Told for $mark {
+            fn is_same(&self, other: &Self) -> bool {
+                let is_point = matches!(self.shape, $point);
+                self.shape == other.shape && (is_point || self.label == other.label)
+            }
+
+            fn parts(&mut self) -> (&mut Role, &mut Option<Label>, &mut bool) {
+                (&mut self.role, &mut self.label, &mut self.is_dashed)
+            }
+        }
+    };
+}
+
+told_by!(Mark, Shape::Dot(_) | Shape::Ring(_));
+told_by!(Mark3, Shape3::Dot(_) | Shape3::Ring(_));
+
+const fn is_quiet(role: Role) -> bool {
+    matches!(role, Role::Soft | Role::Faint | Role::Discarded)
+}
+
+fn with_what(key: &'static str, what: Value) -> Value {
+    Message::new(key).with("what", what).into()
+}
+
+fn not_so(text: Value) -> Value {
+    with_what("not-so", text)
+}
+
+/// Crosses in `marks` what is not right, and returns what is missing in them.
+fn crossed<M: Told>(marks: &mut [M], right: &[M]) -> Vec<M> {
+    let is_there = |mark: &M| marks.iter().any(|own| own.is_same(mark));
+    let missing = right.iter().filter(|mark| !is_there(mark)).cloned();
+    let mut missing: Vec<M> = missing.collect();
+    for mark in &mut missing {
+        let (role, ..) = mark.parts();
+        if !is_quiet(*role) {
+            *role = Role::Accent;
+        }
+    }
+    for mark in marks {
+        let known = right.iter().find(|other| mark.is_same(other)).cloned();
+        let (role, label, is_dashed) = mark.parts();
+        if let Some(mut known) = known {
+            label.clone_from(known.parts().1);
+        } else if *role != Role::Discarded {
+            (*role, *is_dashed) = (Role::Signal, true);
+            if let Some(label) = label {
+                label.text = not_so(label.text.clone());
+            }
+        }
+    }
+    missing
+}
+
+fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
+    let [own, others] = [marks, right].map(|marks| corners(marks));
+    let n = |all: &[[f64; 2]], at: [f64; 2]| all.iter().filter(|&&it| it == at).count();
+    let mut surplus = own.clone();
+    surplus.retain(|&at| n(&others, at) > 0 && n(&own, at) > n(&others, at));
+    surplus.dedup();
+    let shapes: Vec<Shape> = marks.iter().map(|mark| mark.shape.clone()).collect();
+    let mut missing = crossed(marks, right);
+    // Of the side of another border nothing is said.
+    missing
+        .retain(|mark| !matches!(mark.shape, Shape::HalfPlane(_)) || shapes.contains(&mark.shape));
+    for mark in &mut missing {
+        if let (Shape::Dot(at), Some(label)) = (&mark.shape, &mut mark.label)
+            && !own.is_empty()
+            && !own.contains(at)
+        {
+            label.text = not_so(with_what("is-missing", label.text.clone()));
+        }
+        // Of what is on the same side and has another name the line is enough.
+        if let Shape::HalfPlane(ends) = mark.shape {
+            mark.shape = Shape::Line(ends);
+        }
+    }
+    marks.extend(missing);
+    for at in surplus {
+        let cross = Mark::new(Role::Signal, Shape::Cross(at));
+        let dot = marks.iter_mut().find(|mark| mark.shape == Shape::Dot(at));
+        let label = dot.and_then(|dot| dot.label.take());
+        marks.push(match label {
+            Some(label) => cross.labelled(not_so(with_what("again", label.text))),
+            None => cross,
+        });
+    }
+}
+
+/// Of all outlines: one that is there twice is twice among them.
+fn corners(marks: &[Mark]) -> Vec<[f64; 2]> {
+    let outlines = marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Outline(corners) | Shape::Path(corners) => Some(corners),
+        _ => None,
+    });
+    outlines.flatten().copied().collect()
+}
+
+fn solids(space: &mut Space, right: &Space) {
+    let missing = crossed(&mut space.marks, &right.marks);
+    space.marks.extend(missing);
+    let [own, others] = [&*space, right].map(kept);
+    let is_in = |known: &HashSet<Vec<Bits>>, facet: &Facet| known.contains(&bits(&facet.corners));
+    let is_surplus = |facet: &&Facet| facet.role != Role::Discarded && !is_in(&others, facet);
+    let is_missing = |facet: &&Facet| facet.role != Role::Discarded && !is_in(&own, facet);
+    let surplus: Vec<Facet> = space.facets.iter().filter(is_surplus).cloned().collect();
+    let missing: Vec<Facet> = right.facets.iter().filter(is_missing).cloned().collect();
+    let facets = space.facets.iter().cloned().map(|facet| Facet {
+        role: if is_surplus(&&facet) {
+            Role::Signal
+        } else {
+            facet.role
+        },
+        ..facet
+    });
+    let facets: Vec<Facet> = facets.collect();
+    space.facets = facets.into();
+    let washes = missing.iter().map(|facet| facet.corners.clone());
+    let mut marks: Vec<Mark3> = washes
+        .map(|corners| Mark3::new(Role::Signal, Shape3::Wash(corners)))
+        .collect();
+    let drawn = |edge: &&Edge3| edge.role != Role::Discarded;
+    let own: HashSet<Vec<Bits>> = (space.edges.iter().filter(drawn))
+        .map(|edge| bits(&edge.ends))
+        .collect();
+    let edges = right.edges.iter().filter(drawn);
+    let edges = edges.filter(|edge| !own.contains(&bits(&edge.ends)));
+    let edges = edges.map(|edge| {
+        let edge = Mark3::new(Role::Signal, Shape3::Segment(edge.ends));
+        edge.edge().dashed()
+    });
+    let edges: Vec<Mark3> = edges.collect();
+    // Who goes round sees solids that are left out; which of their faces are, the camera sees.
+    let is_camera = matches!(space.seer, Seer::Camera(_));
+    if is_camera || !edges.is_empty() {
+        marks.extend(named(&missing, "part-missing"));
+    }
+    if is_camera {
+        marks.extend(named(&surplus, "part-surplus"));
+    }
+    space.marks.extend(edges);
+    space.marks.extend(marks);
+}
+
+type Bits = [u64; 3];
+
+fn bits(places: &[[f64; 3]]) -> Vec<Bits> {
+    places.iter().map(|at| at.map(f64::to_bits)).collect()
+}
+
+fn kept(space: &Space) -> HashSet<Vec<Bits>> {
+    let facets = space.facets.iter();
+    let kept = facets.filter(|facet| facet.role != Role::Discarded);
+    kept.map(|facet| bits(&facet.corners)).collect()
+}
+
+/// A word in the middle of an object's facets.
+fn named(facets: &[Facet], word: &'static str) -> Vec<Mark3> {
+    let object = |facet: &Facet| facet.link.and_then(|link| link.number_of("object"));
+    let mut objects: Vec<Option<usize>> = facets.iter().map(object).collect();
+    objects.dedup();
+    let word = |of: Option<usize>| {
+        let own = facets.iter().filter(|facet| object(facet) == of);
+        let corners = own.flat_map(|facet| facet.corners.iter().copied().map(DVec3::from));
+        let corners: Vec<DVec3> = corners.collect();
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let label = Mark3::new(Role::Signal, Shape3::Label(middle.into()));
+        label.labelled(not_so(Value::Term(word))).strong()
+    };
+    objects.into_iter().map(word).collect()
+}
+
+/// The lists that both make, beside each other: of the wrong one what is not in its place is crossed.
+fn results(wrong: &Lists, right: &Lists) -> Lists {
+    let [Some(wrong), Some(right)] = [wrong, right].map(|lists| lists.lists.last()) else {
+        return wrong.clone();
+    };
+    let titled = |list: &ListColumn, key| ListColumn {
+        title: Message::new(key)
+            .with("n", list.n_before + list.entries.len() + list.n_after)
+            .into(),
+        ..list.clone()
+    };
+    let mut lists = [titled(right, "result-right"), titled(wrong, "result-wrong")];
+    let mut links = Vec::new();
+    let mut from = 0;
+    let is = |entry: &ListRow, other: &ListRow| entry.details == other.details;
+    for (to, entry) in lists[1].entries.iter_mut().enumerate() {
+        let ahead = right.entries[from..].iter();
+        if let Some(found) = ahead.into_iter().position(|other| is(entry, other)) {
+            from += found + 1;
+            entry.name.clone_from(&right.entries[from - 1].name);
+            links.push(ListLink::between(from - 1, to, Role::Soft));
+            continue;
+        }
+        let known = right.entries.iter().find(|other| is(entry, other));
+        if let Some(known) = known {
+            entry.name.clone_from(&known.name);
+        }
+        (entry.role, entry.marker) = (Role::Signal, Some(ItemMarker::Cross));
+    }
+    Lists {
+        links,
+        lists: lists.into(),
+        legend: Vec::new(),
+    }
+}
