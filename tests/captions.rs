@@ -237,19 +237,13 @@ fn said_in(body: &Body, catalog: &Catalog) -> Vec<String> {
             let said = said.flat_map(|stage| [&stage.title, &stage.counts]);
             said.map(|said| catalog.message(said)).collect()
         }
-        Body::Screens(screens) => {
-            let screens = screens.screens.iter();
-            let said = screens.flat_map(|screen| {
-                let labels = screen.marks.iter().filter_map(|mark| mark.label.as_ref());
-                let labels = labels.map(|label| value(&label.text));
-                labels.chain([value(&screen.title), catalog.message(&screen.note)])
-            });
-            said.collect()
-        }
         Body::Multiples(multiples) => {
-            let drawings = multiples.drawings.iter();
-            let said =
-                drawings.flat_map(|drawing| std::iter::once(&drawing.title).chain(&drawing.note));
+            let said = multiples.drawings.iter().flat_map(|drawing| {
+                let labels = drawing.marks.iter().filter_map(|mark| mark.label.as_ref());
+                let note = drawing.note.iter().map(|(_, note)| note);
+                let labels = labels.map(|label| &label.text).chain(note);
+                labels.chain([&drawing.title])
+            });
             said.map(value).collect()
         }
         Body::Clippers(row) => {

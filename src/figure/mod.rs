@@ -41,8 +41,8 @@ pub(crate) use project::{between, complement, inside};
 pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};
 pub use small_pictures::{
-    CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage, Screen,
-    Screens, SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate,
+    CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage,
+    SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate,
 };
 pub use solids::{SolidMesh, SolidPicture, Solids};
 pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};

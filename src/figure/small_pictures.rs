@@ -8,16 +8,19 @@ use super::{
     space::Space,
 };
 
+/// Drawings at one scale.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Multiples {
     pub drawings: Vec<SmallDrawing>,
     pub bounds: [[f64; 2]; 2],
+    /// A low row of them; else they are as large as they can be.
+    pub is_strip: bool,
 }
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct SmallDrawing {
     pub title: Value,
-    pub note: Option<Value>,
+    pub note: Option<(Role, Value)>,
     pub marks: Vec<Mark>,
     pub is_current: bool,
     /// Has the run not come here yet? Its words are pale, its marks have weights of their own.
@@ -25,21 +28,25 @@ pub struct SmallDrawing {
     pub link: Option<Link>,
 }
 
-#[derive(Clone, PartialEq, Debug)]
-pub struct Screens {
-    pub screens: Vec<Screen>,
+impl SmallDrawing {
+    pub const fn new(title: Value, note: Option<(Role, Value)>, marks: Vec<Mark>) -> Self {
+        Self {
+            title,
+            note,
+            marks,
+            is_current: false,
+            is_to_come: false,
+            link: None,
+        }
+    }
 }
 
-#[derive(Clone, PartialEq, Debug)]
-pub struct Screen {
-    pub title: Value,
-    pub note: Message,
-    pub role: Role,
-    pub marks: Vec<Mark>,
-}
-
-impl Screens {
-    pub const SEEN: [[f64; 2]; 2] = [[-2.5, -1.3], [2.5, 1.3]];
+impl Multiples {
+    /// Width over height of one drawing.
+    pub fn aspect(&self) -> f64 {
+        let [width, height] = [0, 1].map(|i| self.bounds[1][i] - self.bounds[0][i]);
+        width / height.max(f64::MIN_POSITIVE)
+    }
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -121,6 +128,8 @@ pub struct Raster {
     pub size: [usize; 2],
     pub pixels: Vec<Pixel>,
     pub scale: Option<[Value; 2]>,
+    /// What is written under the columns.
+    pub under: Vec<Value>,
     /// The pixel that this step is about, by column and row.
     pub current: Option<[usize; 2]>,
     pub over: Vec<RasterMark>,
@@ -135,13 +144,15 @@ pub struct RasterMark {
 
 impl RasterMark {
     pub const fn is_line(&self) -> bool {
-        matches!(self.shape, RasterShape::Line(_))
+        matches!(self.shape, RasterShape::Line(_) | RasterShape::Bar(_))
     }
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RasterShape {
     Line([[f64; 2]; 2]),
+    /// A length that is measured.
+    Bar([[f64; 2]; 2]),
     Dot([f64; 2]),
     Ring([f64; 2]),
     /// What is not so: another surface is in front there.
@@ -193,6 +204,7 @@ mod tests {
             size: [3, 2],
             pixels: pixels.collect(),
             scale: None,
+            under: Vec::new(),
             current: None,
             over: Vec::new(),
         };

@@ -6,7 +6,7 @@ use super::{
     graph::Graph,
     mark::Mark,
     role::Link,
-    small_pictures::{Multiples, Raster, Ribbon, Screens, SpaceRow, Story},
+    small_pictures::{Multiples, Raster, Ribbon, SpaceRow, Story},
     space::Space,
     values::{Bits, Costs, Gauges, Lists, MatrixProduct, Products, Table},
 };
@@ -52,7 +52,6 @@ pub enum Body {
     Clippers(ClipperRow),
     Gauges(Gauges),
     Ribbon(Ribbon),
-    Screens(Screens),
     Multiples(Multiples),
     Matrix(MatrixProduct),
     Spaces(SpaceRow),

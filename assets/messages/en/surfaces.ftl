@@ -90,9 +90,13 @@ depth-done-distance = Done: the distances of { $pixels ->
    *[other] { $pixels } pixels
   } go from { $least } to { $most }.
 depth-done-nothing = Done: of { $fragments } fragments none was written.
-curve-forward = depth over distance
-curve-reversed = reversed
-curve-step = one step at { $distance }: { $step }
+curve-whole = Depth over distance
+curve-enlarged = Enlarged
+curve-forward = Not reversed
+curve-reversed = Reversed
+curve-step = one step: { $step }
+curve-distance = distance
+curve-depth = depth
 story-title = Pixel { $at } in order of arrival
 story-held = Stored depth
 story-nearer = nearer

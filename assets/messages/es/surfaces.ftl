@@ -90,9 +90,13 @@ depth-done-distance = Terminado: las distancias de { $pixels ->
    *[other] { $pixels } píxeles
   } van de { $least } a { $most }.
 depth-done-nothing = Terminado: de { $fragments } fragmentos no se escribió ninguno.
-curve-forward = profundidad según la distancia
-curve-reversed = invertida
-curve-step = un paso a { $distance }: { $step }
+curve-whole = Profundidad según la distancia
+curve-enlarged = Ampliado
+curve-forward = Sin invertir
+curve-reversed = Invertida
+curve-step = un paso: { $step }
+curve-distance = distancia
+curve-depth = profundidad
 story-title = Píxel { $at }, por orden de llegada
 story-held = Profundidad guardada
 story-nearer = más cerca

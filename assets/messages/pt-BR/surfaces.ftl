@@ -90,9 +90,13 @@ depth-done-distance = Pronto: as distâncias de { $pixels ->
    *[other] { $pixels } pixels
   } vão de { $least } a { $most }.
 depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
-curve-forward = profundidade pela distância
-curve-reversed = invertida
-curve-step = um passo a { $distance }: { $step }
+curve-whole = Profundidade pela distância
+curve-enlarged = Ampliado
+curve-forward = Sem inverter
+curve-reversed = Invertida
+curve-step = um passo: { $step }
+curve-distance = distância
+curve-depth = profundidade
 story-title = Pixel { $at }, por ordem de chegada
 story-held = Profundidade guardada
 story-nearer = mais perto

@@ -1,4 +1,4 @@
-//! Small drawings in a row, at one scale; this step's has a frame.
+//! Small drawings at one scale: in a row, or as large as they can be; this step's has a frame.
 //!
 //! ```text
 //!   near    3 → 4     far     4 → 5     left    5 → 5   ┌ right   5 → 6 ┐
@@ -10,7 +10,7 @@
 
 use crate::figure::{Multiples, SmallDrawing};
 
-use super::prelude::*;
+use super::{super::hit, prelude::*};
 
 const TITLE_PTS: f32 = 12.5;
 const HEADING: f32 = 1.3 * TITLE_PTS;
@@ -25,25 +25,34 @@ impl OnSlate for Multiples {
         let n = self.drawings.len().max(1) as f32;
         natural.fitted_in(room, |slate| {
             let widths = self.drawings.iter().map(|drawing| {
-                let note = drawing.note.as_ref();
-                let note = note.map_or(0.0, |note| slate.width(note, Face::Mono, NOTE_PTS));
-                slate.width(&drawing.title, Face::Strong, TITLE_PTS) + note
+                let [title, note] = self
+                    .words(slate, drawing)
+                    .map(|it| it.map_or(0.0, |it| it.size().x));
+                if self.is_strip {
+                    title + note
+                } else {
+                    title.max(note)
+                }
             });
             let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
             let high = slate.pts(HEADING) + slate.pts(2.0 * PAD + LEAST_DRAWING);
-            vec2(n * (widest + slate.pts(GAP)), high)
+            let in_row = if self.is_strip { n } else { 1.0 };
+            vec2(in_row * (widest + slate.pts(GAP)), high)
         })
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        let n = self.drawings.len().max(1) as f32;
+        let n = self.drawings.len().max(1);
         let gap = slate.pts(GAP);
-        let width = (rect.width() - (n - 1.0) * gap) / n;
+        let columns = self.columns(slate, rect.size());
+        let rows = n.div_ceil(columns);
+        let side = |whole: f32, n: usize| (whole - (n - 1) as f32 * gap) / n as f32;
+        let size = vec2(side(rect.width(), columns), side(rect.height(), rows));
         for (i, drawing) in self.drawings.iter().enumerate() {
-            let left = rect.left() + i as f32 * (width + gap);
-            let place = Rect::from_x_y_ranges(left..=left + width, rect.y_range());
+            let at = vec2((i % columns) as f32, (i / columns) as f32) * (size + Vec2::splat(gap));
+            let place = Rect::from_min_size(rect.min + at, size);
             let is_lit = links.touch(place, drawing.link);
-            self.draw_one(slate, drawing, place, is_lit);
+            self.draw_one(slate, drawing, (place, is_lit), links);
         }
     }
 
@@ -51,14 +60,37 @@ impl OnSlate for Multiples {
         let drawing = |drawing: &SmallDrawing| {
             let arrow = now(drawing.is_current);
             let title = look.catalog.value(&drawing.title);
-            let note = drawing.note.as_ref().map(|note| look.catalog.value(note));
-            format!("{arrow}{title}: {}", note.unwrap_or_default())
+            let note = drawing
+                .note
+                .as_ref()
+                .map(|(_, note)| look.catalog.value(note));
+            let labels = drawing.marks.iter().filter_map(|mark| mark.label.as_ref());
+            let labels = labels.map(|label| look.catalog.value(&label.text));
+            bracketed(
+                &format!("{arrow}{title}: {}", note.unwrap_or_default()),
+                labels,
+            )
         };
         joined(self.drawings.iter().map(drawing), "; ")
     }
 }
 
 impl Multiples {
+    /// So many in a row that they are as large as they can be.
+    fn columns(&self, slate: &Slate<'_>, room: Vec2) -> usize {
+        let n = self.drawings.len().max(1);
+        if self.is_strip {
+            return n;
+        }
+        let (aspect, heading) = (self.aspect() as f32, slate.pts(HEADING));
+        let width = |columns: &usize| {
+            let rows = n.div_ceil(*columns) as f32;
+            (room.x / *columns as f32).min((room.y / rows - heading) * aspect)
+        };
+        let larger = |a: &usize, b: &usize| width(a).total_cmp(&width(b));
+        (1..=n).max_by(larger).unwrap_or(n)
+    }
+
     fn viewport(&self, rect: Rect, margin: f32) -> Viewport {
         let [min, max] = self.bounds;
         let room = rect.shrink(margin).size().max(vec2(1.0, 1.0));
@@ -73,7 +105,40 @@ impl Multiples {
         }
     }
 
-    fn draw_one(&self, slate: &mut Slate<'_>, drawing: &SmallDrawing, place: Rect, is_lit: bool) {
+    /// The title, and what is noted.
+    fn words(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> [Option<Typeset>; 2] {
+        let theme = slate.theme();
+        let (face, ink) = match (drawing.is_current, drawing.is_to_come) {
+            (true, _) => (Face::Strong, theme.signal_text),
+            (false, true) => (Face::Plain, theme.soft),
+            (false, false) => (Face::strong_if(!self.is_strip), theme.ink),
+        };
+        let note = drawing.note.as_ref().map(|(role, note)| {
+            let face = if self.is_strip {
+                Face::Mono
+            } else {
+                Face::Plain
+            };
+            let role = if drawing.is_to_come {
+                Role::Soft
+            } else {
+                *role
+            };
+            slate.value(note, (face, NOTE_PTS, text_colour(theme, role)))
+        });
+        [
+            Some(slate.value(&drawing.title, (face, TITLE_PTS, ink))),
+            note,
+        ]
+    }
+
+    fn draw_one(
+        &self,
+        slate: &mut Slate<'_>,
+        drawing: &SmallDrawing,
+        (place, is_lit): (Rect, bool),
+        links: &mut Links,
+    ) {
         let theme = slate.theme();
         let frame = match (drawing.is_current, is_lit) {
             (true, _) => Some((1.75, theme.signal)),
@@ -84,22 +149,29 @@ impl Multiples {
             let stroke = slate.stroke(width, colour);
             slate.rim(place, slate.pts(4.0), stroke, StrokeKind::Inside);
         }
-        let inner = place.shrink(slate.pts(PAD));
-        let (face, title, note) = match (drawing.is_current, drawing.is_to_come) {
-            (true, _) => (Face::Strong, theme.signal_text, theme.ink),
-            (false, true) => (Face::Plain, theme.soft, theme.soft),
-            (false, false) => (Face::Plain, theme.ink, theme.ink),
-        };
-        let title = slate.value(&drawing.title, (face, TITLE_PTS, title));
-        slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
-        if let Some(value) = &drawing.note {
-            let note = slate.value(value, (Face::Mono, NOTE_PTS, note));
-            slate.put(&note, inner.right_top(), Align2::RIGHT_TOP);
+        let pad = if self.is_strip { slate.pts(PAD) } else { 0.0 };
+        let inner = place.shrink(pad);
+        let mut top = inner.top() + slate.pts(HEADING);
+        let [title, note] = self.words(slate, drawing);
+        let title = title.map(|title| slate.put(&title, inner.left_top(), Align2::LEFT_TOP));
+        if let Some(note) = note {
+            let beside = title.map_or(inner.left(), |title| title.right() + slate.pts(GAP));
+            let has_room = beside + note.size().x <= inner.right();
+            let (at, align) = match (self.is_strip, has_room) {
+                (true, _) => (inner.right_top(), Align2::RIGHT_TOP),
+                (false, true) => (pos2(beside, inner.top()), Align2::LEFT_TOP),
+                (false, false) => (pos2(inner.left(), top), Align2::LEFT_TOP),
+            };
+            let put = slate.put(&note, at, align);
+            top = top.max(put.bottom());
         }
-        let top = inner.top() + slate.pts(HEADING);
         let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
         let viewport = self.viewport(room, slate.pts(MARGIN));
         let (look, around) = (slate.look, Around::default());
-        look.stage(slate.painter, &viewport, &drawing.marks, None, around);
+        look.stage(slate.painter, &viewport, &drawing.marks, links.lit, around);
+        if let Some(pointer) = links.pointer.filter(|at| room.contains(*at)) {
+            let pointed = hit::link_at(&viewport, &drawing.marks, pointer);
+            links.pointed = pointed.or(links.pointed);
+        }
     }
 }

@@ -294,6 +294,7 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
         size: surfaces.size().map(|side| side as usize),
         pixels,
         scale: None,
+        under: Vec::new(),
         current: None,
         over,
     }

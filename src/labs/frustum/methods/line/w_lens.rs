@@ -10,7 +10,7 @@
 
 use crate::{
     algo::volume::{HomogeneousLine, VisibleLine},
-    figure::{Screen, Screens},
+    figure::{Multiples, SmallDrawing},
     labs::frustum::prelude::*,
 };
 
@@ -32,8 +32,10 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
     let world = scenery.scene().places().segment;
     marks.extend(lens.segment(&world));
     marks.extend(lens.images(&world));
-    let screens = Body::Screens(Screens {
-        screens: vec![lens.divided_screen(), lens.clipped_screen()],
+    let screens = Body::Multiples(Multiples {
+        drawings: vec![lens.divided_screen(), lens.clipped_screen()],
+        bounds: [[-2.5, -1.3], [2.5, 1.3]],
+        is_strip: false,
     });
     vec![
         scenery.observer(|_| Fate::ToCome, marks),
@@ -207,7 +209,7 @@ impl<'a> WLens<'a> {
         mark.labelled(label.unwrap_or_else(|| name(symbol)))
     }
 
-    fn divided_screen(&self) -> Screen {
+    fn divided_screen(&self) -> SmallDrawing {
         let is_wrong = self.is_wrong();
         let role = if is_wrong { Role::Signal } else { Role::Accent };
         let mut marks = Self::square();
@@ -237,19 +239,17 @@ impl<'a> WLens<'a> {
                 marks.push(Mark::new(Role::Accent, Shape::Segment([from, to])).dashed());
             }
         }
-        Screen {
-            title: Value::Term("screen-divide-first"),
-            note: Message::new(match self.joined {
-                _ if is_wrong => "screen-wrong",
-                None => "screen-no-image",
-                Some(_) => "screen-same",
-            }),
-            role: if is_wrong { Role::Signal } else { Role::Soft },
-            marks,
-        }
+        let note = match self.joined {
+            _ if is_wrong => "screen-wrong",
+            None => "screen-no-image",
+            Some(_) => "screen-same",
+        };
+        let role = if is_wrong { Role::Signal } else { Role::Soft };
+        let note = Some((role, Value::Term(note)));
+        SmallDrawing::new(Value::Term("screen-divide-first"), note, marks)
     }
 
-    fn clipped_screen(&self) -> Screen {
+    fn clipped_screen(&self) -> SmallDrawing {
         let shown = self.shown;
         let given = &shown.input.ends;
         let so_far = (!is_rejected(shown)).then(|| left_so_far(shown));
@@ -284,11 +284,7 @@ impl<'a> WLens<'a> {
             (true, true) => ("screen-right", Role::Accent),
             (_, false) => ("screen-nothing", Role::Soft),
         };
-        Screen {
-            title: Value::Term("screen-clip-first"),
-            note: Message::new(note),
-            role,
-            marks,
-        }
+        let note = Some((role, Value::Term(note)));
+        SmallDrawing::new(Value::Term("screen-clip-first"), note, marks)
     }
 }
