@@ -44,7 +44,9 @@ impl Comparison {
         let is_same_picture = ends.iter().all(|end| pictures(end) == made);
         let is_same = |run: &&dyn Run| run.output_json() == first.output_json();
         let has_raster = made.iter().any(|body| matches!(body, Body::Raster(_)));
-        if is_same_picture && (has_raster || others.iter().all(is_same)) {
+        let agrees = |end: &Frame| end.body(ViewId::AGREEMENT).is_some();
+        let is_said = has_raster || ends.iter().all(agrees);
+        if is_same_picture && (is_said || others.iter().all(is_same)) {
             Self::Same
         } else {
             Self::Apart

@@ -155,10 +155,8 @@ pub enum RasterShape {
     Bar([[f64; 2]; 2]),
     Dot([f64; 2]),
     Ring([f64; 2]),
-    /// What is not so: another surface is in front there.
+    /// What is not so: another surface is in front there, another pixel is taken.
     Cross([f64; 2]),
-    /// A place on an edge between two pixels, by a short stroke along this axis, across that edge.
-    Tick([f64; 2], usize),
 }
 
 #[derive(Clone, PartialEq, Debug)]

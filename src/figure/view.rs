@@ -17,6 +17,8 @@ pub struct ViewId(pub &'static str);
 
 impl ViewId {
     pub const PLANE: Self = Self("plane");
+    /// What a method leaves and takes for it, where it is told that another one leaves the same.
+    pub const AGREEMENT: Self = Self("agreement");
 }
 
 #[derive(Clone, PartialEq, Debug)]

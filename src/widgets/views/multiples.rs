@@ -22,7 +22,7 @@ const LEAST_DRAWING: f32 = 34.0;
 
 impl OnSlate for Multiples {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
-        let n = self.drawings.len().max(1) as f32;
+        let in_row = self.columns(&natural, room) as f32;
         natural.fitted_in(room, |slate| {
             let widths = self.drawings.iter().map(|drawing| {
                 let [title, note] = self
@@ -36,7 +36,6 @@ impl OnSlate for Multiples {
             });
             let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
             let high = slate.pts(HEADING) + slate.pts(2.0 * PAD + LEAST_DRAWING);
-            let in_row = if self.is_strip { n } else { 1.0 };
             vec2(in_row * (widest + slate.pts(GAP)), high)
         })
     }

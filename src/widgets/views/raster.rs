@@ -243,11 +243,6 @@ impl<'r> Pixels<'r> {
                     .circle_filled(at, r + slate.pts(2.0), slate.theme().background);
                 slate.painter.circle_stroke(at, r, slate.stroke(2.0, ink));
             }
-            RasterShape::Tick(at, axis) => {
-                let half = [vec2(1.0, 0.0), vec2(0.0, 1.0)][axis] * slate.pts(ARM);
-                let at = self.place(at);
-                cased(slate, painter, [at - half, at + half], 2.0, ink);
-            }
             RasterShape::Cross([x, y]) if self.is_written(slate, [x, y]) => {
                 let at = self.place([x + ASIDE[0], y + ASIDE[1]]);
                 draw_cross(slate, at, ASIDE_ARM * self.width, ink);

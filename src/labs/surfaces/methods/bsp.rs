@@ -95,7 +95,7 @@ impl Telling for Bsp {
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
-        on_raster::views(at, |scenery| {
+        let mut views = on_raster::views(at, |scenery| {
             let scene = scenery.scene();
             let look = faces([(own(at), Role::Accent)], scene);
             let marks = marks(at, scene.camera.camera());
@@ -104,8 +104,25 @@ impl Telling for Bsp {
                 View::new(RASTER_VIEW, Body::Raster(raster(at))),
                 View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
             ]
-        })
+        });
+        let camera = at.scenery.map(|scenery| scenery.scene().camera.camera());
+        for view in &mut views {
+            if let (Body::Space(space), Some(camera)) = (&mut view.body, camera) {
+                space.marks.extend(cut_pieces(at, camera));
+            }
+        }
+        views
     }
+}
+
+/// The outlines of the parts that planes have cut off so far.
+fn cut_pieces(at: &At<'_, Bsp>, camera: &Camera) -> impl Iterator<Item = Mark3> {
+    let pieces = at.step.held.pieces.iter();
+    let cut = pieces.filter(|piece| !piece.cuts.is_empty());
+    cut.map(|piece| {
+        let corners = piece.polygon.iter().map(|&at| camera.world_from_view(at));
+        Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).edge()
+    })
 }
 
 fn own(at: &At<'_, Bsp>) -> Option<u32> {

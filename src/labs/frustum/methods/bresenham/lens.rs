@@ -16,6 +16,8 @@ use super::picture::{PUT, centre, framed, mark};
 /// Behind the pixel in hand, the pixel, and before it; to either side of it.
 const ALONG: [i64; 2] = [3, 1];
 const ACROSS: i64 = 3;
+/// Half of the stroke at a midpoint, in pixels.
+const CAP: f64 = 0.12;
 
 pub struct Lens<'a> {
     ends: BresenhamInput,
@@ -122,7 +124,12 @@ impl<'a> Lens<'a> {
         } else {
             Role::Discarded
         };
-        let tick = mark(role, RasterShape::Tick(midpoint, major));
+        let tick = [-CAP, CAP].map(|aside| {
+            let mut at = midpoint;
+            at[major] += aside;
+            at
+        });
+        let tick = mark(role, RasterShape::Line(tick));
         if part != 0.0 {
             return vec![tick, mark(role, RasterShape::Bar([midpoint, on_line]))];
         }
@@ -135,15 +142,13 @@ impl<'a> Lens<'a> {
         let error = |column: i64| {
             let is_there = |nth: &usize| self.candidates(*nth)[0][0] == self.first[0] + column;
             let nth = (1..=self.put.len()).find(is_there);
-            let symbol = Formula::decimals().sym("e = ");
-            nth.map_or(symbol.clone(), |nth| {
-                symbol.num(self.errors[nth - 1] as f64)
+            nth.map_or(Value::Name(String::new()), |nth| {
+                let error = self.errors[nth - 1] as f64;
+                Value::Formula(Formula::decimals().sym("e = ").num(error))
             })
         };
         let columns = (0..self.size[0]).filter(|_| self.ends.major() == 0);
-        columns
-            .map(|column| Value::Formula(error(column)))
-            .collect()
+        columns.map(error).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! World planes beside clip space on one triangle: what each finds, and whether both leave the same.
 
-use crate::labs::frustum::prelude::*;
+use crate::{figure::ViewId, labs::frustum::prelude::*};
 
 use super::{
     LISTS_VIEW,
@@ -9,7 +9,6 @@ use super::{
     variant::{self, EvenOnScreen, Homogeneous, OnePolygon, Variant},
 };
 
-const AGREEMENT_VIEW: &str = "agreement";
 /// Places that lie apart by no more than rounding: coordinates of some tens, matrices of some units.
 const SAME: f64 = 1e-6;
 
@@ -71,7 +70,10 @@ pub fn agreement_view(
         }],
         notes: vec![note],
     };
-    Some(View::new(AGREEMENT_VIEW, Body::Table(table)))
+    Some(View {
+        id: ViewId::AGREEMENT,
+        body: Body::Table(table),
+    })
 }
 
 fn agreement(scene: &Scene) -> Option<TableNote> {
@@ -84,16 +86,11 @@ fn agreement(scene: &Scene) -> Option<TableNote> {
     let before_divide = before_divide.vertices().iter();
     let before_divide: Vec<[f64; 3]> = before_divide.map(|v| in_world(v, scene)).collect();
     let apart = apart(&by_planes, &before_divide).max(apart(&before_divide, &by_planes));
-    let text = if apart < SAME {
-        let decimals = (-libm::log10(apart.max(f64::EPSILON))).floor() as usize;
-        Message::new("tally-same")
-            .with("n", before_divide.len())
-            .with("decimals", decimals)
-    } else {
-        Message::new("tally-not-same").with("apart", apart)
-    };
+    let decimals = (-libm::log10(apart.max(f64::EPSILON))).floor() as usize;
+    let text = Message::new("tally-same").with("n", before_divide.len());
+    let text = text.with("decimals", decimals);
     let applies = true;
-    Some(TableNote { text, applies })
+    (apart < SAME).then_some(TableNote { text, applies })
 }
 
 /// How far one of these places lies from the nearest of those, at most.

@@ -7,7 +7,9 @@ use crate::algo::{
 
 use super::{
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
-    homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
+    homogeneous_views::{
+        BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks, screens, undivided_marks,
+    },
     prelude::*,
     variant::homogeneous,
 };
@@ -167,11 +169,17 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         let mut views = Vec::new();
         let has_more = scenery.is_none_or(is_alone);
         if let Some(scenery) = scenery {
-            let marks = observer_marks::<L>(&now, scenery);
+            let marks = if L::DIVIDES_FIRST {
+                undivided_marks(scenery)
+            } else {
+                observer_marks(&now, scenery)
+            };
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
-        if let Some(scenery) = scenery.filter(|_| has_more) {
-            let marks = camera_marks::<L>(&now, scenery);
+        if L::DIVIDES_FIRST && scenery.is_some() {
+            views.push(screens(&now, step.input));
+        } else if let Some(scenery) = scenery.filter(|_| has_more) {
+            let marks = camera_marks(&now, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
         if has_more {

@@ -16,7 +16,7 @@ use crate::{
 
 use super::marks::{interval_marks, is_rejected, left_so_far, on_line};
 
-const SCREENS_VIEW: &str = "screens";
+pub const SCREENS_VIEW: &str = "screens";
 /// Images farther out are not marked.
 const FAR: f64 = 40.0;
 const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -34,13 +34,26 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
     marks.extend(lens.images(&world));
     let screens = Body::Multiples(Multiples {
         drawings: vec![lens.divided_screen(), lens.clipped_screen()],
-        bounds: [[-2.5, -1.3], [2.5, 1.3]],
+        bounds: seen(shown.input.ends.into_iter().filter_map(image)),
         is_strip: false,
     });
     vec![
         scenery.observer(|_| Fate::ToCome, marks),
         View::new(SCREENS_VIEW, screens),
     ]
+}
+
+/// The square, and around it as much as is needed for what lands beside it, if that is not too far away.
+pub fn seen(images: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
+    const FARTHEST: f64 = 5.0;
+    const AROUND: f64 = 0.4;
+    let near = images.filter(|at| at.iter().all(|x| x.abs() <= FARTHEST));
+    let widened = |[min, max]: [[f64; 2]; 2], at: [f64; 2]| {
+        let low = [0, 1].map(|i| min[i].min(at[i]));
+        [low, [0, 1].map(|i| max[i].max(at[i]))]
+    };
+    let [min, max] = near.fold([[-1.0; 2], [1.0; 2]], widened);
+    [min.map(|x| x - AROUND), max.map(|x| x + AROUND)]
 }
 
 /// Where a point lands on the screen; `None` where there is no such place, or none that can be shown.
@@ -63,6 +76,13 @@ fn images_of(ends: Ends) -> Vec<Shape> {
         _ => [from.map(|at| ray(at, 1.0)), to.map(|at| ray(at, -1.0))],
     };
     shapes.into_iter().flatten().collect()
+}
+
+pub fn square() -> Vec<Mark> {
+    vec![
+        Mark::new(Role::Accent, Shape::Fill(vec![SQUARE.to_vec()])),
+        Mark::new(Role::Ink, Shape::Outline(SQUARE.to_vec())),
+    ]
 }
 
 const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
@@ -188,13 +208,6 @@ impl<'a> WLens<'a> {
         marks
     }
 
-    fn square() -> Vec<Mark> {
-        vec![
-            Mark::new(Role::Accent, Shape::Fill(vec![SQUARE.to_vec()])),
-            Mark::new(Role::Ink, Shape::Outline(SQUARE.to_vec())),
-        ]
-    }
-
     /// An image with its name; of what lies behind the eye also where it is.
     fn point(
         &self,
@@ -212,7 +225,7 @@ impl<'a> WLens<'a> {
     fn divided_screen(&self) -> SmallDrawing {
         let is_wrong = self.is_wrong();
         let role = if is_wrong { Role::Signal } else { Role::Accent };
-        let mut marks = Self::square();
+        let mut marks = square();
         if let Some(joined) = self.joined {
             let mut whole = Mark::new(role, Shape::Segment(joined)).linked("segment");
             whole.is_dashed = is_wrong;
@@ -255,7 +268,7 @@ impl<'a> WLens<'a> {
         let so_far = (!is_rejected(shown)).then(|| left_so_far(shown));
         let left: Option<Ends> = if shown.is_divided { self.right } else { so_far };
         let is_done = shown.is_divided || shown.verdict.is_some();
-        let mut marks = Self::square();
+        let mut marks = square();
         let mark = |shape| Mark::new(Role::Discarded, shape);
         let discarded = |ends| images_of(ends).into_iter().map(mark);
         match left {

@@ -23,7 +23,6 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         let scene = scenery.scene();
         let look = faces([(current(at), Role::Accent)], scene);
         let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
-        views.extend(rasters(at, scene));
         let input = at.step.input;
         let format = &input.format;
         if format.number != DepthNumber::Double {
@@ -31,6 +30,7 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
             let curves = curves(&Rays::of(&input.surfaces), format, &landed);
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
         }
+        views.extend(rasters(at, scene));
         if let Some(pixel) = pixel_of(at) {
             let story = story(at, scenery, pixel);
             views.push(View::new(STORY_VIEW, Body::Story(story)));

@@ -1,0 +1,64 @@
+//! Rows of bars at one scale: from where to where something reaches.
+
+use crate::figure::{Multiples, SmallDrawing, Weight};
+
+use super::prelude::*;
+
+/// Of more the rows are too low.
+const MOST: usize = 10;
+/// Width over the height of one row; before and after a bar there is room for what is written at its ends.
+const WIDTH: f64 = 30.0;
+const AROUND: f64 = 4.0;
+
+pub struct Bar {
+    pub name: Value,
+    pub reach: [f64; 2],
+    /// What is written where it begins, and where it ends.
+    pub ends: [Option<Value>; 2],
+    pub role: Role,
+}
+
+/// None of none, or of too many. `line` goes from one row to another, where something reaches to: a bar ends before that or goes beyond.
+pub fn bars(
+    title: &'static str,
+    bars: &[Bar],
+    line: Option<(f64, [usize; 2])>,
+) -> Option<Multiples> {
+    let n_rows = Some(bars.len()).filter(|n| (1..=MOST).contains(n))?;
+    let low = bars
+        .iter()
+        .fold(f64::INFINITY, |low, bar| low.min(bar.reach[0]));
+    let high = bars
+        .iter()
+        .fold(0.0, |high: f64, bar| high.max(bar.reach[1]));
+    let place = |x: f64, row: usize| {
+        let part = (x - low) / (high - low).max(f64::MIN_POSITIVE);
+        [WIDTH * part, -(row as f64)]
+    };
+    let weight = |points| Weight {
+        points,
+        strength: 1.0,
+    };
+    let mut marks = Vec::new();
+    for (row, bar) in bars.iter().enumerate() {
+        let ends = bar.reach.map(|x| place(x, row));
+        marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(weight(7.0)));
+        let name = Mark::new(bar.role, Shape::Label([-AROUND, ends[0][1]]));
+        marks.push(name.labelled(bar.name.clone()).strong());
+        for (i, outward) in [-1.0, 1.0].into_iter().enumerate() {
+            let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(weight(3.0));
+            let said = bar.ends[i].clone();
+            marks.extend(said.map(|said| end.labelled(said).toward([outward, 0.0])));
+        }
+    }
+    marks.extend(line.map(|(x, rows)| {
+        let line = Shape::Segment(rows.map(|row| place(x, row)));
+        Mark::new(Role::Signal, line).weighing(weight(1.5)).dashed()
+    }));
+    let (left, right) = (-1.3 * AROUND, WIDTH + AROUND);
+    Some(Multiples {
+        drawings: vec![SmallDrawing::new(Value::Term(title), None, marks)],
+        bounds: [[left, 0.4 - n_rows as f64], [right, 0.6]],
+        is_strip: true,
+    })
+}
