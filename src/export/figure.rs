@@ -262,12 +262,15 @@ impl Page<'_> {
         self.album.captions.once(kind, said).max(shown)
     }
 
-    /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.
+    /// What each method has done, where two are compared and do not do the same; what a mistake costs is not what is to be seen.
     fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
         if columns.len() < 2 || self.recorded.difference.is_some() {
             return Vec::new();
         }
         let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();
+        if counts.iter().all(|count| *count == counts[0]) {
+            return Vec::new();
+        }
         let most = most_of_a_kind(&counts);
         let cost = |&now: &_| Cost {
             now,

@@ -69,6 +69,15 @@ impl View {
                 (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
             }
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
+            Body::Multiples(multiples) if multiples.is_strip && multiples.drawings.len() == 1 => {
+                // Rows of bars.
+                let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
+                (
+                    Stand::Beside,
+                    [15.0, 2.6 + 1.2 * rows],
+                    [29.0, 3.0 + 1.9 * rows],
+                )
+            }
             Body::Multiples(multiples) if multiples.is_strip => {
                 let n = multiples.drawings.len() as f32;
                 (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])

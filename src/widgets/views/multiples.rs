@@ -25,14 +25,9 @@ impl OnSlate for Multiples {
         let in_row = self.columns(&natural, room) as f32;
         natural.fitted_in(room, |slate| {
             let widths = self.drawings.iter().map(|drawing| {
-                let [title, note] = self
-                    .words(slate, drawing)
-                    .map(|it| it.map_or(0.0, |it| it.size().x));
-                if self.is_strip {
-                    title + note
-                } else {
-                    title.max(note)
-                }
+                let note = self.note(slate, drawing, f32::INFINITY);
+                let note = note.filter(|_| self.is_strip);
+                self.title(slate, drawing).size().x + note.map_or(0.0, |note| note.size().x)
             });
             let widest = widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD);
             let high = slate.pts(HEADING) + slate.pts(2.0 * PAD + LEAST_DRAWING);
@@ -104,31 +99,30 @@ impl Multiples {
         }
     }
 
-    /// The title, and what is noted.
-    fn words(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> [Option<Typeset>; 2] {
+    fn title(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> Typeset {
         let theme = slate.theme();
         let (face, ink) = match (drawing.is_current, drawing.is_to_come) {
             (true, _) => (Face::Strong, theme.signal_text),
             (false, true) => (Face::Plain, theme.soft),
             (false, false) => (Face::strong_if(!self.is_strip), theme.ink),
         };
-        let note = drawing.note.as_ref().map(|(role, note)| {
-            let face = if self.is_strip {
-                Face::Mono
-            } else {
-                Face::Plain
-            };
-            let role = if drawing.is_to_come {
-                Role::Soft
-            } else {
-                *role
-            };
-            slate.value(note, (face, NOTE_PTS, text_colour(theme, role)))
-        });
-        [
-            Some(slate.value(&drawing.title, (face, TITLE_PTS, ink))),
-            note,
-        ]
+        slate.value(&drawing.title, (face, TITLE_PTS, ink))
+    }
+
+    /// On one line in a strip; else on as many as it takes.
+    fn note(&self, slate: &Slate<'_>, drawing: &SmallDrawing, width: f32) -> Option<Typeset> {
+        let (role, note) = drawing.note.as_ref()?;
+        let role = if drawing.is_to_come {
+            Role::Soft
+        } else {
+            *role
+        };
+        let ink = text_colour(slate.theme(), role);
+        Some(if self.is_strip {
+            slate.value(note, (Face::Mono, NOTE_PTS, ink))
+        } else {
+            slate.wrapped(note, width, (Face::Plain, NOTE_PTS, ink))
+        })
     }
 
     fn draw_one(
@@ -151,18 +145,17 @@ impl Multiples {
         let pad = if self.is_strip { slate.pts(PAD) } else { 0.0 };
         let inner = place.shrink(pad);
         let mut top = inner.top() + slate.pts(HEADING);
-        let [title, note] = self.words(slate, drawing);
-        let title = title.map(|title| slate.put(&title, inner.left_top(), Align2::LEFT_TOP));
-        if let Some(note) = note {
-            let beside = title.map_or(inner.left(), |title| title.right() + slate.pts(GAP));
+        let title = self.title(slate, drawing);
+        let title = slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
+        if let Some(note) = self.note(slate, drawing, inner.width()) {
+            let beside = title.right() + slate.pts(GAP);
             let has_room = beside + note.size().x <= inner.right();
             let (at, align) = match (self.is_strip, has_room) {
                 (true, _) => (inner.right_top(), Align2::RIGHT_TOP),
                 (false, true) => (pos2(beside, inner.top()), Align2::LEFT_TOP),
                 (false, false) => (pos2(inner.left(), top), Align2::LEFT_TOP),
             };
-            let put = slate.put(&note, at, align);
-            top = top.max(put.bottom());
+            top = top.max(slate.put(&note, at, align).bottom());
         }
         let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
         let viewport = self.viewport(room, slate.pts(MARGIN));

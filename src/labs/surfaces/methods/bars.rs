@@ -7,8 +7,12 @@ use super::prelude::*;
 /// Of more the rows are too low.
 const MOST: usize = 10;
 /// Width over the height of one row; before and after a bar there is room for what is written at its ends.
-const WIDTH: f64 = 30.0;
-const AROUND: f64 = 4.0;
+const WIDTH: f64 = 11.0;
+const AROUND: f64 = 2.4;
+
+pub const fn is_few(n: usize) -> bool {
+    n <= MOST
+}
 
 pub struct Bar {
     pub name: Value,
@@ -24,7 +28,7 @@ pub fn bars(
     bars: &[Bar],
     line: Option<(f64, [usize; 2])>,
 ) -> Option<Multiples> {
-    let n_rows = Some(bars.len()).filter(|n| (1..=MOST).contains(n))?;
+    let n_rows = Some(bars.len()).filter(|&n| n > 0 && is_few(n))?;
     let low = bars
         .iter()
         .fold(f64::INFINITY, |low, bar| low.min(bar.reach[0]));
@@ -42,11 +46,11 @@ pub fn bars(
     let mut marks = Vec::new();
     for (row, bar) in bars.iter().enumerate() {
         let ends = bar.reach.map(|x| place(x, row));
-        marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(weight(7.0)));
+        marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(weight(6.0)));
         let name = Mark::new(bar.role, Shape::Label([-AROUND, ends[0][1]]));
         marks.push(name.labelled(bar.name.clone()).strong());
         for (i, outward) in [-1.0, 1.0].into_iter().enumerate() {
-            let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(weight(3.0));
+            let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(weight(2.0));
             let said = bar.ends[i].clone();
             marks.extend(said.map(|said| end.labelled(said).toward([outward, 0.0])));
         }

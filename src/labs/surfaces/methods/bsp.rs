@@ -4,7 +4,7 @@ mod names;
 mod tree;
 
 use crate::{
-    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide},
+    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspPiece, BspSide},
     figure::Tick,
     geom::Camera,
 };
@@ -115,14 +115,28 @@ impl Telling for Bsp {
     }
 }
 
-/// The outlines of the parts that planes have cut off so far.
-fn cut_pieces(at: &At<'_, Bsp>, camera: &Camera) -> impl Iterator<Item = Mark3> {
-    let pieces = at.step.held.pieces.iter();
-    let cut = pieces.filter(|piece| !piece.cuts.is_empty());
-    cut.map(|piece| {
+/// The outlines of the parts that planes have cut off before this step.
+fn cut_pieces(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
+    let now = shown(at);
+    let pieces = (0..).zip(&at.step.held.pieces);
+    let cut = pieces.filter(|(number, piece)| !piece.cuts.is_empty() && !now.contains(number));
+    let outline = |(_, piece): (u32, &BspPiece)| {
         let corners = piece.polygon.iter().map(|&at| camera.world_from_view(at));
-        Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).edge()
-    })
+        Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).fine()
+    };
+    cut.map(outline).collect()
+}
+
+/// The pieces that the step is about.
+fn shown(at: &At<'_, Bsp>) -> Vec<u32> {
+    match at.step.event() {
+        Some(Event::Ask {
+            parts: Some(parts), ..
+        }) => parts.to_vec(),
+        Some(Event::Ask { piece, .. } | Event::Paint { piece, .. }) => vec![piece],
+        Some(Event::Node { .. } | Event::Built { .. } | Event::Visit { .. } | Event::Done)
+        | None => Vec::new(),
+    }
 }
 
 fn own(at: &At<'_, Bsp>) -> Option<u32> {
@@ -144,18 +158,8 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
         marks.push(Mark3::new(Role::Accent, Shape3::Wash(sheet.clone())));
         marks.push(Mark3::new(Role::Accent, Shape3::Sheet(sheet)).fine());
     }
-    let shown = match at.step.event() {
-        Some(Event::Ask {
-            parts: Some(parts), ..
-        }) => parts.to_vec(),
-        Some(Event::Ask { piece, .. } | Event::Paint { piece, .. }) => vec![piece],
-        Some(Event::Node { .. } | Event::Built { .. } | Event::Visit { .. } | Event::Done)
-        | None => Vec::new(),
-    };
-    for piece in shown
-        .iter()
-        .map(|&piece| &at.step.held.pieces[piece as usize])
-    {
+    for piece in shown(at) {
+        let piece = &at.step.held.pieces[piece as usize];
         let outline = Shape3::Outline(world(&piece.polygon));
         let name = names::piece_name(at.scenery, piece);
         marks.push(Mark3::new(Role::Signal, outline).labelled(name));

@@ -143,7 +143,7 @@ fn picture(scenery: &Scenery) -> View {
 }
 
 /// Where a triangle has been cut before the run: edges between parts that lie in one plane, of what has few of them.
-pub fn seams(scene: &Scene) -> Vec<Mark3> {
+pub fn seams(scene: &Scene, role: Role) -> Vec<Mark3> {
     const MOST_PARTS: usize = 4;
     const FLAT: f64 = 1.0 - 1e-9;
     let mut marks = Vec::new();
@@ -164,7 +164,7 @@ pub fn seams(scene: &Scene) -> Vec<Mark3> {
             .filter(|_| mesh.faces().len() <= MOST_PARTS)
             .map(|edge| {
                 let ends = edge.ends.map(|i| points[i as usize]);
-                Mark3::new(Role::Ink, Shape3::Segment(ends)).edge()
+                Mark3::new(role, Shape3::Segment(ends))
             });
         marks.extend(seams);
     }

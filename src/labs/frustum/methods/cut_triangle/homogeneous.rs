@@ -182,10 +182,11 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
             let marks = camera_marks(&now, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
-        if has_more {
+        let shows_values = !L::DIVIDES_FIRST;
+        if has_more && shows_values {
             views.push(View::new(BITS_VIEW, Body::Bits(bits(&now))));
         }
-        if !is_about_pictures(scenery) {
+        if shows_values && !is_about_pictures(scenery) {
             views.push(View::new(LISTS_VIEW, Body::Lists(lists(&now))));
         }
         views.extend(agreement_view(scenery, || {
@@ -204,7 +205,7 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
             vertex_rows(places, prime, at.scenery)
         };
         let mut first = at.section(&Self::WATCH[0]);
-        if at.scenery.is_none_or(is_alone) {
+        if !L::DIVIDES_FIRST && at.scenery.is_none_or(is_alone) {
             first = first.seen_in(BITS_VIEW);
         }
         vec![first, section(list, ""), section(output, "′")]

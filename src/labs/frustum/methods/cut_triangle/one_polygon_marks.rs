@@ -155,7 +155,8 @@ fn flattened(triangles: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<[SpaceVerte
     flat.collect()
 }
 
-/// What is looked for in both pictures: the fan's edges, the corners' names, and the field that most of the fan's triangles share.
+/// What is looked for in both pictures: the fan's edges, the corners' names, and a field
+/// that one of those edges runs through.
 pub fn compared<L: Variant<OnePolygon>>(fan: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<Mark3> {
     let flat = flattened(fan, camera);
     let shown = if L::IS_EVEN_ON_SCREEN { &flat } else { fan };
@@ -173,19 +174,19 @@ pub fn compared<L: Variant<OnePolygon>>(fan: &[[SpaceVertex; 3]], camera: &Camer
     };
     let fields = (0..FIELDS * FIELDS).map(|i| [i % FIELDS, i / FIELDS]);
     let dark = fields.filter(|[i, j]| (i + j) % 2 == 0);
-    let shared = dark.max_by_key(|&of| parts(of).count());
+    let shared = dark.filter(|&of| parts(of).count() == 2).last();
     let mut marks: Vec<Mark3> = shared
         .into_iter()
         .flat_map(parts)
         .map(|part| Mark3::new(field, Shape3::Outline(part)))
         .collect();
-    let edges = shown.iter().skip(1).map(|triangle| {
+    let edges = flat.iter().skip(1).map(|triangle| {
         let edge = Mark3::new(edges, Shape3::Segment([triangle[0].at, triangle[1].at]));
         edge.fine().dashed()
     });
     marks.extend(edges);
-    let ring = shown.first().into_iter().flatten();
-    let ring = ring.chain(shown.iter().skip(1).map(|triangle| &triangle[2]));
+    let ring = flat.first().into_iter().flatten();
+    let ring = ring.chain(flat.iter().skip(1).map(|triangle| &triangle[2]));
     marks.extend(ring.enumerate().map(|(i, v)| {
         let dot = Mark3::new(Role::Accent, Shape3::Dot(v.at));
         dot.labelled(name(vertex_symbol(i)))

@@ -30,7 +30,8 @@ pub fn step_in_view(rays: &Rays, format: &DepthFormat, depth: f64) -> Option<f64
     (next <= 1.0 && step.is_finite()).then_some(step)
 }
 
-/// The whole curve, and what is about the fragments that have landed; of a reversed buffer, that and what it would be otherwise.
+/// The curve; what is about the fragments that have landed, where they are close to each other; of a reversed buffer beside
+/// what it would be otherwise.
 pub fn curves(rays: &Rays, format: &DepthFormat, landed: &[Landed]) -> Multiples {
     let forward = DepthFormat {
         is_reversed: false,
@@ -43,18 +44,17 @@ pub fn curves(rays: &Rays, format: &DepthFormat, landed: &[Landed]) -> Multiples
     };
     let near = |key, format: &DepthFormat| curve(format).enlarged(key, landed);
     let drawings = if format.is_reversed {
-        vec![
+        let both = [
             near("curve-forward", &forward),
             near("curve-reversed", format),
-        ]
+        ];
+        both.into_iter().flatten().collect()
     } else {
-        vec![
-            Some(curve(format).drawing("curve-whole", landed)),
-            near("curve-enlarged", format),
-        ]
+        let whole = || curve(format).drawing("curve-whole", landed);
+        vec![near("curve-enlarged", format).unwrap_or_else(whole)]
     };
     Multiples {
-        drawings: drawings.into_iter().flatten().collect(),
+        drawings,
         bounds: BOUNDS,
         is_strip: false,
     }
@@ -90,16 +90,14 @@ impl Curve {
         let [near, far] = self.rays.ends();
         let shown = [(least - reach).max(near), (most + reach).min(far)];
         let is_closer = shown[1] - shown[0] < 0.5 * (far - near);
-        is_closer.then(|| Self { shown, ..self }.drawing(key, landed))
+        let drawing = Self { shown, ..self }.drawing(key, landed);
+        let note = Message::new("curve-step").with("step", decimals(step));
+        let note = (step > 0.0).then_some((Role::Ink, Value::Message(note)));
+        is_closer.then_some(SmallDrawing { note, ..drawing })
     }
 
     fn drawing(&self, key: &'static str, landed: &[Landed]) -> SmallDrawing {
-        let note = landed.last().and_then(|it| {
-            let step = step_in_view(&self.rays, &self.format, it.depth)?;
-            let message = Message::new("curve-step").with("step", decimals(step));
-            Some((Role::Ink, Value::Message(message)))
-        });
-        SmallDrawing::new(Value::Term(key), note, self.marks(landed))
+        SmallDrawing::new(Value::Term(key), None, self.marks(landed))
     }
 
     /// Distance to the right, what is stored upwards.

@@ -23,15 +23,15 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         let scene = scenery.scene();
         let look = faces([(current(at), Role::Accent)], scene);
         let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
-        let input = at.step.input;
+        views.extend(rasters(at, scene));
+        let (input, pixel) = (at.step.input, pixel_of(at));
         let format = &input.format;
+        // Where steps of the format matter a curve tells what has come to a pixel.
         if format.number != DepthNumber::Double {
-            let landed = pixel_of(at).map_or_else(Vec::new, |pixel| landed(at, pixel));
+            let landed = pixel.map_or_else(Vec::new, |pixel| landed(at, pixel));
             let curves = curves(&Rays::of(&input.surfaces), format, &landed);
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
-        }
-        views.extend(rasters(at, scene));
-        if let Some(pixel) = pixel_of(at) {
+        } else if let Some(pixel) = pixel {
             let story = story(at, scenery, pixel);
             views.push(View::new(STORY_VIEW, Body::Story(story)));
         }

@@ -46,6 +46,8 @@ pub fn views(at: &At<'_, Occlusion>) -> Vec<View> {
 
 /// How many triangles each object has: those that are drawn, and those that are spared.
 fn triangles(at: &At<'_, Occlusion>) -> Option<Multiples> {
+    /// Of fewer it does not matter how many are spared.
+    const MANY: usize = 100;
     let (objects, focus) = (&at.step.input.objects, current(at.step.past));
     let bar = |object_idx: usize| {
         let n = objects[object_idx].n_triangles;
@@ -59,7 +61,8 @@ fn triangles(at: &At<'_, Occlusion>) -> Option<Multiples> {
         }
     };
     let rows: Vec<Bar> = (0..objects.len()).map(bar).collect();
-    bars("occlusion-triangles", &rows, None)
+    let is_much = at.step.input.surfaces.triangles().len() > MANY;
+    bars("occlusion-triangles", &rows, None).filter(|_| is_much)
 }
 
 /// In a word what has become of an object, and how that is drawn.

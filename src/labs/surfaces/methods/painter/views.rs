@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::super::{
-    bars::{Bar, bars},
+    bars::{Bar, bars, is_few},
     on_raster::seams,
     prelude::*,
 };
@@ -42,14 +42,20 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
             let graph = graph(at, scene, now);
             views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
         }
-        let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
-        views.extend(depths.filter(|_| scene.beside.is_empty()));
-        views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
+        // In the graph and by bars few triangles are ordered without a list.
+        if L::KEYS_ONLY || !is_few(at.step.input.triangles().len()) {
+            views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
+        } else {
+            let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
+            views.extend(depths);
+        }
         views
     });
+    let is_done = at.step.event() == Some(Event::Done);
+    let role = if is_done { Role::Signal } else { Role::Ink };
     let cut = at
         .scenery
-        .map_or_else(Vec::new, |scenery| seams(scenery.scene()));
+        .map_or_else(Vec::new, |scenery| seams(scenery.scene(), role));
     for view in &mut views {
         if let Body::Space(space) = &mut view.body {
             space.marks.extend(cut.iter().cloned());
