@@ -24,7 +24,6 @@ tally-triangles = triangles
 tally-crossings = crossings
 tally-one-polygon = one polygon
 tally-one-by-one = triangle by triangle
-tally-in-all = in all
 tally-same = Both methods leave the same { $n } corners, to { $decimals } decimals.
 
 ## One polygon

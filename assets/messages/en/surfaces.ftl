@@ -230,9 +230,7 @@ painter-done = Done: { $pairs ->
    *[other] were
   } asked.
 painter-done-cycle = No order exists: each of { $cycle } triangles must come before the next, and the last before the first.
-painter-sorted = sorted
 painter-must = Must come before
-painter-order = order
 painter-cycle = cycle
 watch-pairs = pairs asked
 watch-depth-extents = by depth

@@ -24,7 +24,6 @@ tally-triangles = triángulos
 tally-crossings = cortes
 tally-one-polygon = un solo polígono
 tally-one-by-one = triángulo a triángulo
-tally-in-all = en total
 tally-same = Los dos métodos dejan los mismos { $n } vértices, hasta { $decimals } decimales.
 
 ## Un solo polígono

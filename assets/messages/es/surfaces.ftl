@@ -227,9 +227,7 @@ painter-done = Terminado: se preguntó por { $pairs ->
    *[other] { $pairs } pares
   } de { $triangles } triángulos.
 painter-done-cycle = No existe ningún orden: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
-painter-sorted = ordenados
 painter-must = Debe ir antes
-painter-order = orden
 painter-cycle = ciclo
 watch-pairs = pares preguntados
 watch-depth-extents = por profundidad

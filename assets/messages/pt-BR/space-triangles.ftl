@@ -24,7 +24,6 @@ tally-triangles = triângulos
 tally-crossings = cortes
 tally-one-polygon = um só polígono
 tally-one-by-one = triângulo a triângulo
-tally-in-all = no total
 tally-same = Os dois métodos deixam os mesmos { $n } vértices, até { $decimals } casas decimais.
 
 ## Um só polígono

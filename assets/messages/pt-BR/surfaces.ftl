@@ -227,9 +227,7 @@ painter-done = Pronto: perguntou-se por { $pairs ->
    *[other] { $pairs } pares
   } de { $triangles } triângulos.
 painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
-painter-sorted = ordenados
 painter-must = Deve vir antes
-painter-order = ordem
 painter-cycle = ciclo
 watch-pairs = pares perguntados
 watch-depth-extents = pela profundidade

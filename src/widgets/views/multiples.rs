@@ -42,11 +42,12 @@ impl OnSlate for Multiples {
         let rows = n.div_ceil(columns);
         let side = |whole: f32, n: usize| (whole - (n - 1) as f32 * gap) / n as f32;
         let size = vec2(side(rect.width(), columns), side(rect.height(), rows));
+        let heading = self.heading(slate, size.x);
         for (i, drawing) in self.drawings.iter().enumerate() {
             let at = vec2((i % columns) as f32, (i / columns) as f32) * (size + Vec2::splat(gap));
             let place = Rect::from_min_size(rect.min + at, size);
             let is_lit = links.touch(place, drawing.link);
-            self.draw_one(slate, drawing, (place, is_lit), links);
+            self.draw_one(slate, drawing, (place, heading, is_lit), links);
         }
     }
 
@@ -99,6 +100,17 @@ impl Multiples {
         }
     }
 
+    /// How high title and note are at most, in a tile of this width: all drawings have one size.
+    fn heading(&self, slate: &Slate<'_>, width: f32) -> f32 {
+        let high = self.drawings.iter().map(|drawing| {
+            let title = self.title(slate, drawing).size().x + slate.pts(GAP);
+            let note = self.note(slate, drawing, width);
+            let under = note.filter(|note| !self.is_strip && title + note.size().x > width);
+            slate.pts(HEADING) + under.map_or(0.0, |note| note.size().y)
+        });
+        high.fold(slate.pts(HEADING), f32::max)
+    }
+
     fn title(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> Typeset {
         let theme = slate.theme();
         let (face, ink) = match (drawing.is_current, drawing.is_to_come) {
@@ -129,7 +141,7 @@ impl Multiples {
         &self,
         slate: &mut Slate<'_>,
         drawing: &SmallDrawing,
-        (place, is_lit): (Rect, bool),
+        (place, heading, is_lit): (Rect, f32, bool),
         links: &mut Links,
     ) {
         let theme = slate.theme();
@@ -144,7 +156,7 @@ impl Multiples {
         }
         let pad = if self.is_strip { slate.pts(PAD) } else { 0.0 };
         let inner = place.shrink(pad);
-        let mut top = inner.top() + slate.pts(HEADING);
+        let top = inner.top() + heading;
         let title = self.title(slate, drawing);
         let title = slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
         if let Some(note) = self.note(slate, drawing, inner.width()) {
@@ -153,9 +165,12 @@ impl Multiples {
             let (at, align) = match (self.is_strip, has_room) {
                 (true, _) => (inner.right_top(), Align2::RIGHT_TOP),
                 (false, true) => (pos2(beside, inner.top()), Align2::LEFT_TOP),
-                (false, false) => (pos2(inner.left(), top), Align2::LEFT_TOP),
+                (false, false) => {
+                    let under = inner.top() + slate.pts(HEADING);
+                    (pos2(inner.left(), under), Align2::LEFT_TOP)
+                }
             };
-            top = top.max(slate.put(&note, at, align).bottom());
+            slate.put(&note, at, align);
         }
         let room = inner.with_min_y(top.min(inner.bottom() - 1.0));
         let viewport = self.viewport(room, slate.pts(MARGIN));

@@ -10,10 +10,6 @@ const MOST: usize = 10;
 const WIDTH: f64 = 11.0;
 const AROUND: f64 = 2.4;
 
-pub const fn is_few(n: usize) -> bool {
-    n <= MOST
-}
-
 pub struct Bar {
     pub name: Value,
     pub reach: [f64; 2],
@@ -22,13 +18,16 @@ pub struct Bar {
     pub role: Role,
 }
 
-/// None of none, or of too many. `line` goes from one row to another, where something reaches to: a bar ends before that or goes beyond.
-pub fn bars(
-    title: &'static str,
-    bars: &[Bar],
-    line: Option<(f64, [usize; 2])>,
-) -> Option<Multiples> {
-    let n_rows = Some(bars.len()).filter(|&n| n > 0 && is_few(n))?;
+/// None of none; of many those about the one in focus.
+pub fn bars(title: &'static str, bars: &[Bar], focus: Option<usize>) -> Option<Multiples> {
+    let reach = focus
+        .unwrap_or(0)
+        .saturating_sub(MOST / 2)
+        .min(bars.len().saturating_sub(MOST));
+    let bars = &bars[reach..bars.len().min(reach + MOST)];
+    if bars.is_empty() {
+        return None;
+    }
     let low = bars
         .iter()
         .fold(f64::INFINITY, |low, bar| low.min(bar.reach[0]));
@@ -47,7 +46,7 @@ pub fn bars(
     for (row, bar) in bars.iter().enumerate() {
         let ends = bar.reach.map(|x| place(x, row));
         marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(weight(6.0)));
-        let name = Mark::new(bar.role, Shape::Label([-AROUND, ends[0][1]]));
+        let name = Mark::new(bar.role, Shape::Label([-1.4 * AROUND, ends[0][1]]));
         marks.push(name.labelled(bar.name.clone()).strong());
         for (i, outward) in [-1.0, 1.0].into_iter().enumerate() {
             let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(weight(2.0));
@@ -55,14 +54,10 @@ pub fn bars(
             marks.extend(said.map(|said| end.labelled(said).toward([outward, 0.0])));
         }
     }
-    marks.extend(line.map(|(x, rows)| {
-        let line = Shape::Segment(rows.map(|row| place(x, row)));
-        Mark::new(Role::Signal, line).weighing(weight(1.5)).dashed()
-    }));
-    let (left, right) = (-1.3 * AROUND, WIDTH + AROUND);
+    let (left, right) = (-1.7 * AROUND, WIDTH + AROUND);
     Some(Multiples {
         drawings: vec![SmallDrawing::new(Value::Term(title), None, marks)],
-        bounds: [[left, 0.4 - n_rows as f64], [right, 0.6]],
+        bounds: [[left, 0.4 - bars.len() as f64], [right, 0.6]],
         is_strip: true,
     })
 }

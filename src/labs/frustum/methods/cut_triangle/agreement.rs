@@ -52,23 +52,14 @@ fn agrees(scene: &Scene) -> bool {
     both.iter().all(|id| on_stage.contains(id))
 }
 
-/// How many crossings and triangles world planes and clip space take, and whether both leave the same; where both are on stage.
-pub fn agreement_view(
-    scenery: Option<&Scenery>,
-    crossings_and_triangles: impl FnOnce() -> [usize; 2],
-) -> Option<View> {
-    let note = agreement(scenery?.scene())?;
-    let words = ["tally-crossings", "tally-triangles"].map(|key| Formula::default().term(key));
-    let cells = crossings_and_triangles().map(|n| Cell::new(Role::Ink, Some(Value::Count(n))));
+/// Whether world planes and clip space leave the same, where both are on stage.
+pub fn agreement_view(scenery: Option<&Scenery>) -> Option<View> {
+    let notes = vec![agreement(scenery?.scene())?];
+    let (header, rows) = (Vec::new(), Vec::new());
     let table = Table {
-        header: [Formula::default()].into_iter().chain(words).collect(),
-        rows: vec![TableRow {
-            name: Value::Term("tally-in-all"),
-            cells: cells.to_vec(),
-            is_current: false,
-            link: None,
-        }],
-        notes: vec![note],
+        header,
+        rows,
+        notes,
     };
     Some(View {
         id: ViewId::AGREEMENT,

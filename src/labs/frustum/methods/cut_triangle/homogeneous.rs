@@ -7,9 +7,7 @@ use crate::algo::{
 
 use super::{
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
-    homogeneous_views::{
-        BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks, screens, undivided_marks,
-    },
+    homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks, screens},
     prelude::*,
     variant::homogeneous,
 };
@@ -169,11 +167,7 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         let mut views = Vec::new();
         let has_more = scenery.is_none_or(is_alone);
         if let Some(scenery) = scenery {
-            let marks = if L::DIVIDES_FIRST {
-                undivided_marks(scenery)
-            } else {
-                observer_marks(&now, scenery)
-            };
+            let marks = observer_marks(&now, scenery);
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
         if L::DIVIDES_FIRST && scenery.is_some() {
@@ -189,12 +183,7 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         if shows_values && !is_about_pictures(scenery) {
             views.push(View::new(LISTS_VIEW, Body::Lists(lists(&now))));
         }
-        views.extend(agreement_view(scenery, || {
-            let recording = Recording::<Self>::new(*step.input);
-            let parts = in_clip_space(*step.input, recording.events());
-            let left = silent::<Self>(step.input);
-            [parts.n_cuts(), left.triangles().count()]
-        }));
+        views.extend(agreement_view(scenery));
         views
     }
 

@@ -170,20 +170,6 @@ pub fn observer_marks(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     marks
 }
 
-/// A mistake that divides first is seen on the screen: the triangle as the world has it, with what is right.
-pub fn undivided_marks(scenery: &Scenery) -> Vec<Mark3> {
-    let corners = scenery.scene().places().triangle;
-    let dot = |(i, &at): (usize, &[f64; 3])| {
-        let dot = Mark3::new(Role::Accent, Shape3::Dot(at));
-        dot.labelled(name(vertex_symbol(i)))
-    };
-    let dots = corners.iter().enumerate().map(dot);
-    area(corners.to_vec(), Role::Accent)
-        .into_iter()
-        .chain(dots)
-        .collect()
-}
-
 /// The list as it stands.
 pub fn camera_marks(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     let list = now.rings.list.iter();

@@ -166,10 +166,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         if let Some(scenery) = scenery.filter(has_more) {
             views.push(small_view::<Self>(own, progress(&step), scenery));
         }
-        views.extend(agreement_view(scenery, || {
-            let left = silent::<Self>(own);
-            [left.n_crossings, left.triangles.len()]
-        }));
+        views.extend(agreement_view(scenery));
         views
     }
 

@@ -128,6 +128,27 @@ impl Curve {
         let distances = (0..=POINTS).map(|i| near + (far - near) * i as f64 / POINTS as f64);
         let curve = distances.map(|distance| place(distance, self.stored(distance)));
         marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(line(2.0)));
+        if self.shown == self.rays.ends() {
+            marks.extend(self.shown.into_iter().flat_map(|distance| {
+                let stored = self.stored(distance);
+                let end = |at, toward, text: Value| {
+                    let mark = Mark::new(Role::Soft, Shape::Label(at));
+                    mark.labelled(text).toward(toward)
+                };
+                [
+                    end(
+                        [right(distance), 0.0],
+                        [0.0, -1.0],
+                        Value::Formula(decimals(distance)),
+                    ),
+                    end(
+                        [0.0, place(distance, stored)[1]],
+                        [-1.0, 0.0],
+                        value(&self.format, stored),
+                    ),
+                ]
+            }));
+        }
         for it in landed {
             let distance = self.distance(it.depth);
             let stored = self.stored(distance);

@@ -62,7 +62,7 @@ fn triangles(at: &At<'_, Occlusion>) -> Option<Multiples> {
     };
     let rows: Vec<Bar> = (0..objects.len()).map(bar).collect();
     let is_much = at.step.input.surfaces.triangles().len() > MANY;
-    bars("occlusion-triangles", &rows, None).filter(|_| is_much)
+    bars("occlusion-triangles", &rows, focus).filter(|_| is_much)
 }
 
 /// In a word what has become of an object, and how that is drawn.

@@ -1,5 +1,4 @@
-//! The scene, the picture so far, what must come before what, how far each triangle reaches, and two lists: the sorted one, the
-//! order.
+//! The scene, the picture so far, what must come before what, and how far each triangle reaches, in their order.
 
 use crate::{
     algo::surface::{Painter, PainterEvent as Event},
@@ -8,7 +7,7 @@ use crate::{
 };
 
 use super::super::{
-    bars::{Bar, bars, is_few},
+    bars::{Bar, bars},
     on_raster::seams,
     prelude::*,
 };
@@ -21,7 +20,6 @@ use super::{
 
 const GRAPH_VIEW: &str = "graph";
 const DEPTHS_VIEW: &str = "depths";
-const LISTS_VIEW: &str = "lists";
 
 pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
     let now = about(at.step.event());
@@ -42,13 +40,8 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
             let graph = graph(at, scene, now);
             views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
         }
-        // In the graph and by bars few triangles are ordered without a list.
-        if L::KEYS_ONLY || !is_few(at.step.input.triangles().len()) {
-            views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
-        } else {
-            let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
-            views.extend(depths);
-        }
+        let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
+        views.extend(depths);
         views
     });
     let is_done = at.step.event() == Some(Event::Done);
@@ -64,21 +57,15 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
     views
 }
 
-/// The sorted ones, as far as they are known.
-fn sorted<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<u32> {
-    let held = at.step.held;
-    let known = match held.n_sorted {
-        0 => &held.list[..],
-        n => &held.list[..n],
-    };
-    known.iter().map(|(it, _)| it.id).collect()
-}
-
 /// From its nearest to its farthest vertex each triangle, in their order: where two have no distance in common nothing else is asked.
 fn extents<L: Variant>(at: &At<'_, Painter<L>>) -> Option<Multiples> {
     let held = at.step.held;
     let now = about(at.step.event());
-    let ids = sorted(at);
+    let known = match held.n_sorted {
+        0 => &held.list[..],
+        n => &held.list[..n],
+    };
+    let ids: Vec<u32> = known.iter().map(|(it, _)| it.id).collect();
     let reach = |id: u32| {
         let (known, _) = held.list.iter().find(|(it, _)| it.id == id)?;
         Some(known.depths())
@@ -100,11 +87,8 @@ fn extents<L: Variant>(at: &At<'_, Painter<L>>) -> Option<Multiples> {
         })
     };
     let rows: Vec<Bar> = ids.iter().filter_map(bar).collect();
-    let row = |id: u32| ids.iter().position(|&other| other == id);
-    let line = now[0]
-        .zip(now[1])
-        .and_then(|(id, other)| Some((reach(id)?[0], [row(id)?, row(other)?])));
-    bars("painter-depths", &rows, line)
+    let focus = ids.iter().position(|&id| now[0] == Some(id));
+    bars("painter-depths", &rows, focus)
 }
 
 /// A row for each triangle, a column for each that may be asked about it, both in the sorted order: which pairs were asked.
@@ -163,36 +147,4 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
         raster.over.extend(wrong);
     }
     raster
-}
-
-fn lists<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Lists {
-    let held = at.step.held;
-    let now = about(at.step.event());
-    let role_of = |id: u32| {
-        if now.contains(&Some(id)) {
-            Role::Signal
-        } else if held.placed.contains(&id) {
-            Role::Accent
-        } else {
-            Role::Ink
-        }
-    };
-    let row = |id: u32| ListRow {
-        role: role_of(id),
-        link: surface_link(scene, id),
-        ..ListRow::new(name_of(at.scenery, id))
-    };
-    let column = |title, ids: &[u32]| {
-        let focus = ids.iter().position(|&id| now[0] == Some(id));
-        let entry = |place: usize| row(ids[place]);
-        ListColumn::about(Value::Term(title), ids.len(), focus, entry)
-    };
-    Lists {
-        lists: vec![
-            column("painter-sorted", &sorted(at)),
-            column("painter-order", &held.placed),
-        ],
-        links: Vec::new(),
-        legend: Vec::new(),
-    }
 }
