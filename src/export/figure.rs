@@ -156,7 +156,7 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
             layout = page.show(ui, &columns, &eyes);
         });
         let may_grow = columns.len() == 1 && !page.look.theme.has_large_text();
-        let lost = lost(&page.recorded.needs, &layout);
+        let lost = lost(&page.needs, &layout);
         if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
             return (image, lost);
         }
@@ -179,6 +179,7 @@ struct Page<'a> {
     look: Look<'static>,
     album: &'a Album,
     recorded: &'a Recorded,
+    needs: Vec<Vec<Need>>,
 }
 
 impl<'a> Page<'a> {
@@ -186,6 +187,7 @@ impl<'a> Page<'a> {
     fn of(album: &'a Album, picture: &'a Picture<'a>) -> (Self, Vec<Column>, Eyes) {
         let recorded = album.recorded(picture.scene);
         let mut columns = recorded.columns(picture.step, picture.asked_in());
+        let needs = recorded.needs_at(&columns);
         let eyes = recorded.turned(
             &mut columns,
             picture.options.steps == Steps::All,
@@ -204,6 +206,7 @@ impl<'a> Page<'a> {
             },
             album,
             recorded,
+            needs,
         };
         (page, columns, eyes)
     }
@@ -229,7 +232,7 @@ impl<'a> Page<'a> {
             .map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
         let caption = self.caption_height(ui, columns, width);
         let heights = [caption.max(CAPTION_PTS), cost];
-        let (title, needs) = (self.picture.title, &self.recorded.needs);
+        let (title, needs) = (self.picture.title, &self.needs);
         let mut layout = composition.lay_out(ui, area, title, heights, needs, 1.0);
         for (column, places) in columns.iter().zip(&mut layout.columns) {
             place_inset(ui, self.look, places, &column.frame.views, eyes);
@@ -260,12 +263,15 @@ impl<'a> Page<'a> {
         highest.max(shown)
     }
 
-    /// What each method has done, where two are compared; what a mistake costs is not what is to be seen.
+    /// What each method has done, where two are compared and do not do the same; what a mistake costs is not what is to be seen.
     fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
         if columns.len() < 2 || self.recorded.difference.is_some() {
             return Vec::new();
         }
         let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();
+        if counts.iter().all(|count| *count == counts[0]) {
+            return Vec::new();
+        }
         let most = most_of_a_kind(&counts);
         let cost = |&now: &_| Cost {
             now,

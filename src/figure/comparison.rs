@@ -53,7 +53,9 @@ impl Comparison {
         let is_same_picture = ends.iter().all(|end| pictures(end) == made);
         let is_same = |run: &&dyn Run| run.output_json() == first.output_json();
         let has_raster = made.iter().any(|body| matches!(body, Body::Raster(_)));
-        if is_same_picture && (has_raster || others.iter().all(is_same)) {
+        let agrees = |end: &Frame| end.body(ViewId::AGREEMENT).is_some();
+        let is_said = has_raster || ends.iter().all(agrees);
+        if is_same_picture && (is_said || others.iter().all(is_same)) {
             Self::Same
         } else {
             Self::Apart
@@ -106,17 +108,7 @@ impl Comparison {
     /// What is drawn on a page, whose drawings nobody turns: of runs that stand apart what differs in the end, and of
     /// several such drawings the last one, which is what the methods make.
     pub fn needs_of_page(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
-        let mut needs = self.needs(needs);
-        if let [needs] = &mut needs[..] {
-            // What is made stands large: one picture of all methods, or two that are compared. Who looks on is not in it.
-            let drawings = needs.iter().filter(|need| need.stand == Stand::Drawing);
-            let drawings: Vec<ViewId> = drawings.map(|need| need.id).collect();
-            let n_made = if self == Self::Same { 1 } else { 2 };
-            if let Some(unmade @ 1..) = drawings.len().checked_sub(n_made) {
-                let made = &drawings[unmade..];
-                needs.retain(|need| !need.is_drawing() || made.contains(&need.id));
-            }
-        }
+        let needs = self.needs(needs);
         if needs.len() < 2 {
             return needs;
         }
@@ -141,6 +133,25 @@ impl Comparison {
             needs.iter().filter(is_shown).copied().collect()
         };
         needs.iter().map(different).collect()
+    }
+
+    /// The same at a step that shows this: what is made stands large, one picture of all methods, or two that are compared.
+    /// Who looks on is not in it.
+    pub fn needs_at(self, mut needs: Vec<Vec<Need>>, frame: &Frame) -> Vec<Vec<Need>> {
+        if let [needs] = &mut needs[..] {
+            let is_there = |need: &&Need| frame.body(need.id).is_some();
+            let drawings = needs.iter().filter(|need| need.stand == Stand::Drawing);
+            let drawings: Vec<ViewId> = drawings.filter(is_there).map(|need| need.id).collect();
+            let n_made = if self == Self::Same { 1 } else { 2 };
+            let made = &drawings[drawings.len().saturating_sub(n_made)..];
+            let is_whole = made.len() == drawings.len();
+            needs.retain(|need| match need.stand {
+                Stand::Drawing => made.contains(&need.id),
+                Stand::Inset => is_whole,
+                _ => true,
+            });
+        }
+        needs
     }
 
     /// The one frame of all methods, of these names; none where each is drawn by itself. What they do not agree about when

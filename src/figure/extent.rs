@@ -69,17 +69,21 @@ impl View {
                 (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
             }
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
-            Body::Screens(screens) => {
-                let n = screens.screens.len() as f32;
-                (Stand::Beside, [17.0, 7.2 * n], [30.0, 16.0 * n])
+            Body::Multiples(multiples) if multiples.tiles == Tiles::Strip && multiples.drawings.len() == 1 => {
+                // Rows of bars.
+                let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
+                (
+                    Stand::Beside,
+                    [15.0, 2.6 + 1.2 * rows],
+                    [29.0, 3.0 + 1.9 * rows],
+                )
             }
-            Body::Multiples(multiples) if multiples.is_beside => grid_need(multiples),
-            Body::Multiples(multiples) => {
+            Body::Multiples(multiples) if multiples.tiles == Tiles::Beside => grid_need(multiples),
+            Body::Multiples(multiples) if multiples.tiles == Tiles::Strip => {
                 let n = multiples.drawings.len() as f32;
-                // Two are curves: they need not be as high as they are wide.
-                let [low, high] = if n > 2.0 { [6.5, 10.0] } else { [5.0, 6.0] };
-                (Stand::Across, [5.0 * n, low], [f32::MAX, high])
+                (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])
             }
+            Body::Multiples(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
             Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 8.0]),
             Body::Matrix(product) => {
                 let rows = product.rows.len() as f32;
@@ -123,6 +127,10 @@ impl View {
             Body::Raster(raster) => {
                 let [columns, rows] = raster.size.map(|n| n.max(1) as f32);
                 Some(columns / rows)
+            }
+            Body::Multiples(multiples) if multiples.tiles == Tiles::Large => {
+                let (one, n) = (multiples.aspect(), multiples.drawings.len() as f64);
+                Some(if one < 1.0 { one * n } else { one / n } as f32)
             }
             _ => None,
         }

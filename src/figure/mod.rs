@@ -44,8 +44,8 @@ pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};
 pub use said::{notation, said};
 pub use small_pictures::{
-    CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage, Screen,
-    Screens, SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate,
+    CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage,
+    SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate, Tiles,
 };
 pub use solids::{SolidMesh, SolidPicture, Solids};
 pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};

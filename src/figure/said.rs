@@ -6,7 +6,7 @@ use super::{
     frame::{Caption, Frame},
     graph::Graph,
     role::Label,
-    small_pictures::{Multiples, Screens, Story},
+    small_pictures::{Multiples, Story},
     values::{Bits, Gauges, ListRow, Lists, MatrixProduct, Products, Table},
     view::{Body, ClipperRow, NumberLine, View},
 };
@@ -61,7 +61,6 @@ impl Body {
                 let said = stages.flat_map(|stage| [&stage.title, &stage.counts]);
                 said.map(Said::Message).collect()
             }
-            Self::Screens(screens) => screens.said(),
             Self::Multiples(multiples) => multiples.said(),
             Self::Clippers(row) => row.said(),
         }
@@ -195,21 +194,12 @@ impl Gauges {
     }
 }
 
-impl Screens {
-    fn said(&self) -> Vec<Said<'_>> {
-        let said = self.screens.iter().flat_map(|screen| {
-            let around = [Said::Value(&screen.title), Said::Message(&screen.note)];
-            labels(screen.marks.iter().map(|mark| &mark.label)).chain(around)
-        });
-        said.collect()
-    }
-}
-
 impl Multiples {
     fn said(&self) -> Vec<Said<'_>> {
         let said = self.drawings.iter().flat_map(|drawing| {
-            let words = std::iter::once(&drawing.title).chain(&drawing.note);
-            words.map(Said::Value)
+            let words = drawing.note.iter().map(|(_, note)| note);
+            let words = words.chain([&drawing.title]).map(Said::Value);
+            labels(drawing.marks.iter().map(|mark| &mark.label)).chain(words)
         });
         said.collect()
     }

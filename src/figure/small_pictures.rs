@@ -8,18 +8,29 @@ use super::{
     space::Space,
 };
 
+/// How several drawings at one scale stand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Tiles {
+    /// A low row of them, under the drawing.
+    Strip,
+    /// Beside the drawing, in full rows.
+    Beside,
+    /// As large as they can be: they are the drawing.
+    Large,
+}
+
+/// Drawings at one scale.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Multiples {
     pub drawings: Vec<SmallDrawing>,
     pub bounds: [[f64; 2]; 2],
-    /// They stand beside the drawing, in rows of as many as are the largest; else across under it, in one row.
-    pub is_beside: bool,
+    pub tiles: Tiles,
 }
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct SmallDrawing {
     pub title: Value,
-    pub note: Option<Value>,
+    pub note: Option<(Role, Value)>,
     pub marks: Vec<Mark>,
     pub is_current: bool,
     /// Has the run not come here yet? Its words are pale, its marks have weights of their own.
@@ -28,10 +39,10 @@ pub struct SmallDrawing {
 }
 
 impl SmallDrawing {
-    pub fn new(title: Value, marks: Vec<Mark>) -> Self {
+    pub const fn new(title: Value, note: Option<(Role, Value)>, marks: Vec<Mark>) -> Self {
         Self {
             title,
-            note: None,
+            note,
             marks,
             is_current: false,
             is_to_come: false,
@@ -40,21 +51,12 @@ impl SmallDrawing {
     }
 }
 
-#[derive(Clone, PartialEq, Debug)]
-pub struct Screens {
-    pub screens: Vec<Screen>,
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct Screen {
-    pub title: Value,
-    pub note: Message,
-    pub role: Role,
-    pub marks: Vec<Mark>,
-}
-
-impl Screens {
-    pub const SEEN: [[f64; 2]; 2] = [[-2.5, -1.3], [2.5, 1.3]];
+impl Multiples {
+    /// Width over height of one drawing.
+    pub fn aspect(&self) -> f64 {
+        let [width, height] = [0, 1].map(|i| self.bounds[1][i] - self.bounds[0][i]);
+        width / height.max(f64::MIN_POSITIVE)
+    }
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -136,6 +138,8 @@ pub struct Raster {
     pub size: [usize; 2],
     pub pixels: Vec<Pixel>,
     pub scale: Option<[Value; 2]>,
+    /// What is written under the columns.
+    pub under: Vec<Value>,
     /// The pixel that this step is about, by column and row.
     pub current: Option<[usize; 2]>,
     pub over: Vec<RasterMark>,
@@ -150,21 +154,21 @@ pub struct RasterMark {
 
 impl RasterMark {
     pub const fn is_line(&self) -> bool {
-        matches!(self.shape, RasterShape::Line(_))
+        matches!(self.shape, RasterShape::Line(_) | RasterShape::Bar(_))
     }
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RasterShape {
     Line([[f64; 2]; 2]),
+    /// A length that is measured.
+    Bar([[f64; 2]; 2]),
     Dot([f64; 2]),
     Ring([f64; 2]),
-    /// What is not so: another surface is in front there.
+    /// What is not so: another surface is in front there, another pixel is taken.
     Cross([f64; 2]),
     /// Over the whole pixel: it is not agreed about.
     Hatch([f64; 2]),
-    /// A place on an edge between two pixels, by a short stroke along this axis, across that edge.
-    Tick([f64; 2], usize),
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -210,6 +214,7 @@ mod tests {
             size: [3, 2],
             pixels: pixels.collect(),
             scale: None,
+            under: Vec::new(),
             current: None,
             over: Vec::new(),
         };

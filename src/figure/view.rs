@@ -6,7 +6,7 @@ use super::{
     graph::Graph,
     mark::Mark,
     role::Link,
-    small_pictures::{Multiples, Raster, Ribbon, Screens, SpaceRow, Story},
+    small_pictures::{Multiples, Raster, Ribbon, SpaceRow, Story},
     space::Space,
     values::{Bits, Costs, Gauges, Lists, MatrixProduct, Products, Table},
 };
@@ -17,6 +17,8 @@ pub struct ViewId(pub &'static str);
 
 impl ViewId {
     pub const PLANE: Self = Self("plane");
+    /// What a method leaves and takes for it, where it is told that another one leaves the same.
+    pub const AGREEMENT: Self = Self("agreement");
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -52,7 +54,6 @@ pub enum Body {
     Clippers(ClipperRow),
     Gauges(Gauges),
     Ribbon(Ribbon),
-    Screens(Screens),
     Multiples(Multiples),
     Matrix(MatrixProduct),
     Spaces(SpaceRow),

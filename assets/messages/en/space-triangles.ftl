@@ -24,9 +24,7 @@ tally-triangles = triangles
 tally-crossings = crossings
 tally-one-polygon = one polygon
 tally-one-by-one = triangle by triangle
-tally-in-all = in all
 tally-same = Both methods leave the same { $n } corners, to { $decimals } decimals.
-tally-not-same = The two do not leave the same: up to { $apart } apart.
 
 ## One polygon
 

@@ -75,6 +75,10 @@ raster-counts-none = Times each pixel is computed
 raster-counts = Times computed: { $seen } seen, { $vain } in vain
 raster-counts-before = Every face drawn: { $seen } seen, { $vain } in vain
 raster-counts-after = Backs left out: { $seen } seen, { $vain } in vain
+painter-depths = Distance of each triangle, from its nearest to its farthest vertex
+raster-pairs = { $pairs } questions about pairs of { $triangles } triangles
+raster-questions = { $questions } questions of { $pixels } rays
+occlusion-triangles = Triangles of each object
 scale-near = near { $value }
 scale-far = { $value } far
 raster-wrong = { $count ->
@@ -90,9 +94,13 @@ depth-done-distance = Done: the distances of { $pixels ->
    *[other] { $pixels } pixels
   } go from { $least } to { $most }.
 depth-done-nothing = Done: of { $fragments } fragments none was written.
-curve-forward = depth over distance
-curve-reversed = reversed
-curve-step = one step at { $distance }: { $step }
+curve-whole = Depth over distance
+curve-enlarged = Enlarged
+curve-forward = Not reversed
+curve-reversed = Reversed
+curve-step = one step: { $step }
+curve-distance = distance
+curve-depth = depth
 story-title = Pixel { $at } in order of arrival
 story-held = Stored depth
 story-nearer = nearer
@@ -222,9 +230,7 @@ painter-done = Done: { $pairs ->
    *[other] were
   } asked.
 painter-done-cycle = No order exists: each of { $cycle } triangles must come before the next, and the last before the first.
-painter-sorted = sorted
 painter-must = Must come before
-painter-order = order
 painter-cycle = cycle
 watch-pairs = pairs asked
 watch-depth-extents = by depth

@@ -86,6 +86,7 @@ case-pixels =
 alg-bresenham = De la línea a los píxeles (Bresenham)
 raster-line = Pantalla, { $columns } × { $rows } píxeles
 raster-line-error = Pantalla, { $columns } × { $rows } píxeles: e = { $e }
+raster-lens = Del punto medio a la línea: e / { $whole } de píxel
 code-drawn-project = clip ← clip_from_world · (P, 1), para ambos extremos
 code-drawn-clip = recortar la línea a −w ≤ x, y, z ≤ w
 code-drawn-divide = S ← viewport(x / w, y / w)

@@ -24,9 +24,7 @@ tally-triangles = triángulos
 tally-crossings = cortes
 tally-one-polygon = un solo polígono
 tally-one-by-one = triángulo a triángulo
-tally-in-all = en total
 tally-same = Los dos métodos dejan los mismos { $n } vértices, hasta { $decimals } decimales.
-tally-not-same = No dejan lo mismo: hasta { $apart } de distancia.
 
 ## Un solo polígono
 

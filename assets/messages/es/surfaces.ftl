@@ -75,6 +75,10 @@ raster-counts-none = Veces que se calcula cada píxel
 raster-counts = Veces calculado: { $seen } a la vista, { $vain } en vano
 raster-counts-before = Todas las caras: { $seen } a la vista, { $vain } en vano
 raster-counts-after = Sin caras traseras: { $seen } a la vista, { $vain } en vano
+painter-depths = Distancia de cada triángulo, del vértice más cercano al más lejano
+raster-pairs = { $pairs } preguntas por parejas de { $triangles } triángulos
+raster-questions = { $questions } preguntas de { $pixels } rayos
+occlusion-triangles = Triángulos de cada objeto
 scale-near = cerca { $value }
 scale-far = { $value } lejos
 raster-wrong = { $count ->
@@ -90,9 +94,13 @@ depth-done-distance = Terminado: las distancias de { $pixels ->
    *[other] { $pixels } píxeles
   } van de { $least } a { $most }.
 depth-done-nothing = Terminado: de { $fragments } fragmentos no se escribió ninguno.
-curve-forward = profundidad según la distancia
-curve-reversed = invertida
-curve-step = un paso a { $distance }: { $step }
+curve-whole = Profundidad según la distancia
+curve-enlarged = Ampliado
+curve-forward = Sin invertir
+curve-reversed = Invertida
+curve-step = un paso: { $step }
+curve-distance = distancia
+curve-depth = profundidad
 story-title = Píxel { $at }, por orden de llegada
 story-held = Profundidad guardada
 story-nearer = más cerca
@@ -219,9 +227,7 @@ painter-done = Terminado: se preguntó por { $pairs ->
    *[other] { $pairs } pares
   } de { $triangles } triángulos.
 painter-done-cycle = No existe ningún orden: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
-painter-sorted = ordenados
 painter-must = Debe ir antes
-painter-order = orden
 painter-cycle = ciclo
 watch-pairs = pares preguntados
 watch-depth-extents = por profundidad

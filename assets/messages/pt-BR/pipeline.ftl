@@ -86,6 +86,7 @@ case-pixels =
 alg-bresenham = Da linha aos pixels (Bresenham)
 raster-line = Tela, { $columns } × { $rows } pixels
 raster-line-error = Tela, { $columns } × { $rows } pixels: e = { $e }
+raster-lens = Do ponto médio à linha: e / { $whole } de pixel
 code-drawn-project = clip ← clip_from_world · (P, 1), para as duas pontas
 code-drawn-clip = recortar a linha a −w ≤ x, y, z ≤ w
 code-drawn-divide = S ← viewport(x / w, y / w)

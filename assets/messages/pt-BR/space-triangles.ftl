@@ -24,9 +24,7 @@ tally-triangles = triângulos
 tally-crossings = cortes
 tally-one-polygon = um só polígono
 tally-one-by-one = triângulo a triângulo
-tally-in-all = no total
 tally-same = Os dois métodos deixam os mesmos { $n } vértices, até { $decimals } casas decimais.
-tally-not-same = Não deixam o mesmo: até { $apart } de distância.
 
 ## Um só polígono
 

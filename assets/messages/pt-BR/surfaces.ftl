@@ -75,6 +75,10 @@ raster-counts-none = Vezes que cada pixel é calculado
 raster-counts = Vezes calculado: { $seen } à vista, { $vain } em vão
 raster-counts-before = Todas as faces: { $seen } à vista, { $vain } em vão
 raster-counts-after = Sem faces traseiras: { $seen } à vista, { $vain } em vão
+painter-depths = Distância de cada triângulo, do vértice mais próximo ao mais distante
+raster-pairs = { $pairs } perguntas por pares de { $triangles } triângulos
+raster-questions = { $questions } perguntas de { $pixels } raios
+occlusion-triangles = Triângulos de cada objeto
 scale-near = perto { $value }
 scale-far = { $value } longe
 raster-wrong = { $count ->
@@ -90,9 +94,13 @@ depth-done-distance = Pronto: as distâncias de { $pixels ->
    *[other] { $pixels } pixels
   } vão de { $least } a { $most }.
 depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
-curve-forward = profundidade pela distância
-curve-reversed = invertida
-curve-step = um passo a { $distance }: { $step }
+curve-whole = Profundidade pela distância
+curve-enlarged = Ampliado
+curve-forward = Sem inverter
+curve-reversed = Invertida
+curve-step = um passo: { $step }
+curve-distance = distância
+curve-depth = profundidade
 story-title = Pixel { $at }, por ordem de chegada
 story-held = Profundidade guardada
 story-nearer = mais perto
@@ -219,9 +227,7 @@ painter-done = Pronto: perguntou-se por { $pairs ->
    *[other] { $pairs } pares
   } de { $triangles } triângulos.
 painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
-painter-sorted = ordenados
 painter-must = Deve vir antes
-painter-order = ordem
 painter-cycle = ciclo
 watch-pairs = pares perguntados
 watch-depth-extents = pela profundidade

@@ -24,9 +24,7 @@ tally-triangles = 三角形
 tally-crossings = 交点
 tally-one-polygon = 整个多边形
 tally-one-by-one = 逐个三角形
-tally-in-all = 总计
 tally-same = 两种方法留下同样的 { $n } 个顶点，一致到小数点后 { $decimals } 位。
-tally-not-same = 两种方法留下的不同：最多相差 { $apart }。
 
 ## 整个多边形
 

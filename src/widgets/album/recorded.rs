@@ -100,6 +100,13 @@ impl Recorded {
         columns.map(column).collect()
     }
 
+    /// What the views of these columns want of a page.
+    pub fn needs_at(&self, columns: &[Column]) -> Vec<Vec<Need>> {
+        let first = columns.first().map(|column| &column.frame);
+        let at = |frame| self.comparison.needs_at(self.needs.clone(), frame);
+        first.map_or_else(Vec::new, at)
+    }
+
     /// The columns that are drawn: one of all methods, where they show the same.
     pub fn drawn(&self, mut columns: Vec<Column>) -> Vec<Column> {
         let frames: Vec<Frame> = columns.iter().map(|column| column.frame.clone()).collect();

@@ -14,7 +14,6 @@ mod prelude;
 mod products;
 mod raster;
 mod ribbon;
-mod screens;
 mod slate;
 mod space;
 mod space_row;
@@ -68,7 +67,6 @@ fn body_of(shown: &View) -> Option<&dyn OnSlate> {
         Body::Clippers(body) => body,
         Body::Gauges(body) => body,
         Body::Ribbon(body) => body,
-        Body::Screens(body) => body,
         Body::Multiples(body) => body,
         Body::Matrix(body) => body,
         Body::Spaces(body) => body,

@@ -8,9 +8,9 @@
 //!                                                       └───────────────┘
 //! ```
 
-use crate::figure::{Multiples, SmallDrawing};
+use crate::figure::{Multiples, SmallDrawing, Tiles};
 
-use super::prelude::*;
+use super::{super::hit, prelude::*};
 
 const TITLE_PTS: f32 = 12.5;
 const HEADING: f32 = 1.3 * TITLE_PTS;
@@ -34,14 +34,14 @@ impl OnSlate for Multiples {
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let [columns, rows] = self.grid(slate, rect.size());
-        let gap = slate.pts(GAP);
         let size = Self::cell(slate, rect.size(), [columns, rows]);
+        let heading = self.heading(slate, size.x);
         for (i, drawing) in self.drawings.iter().enumerate() {
             let at = vec2((i % columns) as f32, (i / columns) as f32);
-            let at = rect.min + at * (size + Vec2::splat(gap));
+            let at = rect.min + at * (size + Vec2::splat(slate.pts(GAP)));
             let place = Rect::from_min_size(at, size);
             let is_lit = links.touch(place, drawing.link);
-            self.draw_one(slate, drawing, place, is_lit);
+            self.draw_one(slate, drawing, (place, heading, is_lit), links);
         }
     }
 
@@ -49,44 +49,72 @@ impl OnSlate for Multiples {
         let drawing = |drawing: &SmallDrawing| {
             let arrow = now(drawing.is_current);
             let title = look.catalog.value(&drawing.title);
-            let note = drawing.note.as_ref().map(|note| look.catalog.value(note));
-            format!("{arrow}{title}: {}", note.unwrap_or_default())
+            let note = drawing
+                .note
+                .as_ref()
+                .map(|(_, note)| look.catalog.value(note));
+            let labels = drawing.marks.iter().filter_map(|mark| mark.label.as_ref());
+            let labels = labels.map(|label| look.catalog.value(&label.text));
+            bracketed(
+                &format!("{arrow}{title}: {}", note.unwrap_or_default()),
+                labels,
+            )
         };
         joined(self.drawings.iter().map(drawing), "; ")
     }
 }
 
 impl Multiples {
+    const fn is_large(&self) -> bool {
+        matches!(self.tiles, Tiles::Large)
+    }
+
     fn widest(&self, slate: &Slate<'_>) -> f32 {
         let widths = self.drawings.iter().map(|drawing| {
-            let note = drawing.note.as_ref();
-            let note = note.map_or(0.0, |note| slate.width(note, Face::Mono, NOTE_PTS));
-            slate.width(&drawing.title, Face::Strong, TITLE_PTS) + note
+            let note = self.note(slate, drawing, f32::INFINITY);
+            let note = note.filter(|_| !self.is_large());
+            self.title(slate, drawing).size().x + note.map_or(0.0, |note| note.size().x)
         });
         widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD)
     }
 
-    /// Columns and rows, all of them full: as many as make the drawings largest.
+    /// Columns and rows: as many as make the drawings largest. Beside a drawing all rows are full.
     fn grid(&self, slate: &Slate<'_>, room: Vec2) -> [usize; 2] {
         let n = self.drawings.len().max(1);
         let grid = |columns: usize| [columns, n.div_ceil(columns)];
         let widest = CROWDED * self.widest(slate) / slate.scale;
-        let fits = |&columns: &usize| Self::cell(slate, room, grid(columns)).x >= widest;
-        let scale = |&columns: &usize| {
-            let cell = Rect::from_min_size(Pos2::ZERO, Self::cell(slate, room, grid(columns)));
-            self.viewport(drawn_in(slate, cell), slate.pts(MARGIN))
-                .scale
+        let may_be = |columns: &usize| match self.tiles {
+            Tiles::Strip => *columns == n,
+            Tiles::Large => true,
+            Tiles::Beside => {
+                let width = Self::cell(slate, room, grid(*columns)).x;
+                n.is_multiple_of(*columns) && width >= widest
+            }
         };
-        let columns = (1..=n)
-            .filter(|columns| n.is_multiple_of(*columns))
-            .filter(fits);
+        let scale = |&columns: &usize| {
+            let size = Self::cell(slate, room, grid(columns));
+            let place = Rect::from_min_size(Pos2::ZERO, size);
+            let drawn = self.drawn_in(slate, place, self.heading(slate, size.x));
+            self.viewport(drawn, slate.pts(MARGIN)).scale
+        };
+        let columns = (1..=n).filter(may_be);
         let largest = columns.max_by(|a, b| scale(a).total_cmp(&scale(b)));
-        grid(largest.filter(|_| self.is_beside).unwrap_or(n))
+        grid(largest.unwrap_or(n))
     }
 
     fn cell(slate: &Slate<'_>, room: Vec2, grid: [usize; 2]) -> Vec2 {
         let n = Vec2::from(grid.map(|n| n as f32));
         (room - (n - Vec2::splat(1.0)) * slate.pts(GAP)) / n
+    }
+
+    fn inner(&self, slate: &Slate<'_>, place: Rect) -> Rect {
+        place.shrink(if self.is_large() { 0.0 } else { slate.pts(PAD) })
+    }
+
+    /// Under the heading.
+    fn drawn_in(&self, slate: &Slate<'_>, place: Rect, heading: f32) -> Rect {
+        let inner = self.inner(slate, place);
+        inner.with_min_y((inner.top() + heading).min(inner.bottom() - 1.0))
     }
 
     fn viewport(&self, rect: Rect, margin: f32) -> Viewport {
@@ -103,7 +131,50 @@ impl Multiples {
         }
     }
 
-    fn draw_one(&self, slate: &mut Slate<'_>, drawing: &SmallDrawing, place: Rect, is_lit: bool) {
+    /// How high title and note are at most, in a tile of this width: all drawings have one size.
+    fn heading(&self, slate: &Slate<'_>, width: f32) -> f32 {
+        let high = self.drawings.iter().map(|drawing| {
+            let title = self.title(slate, drawing).size().x + slate.pts(GAP);
+            let note = self.note(slate, drawing, width);
+            let under = note.filter(|note| self.is_large() && title + note.size().x > width);
+            slate.pts(HEADING) + under.map_or(0.0, |note| note.size().y)
+        });
+        high.fold(slate.pts(HEADING), f32::max)
+    }
+
+    fn title(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> Typeset {
+        let theme = slate.theme();
+        let (face, ink) = match (drawing.is_current, drawing.is_to_come) {
+            (true, _) => (Face::Strong, theme.signal_text),
+            (false, true) => (Face::Plain, theme.soft),
+            (false, false) => (Face::strong_if(self.is_large()), theme.ink),
+        };
+        slate.value(&drawing.title, (face, TITLE_PTS, ink))
+    }
+
+    /// On one line of a small drawing; of a large one on as many as it takes.
+    fn note(&self, slate: &Slate<'_>, drawing: &SmallDrawing, width: f32) -> Option<Typeset> {
+        let (role, note) = drawing.note.as_ref()?;
+        let role = if drawing.is_to_come {
+            Role::Soft
+        } else {
+            *role
+        };
+        let ink = text_colour(slate.theme(), role);
+        Some(if self.is_large() {
+            slate.wrapped(note, width, (Face::Plain, NOTE_PTS, ink))
+        } else {
+            slate.value(note, (Face::Mono, NOTE_PTS, ink))
+        })
+    }
+
+    fn draw_one(
+        &self,
+        slate: &mut Slate<'_>,
+        drawing: &SmallDrawing,
+        (place, heading, is_lit): (Rect, f32, bool),
+        links: &mut Links,
+    ) {
         let theme = slate.theme();
         let frame = match (drawing.is_current, is_lit) {
             (true, _) => Some((1.75, theme.signal)),
@@ -114,27 +185,29 @@ impl Multiples {
             let stroke = slate.stroke(width, colour);
             slate.rim(place, slate.pts(4.0), stroke, StrokeKind::Inside);
         }
-        let inner = place.shrink(slate.pts(PAD));
-        let (face, title, note) = match (drawing.is_current, drawing.is_to_come) {
-            (true, _) => (Face::Strong, theme.signal_text, theme.ink),
-            (false, true) => (Face::Plain, theme.soft, theme.soft),
-            (false, false) => (Face::Plain, theme.ink, theme.ink),
-        };
-        let title = slate.value(&drawing.title, (face, TITLE_PTS, title));
-        slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
-        if let Some(value) = &drawing.note {
-            let note = slate.value(value, (Face::Mono, NOTE_PTS, note));
-            slate.put(&note, inner.right_top(), Align2::RIGHT_TOP);
+        let inner = self.inner(slate, place);
+        let title = self.title(slate, drawing);
+        let title = slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
+        if let Some(note) = self.note(slate, drawing, inner.width()) {
+            let beside = title.right() + slate.pts(GAP);
+            let has_room = beside + note.size().x <= inner.right();
+            let (at, align) = match (self.is_large(), has_room) {
+                (false, _) => (inner.right_top(), Align2::RIGHT_TOP),
+                (true, true) => (pos2(beside, inner.top()), Align2::LEFT_TOP),
+                (true, false) => {
+                    let under = inner.top() + slate.pts(HEADING);
+                    (pos2(inner.left(), under), Align2::LEFT_TOP)
+                }
+            };
+            slate.put(&note, at, align);
         }
-        let viewport = self.viewport(drawn_in(slate, place), slate.pts(MARGIN));
+        let room = self.drawn_in(slate, place, heading);
+        let viewport = self.viewport(room, slate.pts(MARGIN));
         let (look, around) = (slate.look, Around::default());
-        look.stage(slate.painter, &viewport, &drawing.marks, None, around);
+        look.stage(slate.painter, &viewport, &drawing.marks, links.lit, around);
+        if let Some(pointer) = links.pointer.filter(|at| room.contains(*at)) {
+            let pointed = hit::link_at(&viewport, &drawing.marks, pointer);
+            links.pointed = pointed.or(links.pointed);
+        }
     }
-}
-
-/// Under the title.
-fn drawn_in(slate: &Slate<'_>, place: Rect) -> Rect {
-    let inner = place.shrink(slate.pts(PAD));
-    let top = inner.top() + slate.pts(HEADING);
-    inner.with_min_y(top.min(inner.bottom() - 1.0))
 }

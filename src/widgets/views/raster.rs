@@ -10,7 +10,6 @@ use super::{
     slate::{DARKEST, shaded},
 };
 
-const MOST_WIDTH: f32 = 40.0;
 const TITLE: f32 = 28.0;
 const SCALE: f32 = 28.0;
 const SHADES: usize = 16;
@@ -39,8 +38,10 @@ impl OnSlate for Raster {
         pixels.lines(slate);
         let over = self.over.iter();
         let (lines, points): (Vec<_>, Vec<_>) = over.partition(|mark| mark.is_line());
+        // What goes on beyond the pixels ends where they do.
+        let painter = slate.painter.with_clip_rect(pixels.whole().expand(2.0));
         for mark in lines {
-            pixels.draw_over(slate, mark);
+            pixels.draw_over(slate, &painter, mark);
         }
         if let Some(current) = self.current {
             // A gap inside the signal's line: seen on any tone, and what is stored stays to be read.
@@ -57,8 +58,9 @@ impl OnSlate for Raster {
         if let Some(ends) = &self.scale {
             pixels.draw_scale(slate, ends);
         }
+        pixels.write_under(slate);
         for mark in points {
-            pixels.draw_over(slate, mark);
+            pixels.draw_over(slate, slate.painter, mark);
         }
     }
 
@@ -82,20 +84,26 @@ struct Pixels<'r> {
 impl<'r> Pixels<'r> {
     fn new(slate: &Slate<'_>, rect: Rect, raster: &'r Raster) -> Self {
         let [columns, rows] = raster.size.map(|n| n.max(1) as f32);
-        let scale = if raster.scale.is_some() { SCALE } else { 0.0 };
+        let is_noted = raster.scale.is_some() || !raster.under.is_empty();
+        let scale = if is_noted { SCALE } else { 0.0 };
         let height = rect.height() - slate.pts(TITLE + scale);
         let fits = (rect.width() / columns).min(height / rows);
         Self {
             raster,
             origin: (rect.min + vec2(0.0, slate.pts(TITLE))).round(),
             // Whole pixels of the screen, so that all squares are alike.
-            width: fits.min(slate.pts(MOST_WIDTH)).floor().max(1.0),
+            width: fits.floor().max(1.0),
         }
     }
 
     fn square(&self, [column, row]: [usize; 2]) -> Rect {
         let at = self.origin + vec2(column as f32, row as f32) * self.width;
         Rect::from_min_size(at, Vec2::splat(self.width))
+    }
+
+    fn whole(&self) -> Rect {
+        let size = self.raster.size.map(|n| n as f32 * self.width);
+        Rect::from_min_size(self.origin, size.into())
     }
 
     fn place(&self, [x, y]: [f64; 2]) -> Pos2 {
@@ -164,31 +172,38 @@ impl<'r> Pixels<'r> {
 
     fn lines(&self, slate: &Slate<'_>) {
         let line = slate.stroke(2.0, slate.theme().hairline);
-        let size = self.raster.size.map(|n| n as f32 * self.width);
-        let [columns, rows] = size;
-        let at = self.origin;
+        let whole = self.whole();
         if self.width < slate.pts(LEAST_IN_GRID) {
-            let whole = Rect::from_min_size(at, size.into());
             slate.rim(whole, 0.0, line, StrokeKind::Outside);
             return;
         }
+        let at = self.origin;
         let along = |n: usize| (0..=n).map(|i| i as f32 * self.width);
         for x in along(self.raster.size[0]) {
-            slate.painter.vline(at.x + x, at.y..=at.y + rows, line);
+            slate.painter.vline(at.x + x, whole.y_range(), line);
         }
         for y in along(self.raster.size[1]) {
-            slate.painter.hline(at.x..=at.x + columns, at.y + y, line);
+            slate.painter.hline(whole.x_range(), at.y + y, line);
+        }
+    }
+
+    fn write_under(&self, slate: &mut Slate<'_>) {
+        let top = self.whole().bottom() + slate.pts(6.0);
+        for (column, value) in self.raster.under.iter().enumerate() {
+            let text = slate.low(value, (Face::Mono, LARGEST, slate.theme().ink));
+            let at = pos2(self.square([column, 0]).center().x, top);
+            slate.put(&text, at, Align2::CENTER_TOP);
         }
     }
 
     /// Under the pixels, as wide as they are: from the darkest shade to the palest, between what they stand for.
     fn draw_scale(&self, slate: &mut Slate<'_>, ends: &[Value; 2]) {
-        let [columns, rows] = self.raster.size.map(|n| n as f32 * self.width);
-        let top = self.origin + vec2(0.0, rows + 0.5 * slate.pts(SCALE));
+        let whole = self.whole();
+        let top = whole.left_bottom() + vec2(0.0, 0.5 * slate.pts(SCALE));
         let style = (Face::Plain, LARGEST, slate.theme().soft);
         let [near, far] = ends.each_ref().map(|end| slate.low(end, style));
         let near = slate.put(&near, top, Align2::LEFT_CENTER);
-        let far = slate.put(&far, top + vec2(columns, 0.0), Align2::RIGHT_CENTER);
+        let far = slate.put(&far, top + vec2(whole.width(), 0.0), Align2::RIGHT_CENTER);
         let gap = slate.pts(8.0);
         let bar = Rect::from_x_y_ranges(near.right() + gap..=far.left() - gap, near.y_range());
         let step = bar.width() / SHADES as f32;
@@ -208,12 +223,15 @@ impl<'r> Pixels<'r> {
         value.is_some_and(|value| value_pts(slate, self.width, value) >= SMALLEST)
     }
 
-    fn draw_over(&self, slate: &Slate<'_>, mark: &RasterMark) {
+    fn draw_over(&self, slate: &Slate<'_>, painter: &Painter, mark: &RasterMark) {
         let ink = colour(slate.theme(), mark.role);
         match mark.shape {
             RasterShape::Line(ends) => {
                 let wide = if mark.role == Role::Soft { 1.25 } else { 2.0 };
-                cased(slate, ends.map(|at| self.place(at)), wide, ink);
+                cased(slate, painter, ends.map(|at| self.place(at)), wide, ink);
+            }
+            RasterShape::Bar(ends) => {
+                painter.line_segment(ends.map(|at| self.place(at)), slate.stroke(5.0, ink));
             }
             RasterShape::Dot(at) => {
                 let rim = slate.stroke(1.5, slate.theme().background);
@@ -227,11 +245,6 @@ impl<'r> Pixels<'r> {
                     .painter
                     .circle_filled(at, r + slate.pts(2.0), slate.theme().background);
                 slate.painter.circle_stroke(at, r, slate.stroke(2.0, ink));
-            }
-            RasterShape::Tick(at, axis) => {
-                let half = [vec2(1.0, 0.0), vec2(0.0, 1.0)][axis] * slate.pts(ARM);
-                let at = self.place(at);
-                cased(slate, [at - half, at + half], 2.0, ink);
             }
             RasterShape::Hatch([x, y]) => {
                 let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -263,14 +276,20 @@ fn number_pts(slate: &Slate<'_>, width: f32, n_characters: usize) -> f32 {
     (width / (wide * slate.pts(1.0))).min(LARGEST)
 }
 
-fn cased(slate: &Slate<'_>, ends: [Pos2; 2], wide: f32, ink: Color32) {
+fn cased(slate: &Slate<'_>, painter: &Painter, ends: [Pos2; 2], wide: f32, ink: Color32) {
     let casing = slate.stroke(wide + 2.0, slate.theme().background);
-    slate.painter.line_segment(ends, casing);
-    slate.painter.line_segment(ends, slate.stroke(wide, ink));
+    painter.line_segment(ends, casing);
+    painter.line_segment(ends, slate.stroke(wide, ink));
 }
 
 fn draw_cross(slate: &Slate<'_>, at: Pos2, arm: f32, ink: Color32) {
     for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
-        cased(slate, [at - diagonal, at + diagonal], 2.0, ink);
+        cased(
+            slate,
+            slate.painter,
+            [at - diagonal, at + diagonal],
+            2.0,
+            ink,
+        );
     }
 }

@@ -121,6 +121,11 @@ impl<'a> Slate<'a> {
         Typeset::wrapped(self.painter, &[span], width)
     }
 
+    pub fn wrapped(&self, value: &Value, width: f32, (face, size, colour): Style) -> Typeset {
+        let span = Span::upright(self.pieces(value), self.font(face, size), colour);
+        Typeset::wrapped(self.painter, &[span], width)
+    }
+
     pub fn more(&self, count: usize, size: f32) -> Typeset {
         let words = self.look.catalog.message(&more(count));
         self.words(words, (Face::Plain, size, self.theme().soft))

@@ -170,9 +170,9 @@ fn a_cycle_is_named_and_a_story_shows_what_won_and_what_lost() {
 }
 
 fn room_on_a_page(view: &View) -> Vec2 {
-    match view.body {
+    match &view.body {
         Body::NumberLine(_) | Body::Clippers(_) | Body::Ribbon(_) => vec2(540.0, 112.0),
-        Body::Multiples(_) => vec2(860.0, 112.0),
+        Body::Multiples(it) if it.tiles == Tiles::Strip => vec2(860.0, 112.0),
         Body::Graph(_) | Body::Story(_) => vec2(400.0, 170.0),
         Body::Spaces(_) => vec2(864.0, 134.0),
         _ => vec2(390.0, 380.0),

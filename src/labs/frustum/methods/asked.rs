@@ -45,8 +45,7 @@ pub fn place(at: [f64; 3]) -> Value {
     Value::Formula(Formula::default().place(at))
 }
 
-pub fn perpendicular(plane: &Plane, at: [f64; 3], d: f64) -> Vec<Mark3> {
-    let label = sym("d").equals(d);
+pub fn perpendicular(label: Formula, plane: &Plane, at: [f64; 3], d: f64) -> Vec<Mark3> {
     if d == 0.0 {
         let on = Mark3::new(Role::Signal, Shape3::Dot(at));
         return vec![on.labelled(Value::Formula(label)).strong()];

@@ -90,7 +90,7 @@ fn row<V: Vertex>(drawings: Vec<SmallDrawing>, around: &[V]) -> Multiples {
     Multiples {
         drawings,
         bounds: extent(around.iter().map(Vertex::at)),
-        is_beside: true,
+        tiles: Tiles::Beside,
     }
 }
 

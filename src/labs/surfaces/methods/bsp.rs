@@ -4,7 +4,7 @@ mod names;
 mod tree;
 
 use crate::{
-    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspSide},
+    algo::surface::{Bsp, BspChoice, BspEvent as Event, BspInput, BspOutput, BspPiece, BspSide},
     figure::Tick,
     geom::Camera,
 };
@@ -95,7 +95,7 @@ impl Telling for Bsp {
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
-        on_raster::views(at, |scenery| {
+        let mut views = on_raster::views(at, |scenery| {
             let scene = scenery.scene();
             let look = faces([(own(at), Role::Accent)], scene);
             let marks = marks(at, scene.camera.camera());
@@ -104,7 +104,38 @@ impl Telling for Bsp {
                 View::new(RASTER_VIEW, Body::Raster(raster(at))),
                 View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
             ]
-        })
+        });
+        let camera = at.scenery.map(|scenery| scenery.scene().camera.camera());
+        for view in &mut views {
+            if let (Body::Space(space), Some(camera)) = (&mut view.body, camera) {
+                space.marks.extend(cut_pieces(at, camera));
+            }
+        }
+        views
+    }
+}
+
+/// The outlines of the parts that planes have cut off before this step.
+fn cut_pieces(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
+    let now = shown(at);
+    let pieces = (0..).zip(&at.step.held.pieces);
+    let cut = pieces.filter(|(number, piece)| !piece.cuts.is_empty() && !now.contains(number));
+    let outline = |(_, piece): (u32, &BspPiece)| {
+        let corners = piece.polygon.iter().map(|&at| camera.world_from_view(at));
+        Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).fine()
+    };
+    cut.map(outline).collect()
+}
+
+/// The pieces that the step is about.
+fn shown(at: &At<'_, Bsp>) -> Vec<u32> {
+    match at.step.event() {
+        Some(Event::Ask {
+            parts: Some(parts), ..
+        }) => parts.to_vec(),
+        Some(Event::Ask { piece, .. } | Event::Paint { piece, .. }) => vec![piece],
+        Some(Event::Node { .. } | Event::Built { .. } | Event::Visit { .. } | Event::Done)
+        | None => Vec::new(),
     }
 }
 
@@ -127,18 +158,8 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
         marks.push(Mark3::new(Role::Accent, Shape3::Wash(sheet.clone())));
         marks.push(Mark3::new(Role::Accent, Shape3::Sheet(sheet)).fine());
     }
-    let shown = match at.step.event() {
-        Some(Event::Ask {
-            parts: Some(parts), ..
-        }) => parts.to_vec(),
-        Some(Event::Ask { piece, .. } | Event::Paint { piece, .. }) => vec![piece],
-        Some(Event::Node { .. } | Event::Built { .. } | Event::Visit { .. } | Event::Done)
-        | None => Vec::new(),
-    };
-    for piece in shown
-        .iter()
-        .map(|&piece| &at.step.held.pieces[piece as usize])
-    {
+    for piece in shown(at) {
+        let piece = &at.step.held.pieces[piece as usize];
         let outline = Shape3::Outline(world(&piece.polygon));
         let name = names::piece_name(at.scenery, piece);
         marks.push(Mark3::new(Role::Signal, outline).labelled(name));

@@ -142,6 +142,35 @@ fn picture(scenery: &Scenery) -> View {
     scenery.camera(|_| Fate::ToCome, look, Vec::new())
 }
 
+/// Where a triangle has been cut before the run: edges between parts that lie in one plane, of what has few of them.
+pub fn seams(scene: &Scene, role: Role) -> Vec<Mark3> {
+    const MOST_PARTS: usize = 4;
+    const FLAT: f64 = 1.0 - 1e-9;
+    let mut marks = Vec::new();
+    for object in scene.objects() {
+        let mesh = object.model().mesh();
+        let edges = mesh.edges().iter().filter(|edge| {
+            let normal = |face: u32| glam::DVec3::from(mesh.normal(mesh.faces()[face as usize]));
+            let [Some(a), Some(b)] = edge.faces else {
+                return false;
+            };
+            normal(a)
+                .normalize_or_zero()
+                .dot(normal(b).normalize_or_zero())
+                > FLAT
+        });
+        let points: Vec<[f64; 3]> = object.points().collect();
+        let seams = edges
+            .filter(|_| mesh.faces().len() <= MOST_PARTS)
+            .map(|edge| {
+                let ends = edge.ends.map(|i| points[i as usize]);
+                Mark3::new(role, Shape3::Segment(ends))
+            });
+        marks.extend(seams);
+    }
+    marks
+}
+
 pub fn tone(id: u32, own: Option<u32>) -> (Role, f64) {
     if Some(id) == own {
         (Role::Accent, OWN_TONE)
@@ -294,6 +323,7 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
         size: surfaces.size().map(|side| side as usize),
         pixels,
         scale: None,
+        under: Vec::new(),
         current: None,
         over,
     }

@@ -1,5 +1,6 @@
 //! A line to its pixels, shown: the segment in the view volume, and the screen in large pixels.
 
+mod lens;
 mod picture;
 
 use crate::{
@@ -9,9 +10,11 @@ use crate::{
 
 use super::super::screen::screen;
 
+use lens::{Lens, candidates};
 use picture::Known;
 
 const RASTER_VIEW: &str = "raster";
+const LENS_VIEW: &str = "lens";
 
 /// Rows of large pixels, and so many columns at most.
 const ROWS_OF_PIXELS: f64 = 15.0;
@@ -148,17 +151,7 @@ impl Telling for LineToPixels {
         let (Some(ends), [.., before, _]) = (ends, &at.step.held[..]) else {
             return Vec::new();
         };
-        let (from, to, major) = (ends.from(), ends.to(), ends.major());
-        let mut straight = *before;
-        straight[major] += (to[major] - from[major]).signum();
-        let mut diagonal = straight;
-        // Along an axis, too, there is one aside.
-        diagonal[1 - major] += if to[1 - major] < from[1 - major] {
-            -1
-        } else {
-            1
-        };
-        [straight, diagonal]
+        candidates(&ends, *before)
             .map(|at| pixel(Formula::decimals(), at).into())
             .to_vec()
     }
@@ -169,11 +162,21 @@ impl Telling for LineToPixels {
         };
         let (known, event) = (Known::of(at.step.past), at.step.event());
         let marks = picture::marks(drawn, &known, event);
-        let raster = picture::raster(drawn, &known, (at.step.held, event));
-        vec![
-            scenery.observer(|_| Fate::ToCome, marks),
-            View::new(RASTER_VIEW, Body::Raster(raster)),
-        ]
+        let mut raster = picture::raster(drawn, &known, (at.step.held, event));
+        let errors = at.step.past.iter().filter_map(|event| match *event {
+            Event::Pixel { error, .. } => Some(error),
+            _ => None,
+        });
+        let errors: Vec<i64> = errors.collect();
+        let ends = known.ends(at.step.input);
+        let lens = ends.and_then(|ends| Lens::new(ends, at.step.held, &errors, raster.size));
+        let lens = lens.map(|lens| {
+            raster.over.extend(lens.frame());
+            View::new(LENS_VIEW, Body::Raster(lens.raster()))
+        });
+        let observer = scenery.observer(|_| Fate::ToCome, marks);
+        let raster = View::new(RASTER_VIEW, Body::Raster(raster));
+        [observer, raster].into_iter().chain(lens).collect()
     }
 }
 

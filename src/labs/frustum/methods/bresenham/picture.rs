@@ -48,7 +48,7 @@ impl Known {
 }
 
 /// How dark a pixel of the line is, and one that an end lies in.
-const PUT: f64 = 0.9;
+pub const PUT: f64 = 0.9;
 const END: f64 = 0.4;
 
 pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<Mark3> {
@@ -146,6 +146,23 @@ fn kept(drawn: &DrawnSegment, known: &Known) -> Option<[[f64; 3]; 2]> {
     Some([(a, from), (b, to)].map(world))
 }
 
+pub const fn mark(role: Role, shape: RasterShape) -> RasterMark {
+    RasterMark { role, shape }
+}
+
+/// The middle of a pixel.
+pub fn centre(at: [i64; 2]) -> [f64; 2] {
+    at.map(|x| x as f64 + 0.5)
+}
+
+pub fn framed([[left, top], [right, bottom]]: [[f64; 2]; 2]) -> impl Iterator<Item = RasterMark> {
+    let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+    let sides = [0, 1, 2, 3].map(|i| [corners[i], corners[(i + 1) % 4]]);
+    sides
+        .into_iter()
+        .map(|ends| mark(Role::Signal, RasterShape::Line(ends)))
+}
+
 pub fn raster(
     drawn: &DrawnSegment,
     known: &Known,
@@ -179,6 +196,7 @@ pub fn raster(
         size: [columns, rows],
         pixels,
         scale: None,
+        under: Vec::new(),
         current,
         over: over(known, put, event),
     }
@@ -186,7 +204,6 @@ pub fn raster(
 
 fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark> {
     let mut over = Vec::new();
-    let mark = |role, shape| RasterMark { role, shape };
     if let Some(ends) = known.screen {
         let is_now = matches!(event, Some(Event::Divide { .. }));
         let role = if is_now { Role::Signal } else { Role::Soft };
@@ -198,22 +215,9 @@ fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark
     let Some(ends) = known.rounded else {
         return over;
     };
-    let centre = |at: [i64; 2]| at.map(|x| x as f64 + 0.5);
     over.push(mark(Role::Ink, RasterShape::Line(ends.map(centre))));
     if put.is_empty() {
         over.extend(ends.map(|at| mark(Role::Signal, RasterShape::Dot(centre(at)))));
-    }
-    let n_before = put.len().saturating_sub(2);
-    if let (Some(&at), Some(&before)) = (put.last(), put.get(n_before))
-        && at != before
-    {
-        let [from, to] = ends;
-        let delta = [to[0] - from[0], to[1] - from[1]];
-        let major = usize::from(delta[1].abs() > delta[0].abs());
-        let mut midpoint = centre(before);
-        midpoint[major] = centre(at)[major];
-        midpoint[1 - major] += 0.5 * delta[1 - major].signum() as f64;
-        over.push(mark(Role::Signal, RasterShape::Tick(midpoint, 1 - major)));
     }
     over
 }

@@ -1,6 +1,6 @@
 //! World planes beside clip space on one triangle: what each finds, and whether both leave the same.
 
-use crate::labs::frustum::prelude::*;
+use crate::{figure::ViewId, labs::frustum::prelude::*};
 
 use super::{
     LISTS_VIEW,
@@ -9,7 +9,6 @@ use super::{
     variant::{self, EvenOnScreen, Homogeneous, OnePolygon, Variant},
 };
 
-const AGREEMENT_VIEW: &str = "agreement";
 /// Places that lie apart by no more than rounding: coordinates of some tens, matrices of some units.
 const SAME: f64 = 1e-6;
 
@@ -53,25 +52,19 @@ fn agrees(scene: &Scene) -> bool {
     both.iter().all(|id| on_stage.contains(id))
 }
 
-/// How many crossings and triangles world planes and clip space take, and whether both leave the same; where both are on stage.
-pub fn agreement_view(
-    scenery: Option<&Scenery>,
-    crossings_and_triangles: impl FnOnce() -> [usize; 2],
-) -> Option<View> {
-    let note = agreement(scenery?.scene())?;
-    let words = ["tally-crossings", "tally-triangles"].map(|key| Formula::default().term(key));
-    let cells = crossings_and_triangles().map(|n| Cell::new(Role::Ink, Some(Value::Count(n))));
+/// Whether world planes and clip space leave the same, where both are on stage.
+pub fn agreement_view(scenery: Option<&Scenery>) -> Option<View> {
+    let notes = vec![agreement(scenery?.scene())?];
+    let (header, rows) = (Vec::new(), Vec::new());
     let table = Table {
-        header: [Formula::default()].into_iter().chain(words).collect(),
-        rows: vec![TableRow {
-            name: Value::Term("tally-in-all"),
-            cells: cells.to_vec(),
-            is_current: false,
-            link: None,
-        }],
-        notes: vec![note],
+        header,
+        rows,
+        notes,
     };
-    Some(View::new(AGREEMENT_VIEW, Body::Table(table)))
+    Some(View {
+        id: ViewId::AGREEMENT,
+        body: Body::Table(table),
+    })
 }
 
 fn agreement(scene: &Scene) -> Option<TableNote> {
@@ -84,16 +77,11 @@ fn agreement(scene: &Scene) -> Option<TableNote> {
     let before_divide = before_divide.vertices().iter();
     let before_divide: Vec<[f64; 3]> = before_divide.map(|v| in_world(v, scene)).collect();
     let apart = apart(&by_planes, &before_divide).max(apart(&before_divide, &by_planes));
-    let text = if apart < SAME {
-        let decimals = (-libm::log10(apart.max(f64::EPSILON))).floor() as usize;
-        Message::new("tally-same")
-            .with("n", before_divide.len())
-            .with("decimals", decimals)
-    } else {
-        Message::new("tally-not-same").with("apart", apart)
-    };
+    let decimals = (-libm::log10(apart.max(f64::EPSILON))).floor() as usize;
+    let text = Message::new("tally-same").with("n", before_divide.len());
+    let text = text.with("decimals", decimals);
     let applies = true;
-    Some(TableNote { text, applies })
+    (apart < SAME).then_some(TableNote { text, applies })
 }
 
 /// How far one of these places lies from the nearest of those, at most.

@@ -7,7 +7,7 @@ use crate::algo::{
 
 use super::{
     clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point, triangle},
-    homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks},
+    homogeneous_views::{BITS_VIEW, Picture, bits, camera_marks, lists, observer_marks, screens},
     prelude::*,
     variant::homogeneous,
 };
@@ -167,25 +167,23 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
         let mut views = Vec::new();
         let has_more = scenery.is_none_or(is_alone);
         if let Some(scenery) = scenery {
-            let marks = observer_marks::<L>(&now, scenery);
+            let marks = observer_marks(&now, scenery);
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
-        if let Some(scenery) = scenery.filter(|_| has_more) {
-            let marks = camera_marks::<L>(&now, scenery);
+        if L::DIVIDES_FIRST && scenery.is_some() {
+            views.push(screens(&now, step.input));
+        } else if let Some(scenery) = scenery.filter(|_| has_more) {
+            let marks = camera_marks(&now, scenery);
             views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, marks));
         }
-        if has_more {
+        let shows_values = !L::DIVIDES_FIRST;
+        if has_more && shows_values {
             views.push(View::new(BITS_VIEW, Body::Bits(bits(&now))));
         }
-        if !is_about_pictures(scenery) {
+        if shows_values && !is_about_pictures(scenery) {
             views.push(View::new(LISTS_VIEW, Body::Lists(lists(&now))));
         }
-        views.extend(agreement_view(scenery, || {
-            let recording = Recording::<Self>::new(*step.input);
-            let parts = in_clip_space(*step.input, recording.events());
-            let left = silent::<Self>(step.input);
-            [parts.n_cuts(), left.triangles().count()]
-        }));
+        views.extend(agreement_view(scenery));
         views
     }
 
@@ -196,7 +194,7 @@ impl<L: Variant<Homogeneous>> Telling for Shown<L> {
             vertex_rows(places, prime, at.scenery)
         };
         let mut first = at.section(&Self::WATCH[0]);
-        if at.scenery.is_none_or(is_alone) {
+        if !L::DIVIDES_FIRST && at.scenery.is_none_or(is_alone) {
             first = first.seen_in(BITS_VIEW);
         }
         vec![first, section(list, ""), section(output, "′")]

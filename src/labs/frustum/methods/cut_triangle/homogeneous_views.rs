@@ -1,9 +1,10 @@
 //! Codes, lists and pictures of a triangle before the divide.
 
-use crate::figure::{BitRow, Bits};
+use crate::figure::{BitRow, Bits, Multiples, SmallDrawing};
 
 use super::{
-    clip_space::{Event, Vertex, bound_symbol, in_world, on_screen, point},
+    super::line::w_lens::{SCREENS_VIEW, seen, square},
+    clip_space::{Event, Uv, Vertex, bound_symbol, in_world, point},
     list_view::{marker, row},
     prelude::*,
 };
@@ -141,28 +142,13 @@ fn bounds(now: &Picture<'_>) -> Vec<Option<f64>> {
     now.rings.list.iter().enumerate().map(bound).collect()
 }
 
-/// Where a vertex is drawn: in the world, or once it has been divided before it is clipped, where it lands on the screen.
-fn place_of<L: Variant<Homogeneous>>(
-    event: Option<Event>,
-    scenery: &Scenery,
-) -> impl Fn(&Vertex) -> [f64; 3] {
-    let is_divided = L::DIVIDES_FIRST && event.is_some();
-    move |v| {
-        if is_divided {
-            on_screen(scenery.scene().culler(), v.at)
-        } else {
-            in_world(v, scenery.scene())
-        }
-    }
-}
-
-pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
+pub fn observer_marks(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
     let corners = scenery.scene().places().triangle;
     let mut marks = given(&corners);
     if let Some(side) = now.side {
         marks.extend(plane_mark(scenery, side as usize));
     }
-    let place = place_of::<L>(now.event, scenery);
+    let place = |v: &Vertex| in_world(v, scenery.scene());
     let list = now.rings.list;
     marks.extend(area(list.iter().map(&place).collect(), now.role()));
     let bounds = bounds(now);
@@ -184,17 +170,63 @@ pub fn observer_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scen
     marks
 }
 
-/// The list as it stands. What has been divided first is drawn where it lands on the screen, beside the right outline.
-pub fn camera_marks<L: Variant<Homogeneous>>(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
-    let place = place_of::<L>(now.event, scenery);
-    let list = now.rings.list.iter().map(place).collect();
-    if !L::DIVIDES_FIRST {
-        return area(list, now.role());
+/// The list as it stands.
+pub fn camera_marks(now: &Picture<'_>, scenery: &Scenery) -> Vec<Mark3> {
+    let list = now.rings.list.iter();
+    area(
+        list.map(|v| in_world(v, scenery.scene())).collect(),
+        now.role(),
+    )
+}
+
+/// What is divided first lands on the screen as another triangle, over the outline of what is seen; beside it what is clipped
+/// first, and divided then.
+pub fn screens(now: &Picture<'_>, given: &[Vertex; 3]) -> View {
+    let on_screen = |v: &Vertex| [v.at[0] / v.at[3], v.at[1] / v.at[3]];
+    let right = silent::<HomogeneousTriangle<Uv>>(given);
+    let right: Vec<[f64; 2]> = right.vertices().iter().map(on_screen).collect();
+    let corners = now.parts.corners.each_ref().map(on_screen);
+    let mut wrong = square();
+    let is_divided = now.event.is_some();
+    if is_divided {
+        let left = now.rings.list.iter().map(on_screen).collect();
+        wrong.push(Mark::new(Role::Signal, Shape::Area(vec![left])));
+        wrong.push(Mark::new(Role::Signal, Shape::Outline(corners.to_vec())).dashed());
+        wrong.push(Mark::new(Role::Accent, Shape::Outline(right.clone())).dashed());
+        wrong.extend(corners.into_iter().enumerate().map(|(i, at)| {
+            let is_behind = given[i].at[3] < 0.0;
+            let role = if is_behind { Role::Signal } else { Role::Ink };
+            let label = sym(vertex_symbol(i)).sym(" / w");
+            let label = if is_behind {
+                label.sym(" ").point(at)
+            } else {
+                label
+            };
+            Mark::new(role, Shape::Ring(at)).labelled(Value::Formula(label))
+        }));
     }
-    let corners = scenery.scene().places().triangle.to_vec();
-    let mut marks = area(list, Role::Signal);
-    marks.push(Mark3::new(Role::Accent, Shape3::Outline(corners)));
-    marks
+    let mut clipped = square();
+    let dots = right
+        .iter()
+        .map(|&at| Mark::new(Role::Accent, Shape::Vertex(at)));
+    clipped.extend(dots);
+    clipped.push(Mark::new(Role::Accent, Shape::Area(vec![right.clone()])));
+    let drawing = |title, (role, note), marks| {
+        let note = Some((role, Value::Term(note)));
+        SmallDrawing::new(Value::Term(title), note, marks)
+    };
+    let seen = seen(if is_divided { corners } else { [[0.0; 2]; 3] }.into_iter());
+    View::new(
+        SCREENS_VIEW,
+        Body::Multiples(Multiples {
+            drawings: vec![
+                drawing("screen-divide-first", (Role::Signal, "screen-wrong"), wrong),
+                drawing("screen-clip-first", (Role::Accent, "screen-right"), clipped),
+            ],
+            bounds: seen,
+            tiles: Tiles::Large,
+        }),
+    )
 }
 
 fn area(outline: Vec<[f64; 3]>, role: Role) -> Vec<Mark3> {

@@ -9,7 +9,7 @@ use super::{
 };
 
 /// Of more triangles only the one that is asked has its name in the picture.
-const MOST_NAMED: usize = 4;
+const MOST_NAMED: usize = 8;
 
 type Shown<L> = PlaneAtATime<L>;
 

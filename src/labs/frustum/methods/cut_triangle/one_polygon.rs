@@ -10,7 +10,9 @@ use crate::{
 
 use super::{
     list_view::lists,
-    one_polygon_marks::{checkered, checkered_on_screen, fan, marks, parts, plane_idx, rings},
+    one_polygon_marks::{
+        checkered, checkered_on_screen, compared, fan, marks, parts, plane_idx, rings,
+    },
     prelude::*,
     variant::polygon,
 };
@@ -148,7 +150,10 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
                 let fan = fan(&step);
                 let camera = scenery.scene().culler();
                 let even = L::IS_EVEN_ON_SCREEN.then(|| checkered_on_screen(&fan, camera));
-                let seen = even.unwrap_or_else(|| checkered(&fan));
+                let mut seen = even.unwrap_or_else(|| checkered(&fan));
+                if is_about_pictures(Some(scenery)) {
+                    seen.extend(compared::<L>(&fan, camera));
+                }
                 views.push(scenery.camera(|_| Fate::ToCome, |_, _| FaceLook::Whole, seen));
             }
         }
@@ -161,10 +166,7 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         if let Some(scenery) = scenery.filter(has_more) {
             views.push(small_view::<Self>(own, progress(&step), scenery));
         }
-        views.extend(agreement_view(scenery, || {
-            let left = silent::<Self>(own);
-            [left.n_crossings, left.triangles.len()]
-        }));
+        views.extend(agreement_view(scenery));
         views
     }
 

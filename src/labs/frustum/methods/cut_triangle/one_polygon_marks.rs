@@ -84,7 +84,8 @@ fn at_work_marks<L: Variant<OnePolygon>>(
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
     }
     if let Some(asked) = step.event().and_then(|event| asked_now(&event)) {
-        marks.extend(perpendicular(plane, asked.at.at, asked.distance));
+        let label = sym("d").equals(asked.distance);
+        marks.extend(perpendicular(label, plane, asked.at.at, asked.distance));
     }
     marks
 }
@@ -140,6 +141,10 @@ pub fn checkered(triangles: &[[SpaceVertex; 3]]) -> Vec<Mark3> {
 
 /// The same as the camera sees it where (u, v) is mixed evenly over the screen: as if all corners were at one depth.
 pub fn checkered_on_screen(triangles: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<Mark3> {
+    checkered(&flattened(triangles, camera))
+}
+
+fn flattened(triangles: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<[SpaceVertex; 3]> {
     let clip_from_world = camera.clip_from_world();
     let flat = triangles.iter().map(|triangle| {
         triangle.map(|SpaceVertex { at: [x, y, z], uv }| SpaceVertex {
@@ -147,7 +152,46 @@ pub fn checkered_on_screen(triangles: &[[SpaceVertex; 3]], camera: &Camera) -> V
             uv,
         })
     });
-    checkered(&flat.collect::<Vec<_>>())
+    flat.collect()
+}
+
+/// What is looked for in both pictures: the fan's edges, the corners' names, and a field
+/// that one of those edges runs through.
+pub fn compared<L: Variant<OnePolygon>>(fan: &[[SpaceVertex; 3]], camera: &Camera) -> Vec<Mark3> {
+    let flat = flattened(fan, camera);
+    let shown = if L::IS_EVEN_ON_SCREEN { &flat } else { fan };
+    let (field, edges) = if L::IS_EVEN_ON_SCREEN {
+        (Role::Signal, Role::Signal)
+    } else {
+        (Role::Ink, Role::Soft)
+    };
+    let parts = |of: [usize; 2]| {
+        let parts = shown
+            .iter()
+            .filter_map(placed)
+            .map(move |corners| part_in(&corners, of));
+        parts.filter(|part| part.len() > 2)
+    };
+    let fields = (0..FIELDS * FIELDS).map(|i| [i % FIELDS, i / FIELDS]);
+    let dark = fields.filter(|[i, j]| (i + j) % 2 == 0);
+    let shared = dark.filter(|&of| parts(of).count() == 2).last();
+    let mut marks: Vec<Mark3> = shared
+        .into_iter()
+        .flat_map(parts)
+        .map(|part| Mark3::new(field, Shape3::Outline(part)))
+        .collect();
+    let edges = flat.iter().skip(1).map(|triangle| {
+        let edge = Mark3::new(edges, Shape3::Segment([triangle[0].at, triangle[1].at]));
+        edge.fine().dashed()
+    });
+    marks.extend(edges);
+    let ring = flat.first().into_iter().flatten();
+    let ring = ring.chain(flat.iter().skip(1).map(|triangle| &triangle[2]));
+    marks.extend(ring.enumerate().map(|(i, v)| {
+        let dot = Mark3::new(Role::Accent, Shape3::Dot(v.at));
+        dot.labelled(name(vertex_symbol(i)))
+    }));
+    marks
 }
 
 fn wash(outline: Vec<[f64; 3]>) -> Mark3 {

@@ -74,10 +74,6 @@ impl<V: Copy + PartialEq> Parts<V> {
         }
     }
 
-    pub fn n_cuts(&self) -> usize {
-        self.cuts().count()
-    }
-
     fn cuts(&self) -> impl Iterator<Item = (&Told<V>, V)> {
         self.told.iter().filter_map(|told| match told.said {
             Said::Cut(at) => Some((told, at)),

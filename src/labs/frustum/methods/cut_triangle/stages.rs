@@ -199,7 +199,7 @@ pub fn small_view<M: ByPlanes>(
             title: plane_name(Some(scenery), idx),
             note: stage.map(|stage| {
                 let [before, after] = stage.counts.map(|n| n.to_string());
-                Value::Formula(sym(before).sym(" → ").sym(after))
+                (Role::Ink, Value::Formula(sym(before).sym(" → ").sym(after)))
             }),
             marks,
             is_current,
@@ -216,7 +216,7 @@ pub fn small_view<M: ByPlanes>(
             bound(f64::INFINITY, f64::min),
             bound(-f64::INFINITY, f64::max),
         ],
-        is_beside: false,
+        tiles: Tiles::Strip,
     };
     View::new(PLANES_VIEW, Body::Multiples(row))
 }

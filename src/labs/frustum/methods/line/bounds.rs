@@ -2,8 +2,8 @@
 
 use crate::{
     algo::{
-        segment::Given,
-        volume::{LineInput, plane_distances},
+        segment::{Given, LineEvent},
+        volume::{LineInput, plane_distances, signed_distance},
     },
     geom::planes_from_matrix,
     labs::{
@@ -16,7 +16,7 @@ use crate::{
 use super::{
     super::{
         super::stage::{axis_equation, cube_view, face_at_work},
-        asked::{plane_link, plane_name, sum_formula},
+        asked::{perpendicular, plane_link, plane_name, sum_formula},
     },
     marks::{interval_marks, points_table, shadow},
     w_lens,
@@ -185,10 +185,19 @@ impl LineLook<3> for Vec<Plane> {
     }
 
     fn drawing(shown: &LineStep<'_, 3, Self>, scenery: Option<&Scenery>) -> Vec<View> {
-        let side = shown.in_hand().and_then(|i| VolumeSide::ALL.get(i));
+        let plane = shown.in_hand();
+        let side = plane.and_then(|i| VolumeSide::ALL.get(i));
         let draw = |scenery: &Scenery| {
             let side = side.map(|&side| plane_at_work(scenery.scene().culler(), side));
-            let marks = marks(shown, scenery, (side.unwrap_or_default(), 0.0));
+            let mut marks = marks(shown, scenery, (side.unwrap_or_default(), 0.0));
+            // Both ends are asked, before it is known what the plane does.
+            if let (Some(plane), Some(LineEvent::Row { .. })) = (plane, shown.event) {
+                let (plane, ends) = (&shown.input.bounds()[plane], shown.input.ends());
+                for (symbol, at) in ["d₁", "d₂"].into_iter().zip(ends) {
+                    let distance = signed_distance(plane, at);
+                    marks.extend(perpendicular(sym(symbol), plane, at, distance));
+                }
+            }
             scenery.observer(|_| Fate::ToCome, marks)
         };
         scenery.map(draw).into_iter().collect()

@@ -4,7 +4,7 @@ mod bounds;
 mod fates;
 pub mod marks;
 mod variants;
-mod w_lens;
+pub mod w_lens;
 
 use crate::{
     algo::segment::{LineClip, LineRules, VisibleLine},

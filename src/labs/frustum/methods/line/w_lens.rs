@@ -10,13 +10,13 @@
 
 use crate::{
     algo::volume::{HomogeneousLine, VisibleLine},
-    figure::{Screen, Screens},
+    figure::{Multiples, SmallDrawing},
     labs::frustum::prelude::*,
 };
 
 use super::marks::{interval_marks, is_rejected, left_so_far, on_line};
 
-const SCREENS_VIEW: &str = "screens";
+pub const SCREENS_VIEW: &str = "screens";
 /// Images farther out are not marked.
 const FAR: f64 = 40.0;
 const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -32,13 +32,28 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
     let world = scenery.scene().places().segment;
     marks.extend(lens.segment(&world));
     marks.extend(lens.images(&world));
-    let screens = Body::Screens(Screens {
-        screens: vec![lens.divided_screen(), lens.clipped_screen()],
+    let screens = Body::Multiples(Multiples {
+        drawings: vec![lens.divided_screen(), lens.clipped_screen()],
+        bounds: seen(shown.input.ends.into_iter().filter_map(image)),
+        tiles: Tiles::Large,
     });
     vec![
         scenery.observer(|_| Fate::ToCome, marks),
         View::new(SCREENS_VIEW, screens),
     ]
+}
+
+/// The square, and around it as much as is needed for what lands beside it, if that is not too far away.
+pub fn seen(images: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
+    const FARTHEST: f64 = 5.0;
+    const AROUND: f64 = 0.4;
+    let near = images.filter(|at| at.iter().all(|x| x.abs() <= FARTHEST));
+    let widened = |[min, max]: [[f64; 2]; 2], at: [f64; 2]| {
+        let low = [0, 1].map(|i| min[i].min(at[i]));
+        [low, [0, 1].map(|i| max[i].max(at[i]))]
+    };
+    let [min, max] = near.fold([[-1.0; 2], [1.0; 2]], widened);
+    [min.map(|x| x - AROUND), max.map(|x| x + AROUND)]
 }
 
 /// Where a point lands on the screen; `None` where there is no such place, or none that can be shown.
@@ -61,6 +76,13 @@ fn images_of(ends: Ends) -> Vec<Shape> {
         _ => [from.map(|at| ray(at, 1.0)), to.map(|at| ray(at, -1.0))],
     };
     shapes.into_iter().flatten().collect()
+}
+
+pub fn square() -> Vec<Mark> {
+    vec![
+        Mark::new(Role::Accent, Shape::Fill(vec![SQUARE.to_vec()])),
+        Mark::new(Role::Ink, Shape::Outline(SQUARE.to_vec())),
+    ]
 }
 
 const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
@@ -186,13 +208,6 @@ impl<'a> WLens<'a> {
         marks
     }
 
-    fn square() -> Vec<Mark> {
-        vec![
-            Mark::new(Role::Accent, Shape::Fill(vec![SQUARE.to_vec()])),
-            Mark::new(Role::Ink, Shape::Outline(SQUARE.to_vec())),
-        ]
-    }
-
     /// An image with its name; of what lies behind the eye also where it is.
     fn point(
         &self,
@@ -207,10 +222,10 @@ impl<'a> WLens<'a> {
         mark.labelled(label.unwrap_or_else(|| name(symbol)))
     }
 
-    fn divided_screen(&self) -> Screen {
+    fn divided_screen(&self) -> SmallDrawing {
         let is_wrong = self.is_wrong();
         let role = if is_wrong { Role::Signal } else { Role::Accent };
-        let mut marks = Self::square();
+        let mut marks = square();
         if let Some(joined) = self.joined {
             let mut whole = Mark::new(role, Shape::Segment(joined)).linked("segment");
             whole.is_dashed = is_wrong;
@@ -237,25 +252,23 @@ impl<'a> WLens<'a> {
                 marks.push(Mark::new(Role::Accent, Shape::Segment([from, to])).dashed());
             }
         }
-        Screen {
-            title: Value::Term("screen-divide-first"),
-            note: Message::new(match self.joined {
-                _ if is_wrong => "screen-wrong",
-                None => "screen-no-image",
-                Some(_) => "screen-same",
-            }),
-            role: if is_wrong { Role::Signal } else { Role::Soft },
-            marks,
-        }
+        let note = match self.joined {
+            _ if is_wrong => "screen-wrong",
+            None => "screen-no-image",
+            Some(_) => "screen-same",
+        };
+        let role = if is_wrong { Role::Signal } else { Role::Soft };
+        let note = Some((role, Value::Term(note)));
+        SmallDrawing::new(Value::Term("screen-divide-first"), note, marks)
     }
 
-    fn clipped_screen(&self) -> Screen {
+    fn clipped_screen(&self) -> SmallDrawing {
         let shown = self.shown;
         let given = &shown.input.ends;
         let so_far = (!is_rejected(shown)).then(|| left_so_far(shown));
         let left: Option<Ends> = if shown.is_divided { self.right } else { so_far };
         let is_done = shown.is_divided || shown.verdict.is_some();
-        let mut marks = Self::square();
+        let mut marks = square();
         let mark = |shape| Mark::new(Role::Discarded, shape);
         let discarded = |ends| images_of(ends).into_iter().map(mark);
         match left {
@@ -284,11 +297,7 @@ impl<'a> WLens<'a> {
             (true, true) => ("screen-right", Role::Accent),
             (_, false) => ("screen-nothing", Role::Soft),
         };
-        Screen {
-            title: Value::Term("screen-clip-first"),
-            note: Message::new(note),
-            role,
-            marks,
-        }
+        let note = Some((role, Value::Term(note)));
+        SmallDrawing::new(Value::Term("screen-clip-first"), note, marks)
     }
 }

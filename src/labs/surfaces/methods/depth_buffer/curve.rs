@@ -1,17 +1,26 @@
-//! Depth over distance: 1/z, with the steps that a format leaves it, forward and reversed.
+//! Depth over distance, with what a pixel has been given on both axes; and the same enlarged, where it is a staircase: what
+//! lands on one step is as deep.
 
 use crate::{
-    algo::surface::{DepthFormat, DepthNumber},
+    algo::surface::DepthFormat,
     figure::{Multiples, SmallDrawing, Weight},
 };
 
-use super::super::prelude::*;
+use super::{super::prelude::*, numbers::value};
 
-/// A row of two has far more room to the side than upwards.
-const WIDTH: f64 = 6.0;
-const POINTS: usize = 64;
-/// Of so many steps each is drawn, of more every so-manieth.
-const MOST_STEPS: f64 = 16.0;
+const WIDTH: f64 = 1.7;
+const POINTS: usize = 480;
+/// Around a drawing, for what is written on the axes.
+const BOUNDS: [[f64; 2]; 2] = [[-0.24, -0.2], [WIDTH + 0.1, 1.1]];
+/// What is enlarged reaches so far beyond what has landed, at least as far as so many steps.
+const BEYOND: [f64; 2] = [0.8, 1.7];
+
+/// A fragment that has come, and the triangle's name.
+pub struct Landed {
+    pub name: Value,
+    pub depth: f64,
+    pub role: Role,
+}
 
 /// From one depth that can be stored to the next, as a distance in view space.
 pub fn step_in_view(rays: &Rays, format: &DepthFormat, depth: f64) -> Option<f64> {
@@ -21,83 +30,144 @@ pub fn step_in_view(rays: &Rays, format: &DepthFormat, depth: f64) -> Option<f64
     (next <= 1.0 && step.is_finite()).then_some(step)
 }
 
-pub fn curves(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Multiples {
-    let drawing = |is_reversed: bool| {
-        let format = DepthFormat {
-            is_reversed,
-            ..*format
-        };
-        let key = if is_reversed {
-            "curve-reversed"
-        } else {
-            "curve-forward"
-        };
-        let decimals = |number| Formula::decimals().num(number);
-        let note = depth.and_then(|depth| {
-            let step = decimals(step_in_view(rays, &format, depth)?);
-            let distance = decimals(rays.distance(rays.t_at(depth)));
-            let message = Message::new("curve-step").with("step", step);
-            Some(Value::Message(message.with("distance", distance)))
-        });
-        let marks = marks(rays, &format, depth);
-        SmallDrawing {
-            note,
-            ..SmallDrawing::new(Value::Term(key), marks)
-        }
+/// The curve; what is about the fragments that have landed, where they are close to each other; of a reversed buffer beside
+/// what it would be otherwise.
+pub fn curves(rays: &Rays, format: &DepthFormat, landed: &[Landed]) -> Multiples {
+    let forward = DepthFormat {
+        is_reversed: false,
+        ..*format
+    };
+    let curve = |format: &DepthFormat| Curve {
+        rays: *rays,
+        format: *format,
+        shown: rays.ends(),
+    };
+    let near = |key, format: &DepthFormat| curve(format).enlarged(key, landed);
+    let drawings = if format.is_reversed {
+        let both = [
+            near("curve-forward", &forward),
+            near("curve-reversed", format),
+        ];
+        both.into_iter().flatten().collect()
+    } else {
+        let whole = || curve(format).drawing("curve-whole", landed);
+        vec![near("curve-enlarged", format).unwrap_or_else(whole)]
     };
     Multiples {
-        drawings: vec![drawing(false), drawing(true)],
-        bounds: [[0.0, 0.0], [WIDTH, 1.0]],
-        is_beside: false,
+        drawings,
+        bounds: BOUNDS,
+        tiles: Tiles::Large,
     }
 }
 
-/// Distance to the right, what is stored upwards.
-fn marks(rays: &Rays, format: &DepthFormat, depth: Option<f64>) -> Vec<Mark> {
-    let [near, far] = rays.ends();
-    let place = |depth: f64| {
-        let distance = rays.distance(rays.t_at(depth));
-        [
-            WIDTH * (distance - near) / (far - near),
-            format.turned(depth),
-        ]
-    };
-    let line = |points| Weight {
-        points,
-        strength: 1.0,
-    };
-    let mut marks = vec![
-        Mark::new(
-            Role::Soft,
-            Shape::Path(vec![[0.0, 1.0], [0.0, 0.0], [WIDTH, 0.0]]),
-        )
-        .weighing(line(1.0)),
-    ];
-    // Lines of equal depth: they crowd where distances are large.
-    let steps = steps_of(format);
-    let levels: Vec<[[f64; 2]; 2]> = steps
-        .into_iter()
-        .map(|level| {
-            let [x, y] = place(level);
-            [[x, 0.0], [x, y]]
-        })
-        .collect();
-    marks.push(Mark::new(Role::Soft, Shape::Crowd(levels)).weighing(line(1.0)));
-    let curve = (0..=POINTS).map(|i| {
-        let t = rays.t_of(near + (far - near) * i as f64 / POINTS as f64);
-        place(rays.depth(t))
-    });
-    marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(line(2.0)));
-    if let Some(depth) = depth {
-        marks.push(Mark::new(Role::Signal, Shape::Dot(place(depth))).weighing(line(3.5)));
-    }
-    marks
+#[derive(Clone, Copy)]
+struct Curve {
+    rays: Rays,
+    format: DepthFormat,
+    /// The distances that it is drawn between.
+    shown: [f64; 2],
 }
 
-fn steps_of(format: &DepthFormat) -> Vec<f64> {
-    let n = match format.number {
-        DepthNumber::Fixed(bits) => bits.largest().min(MOST_STEPS),
-        DepthNumber::Double | DepthNumber::Single => MOST_STEPS,
-    };
-    (0..=n as usize).map(|i| i as f64 / n).collect()
+impl Curve {
+    fn distance(&self, depth: f64) -> f64 {
+        self.rays.distance(self.rays.t_at(depth))
+    }
+
+    /// What is stored at a distance.
+    fn stored(&self, distance: f64) -> f64 {
+        self.format
+            .stored(self.rays.depth(self.rays.t_of(distance)))
+    }
+
+    /// So much of it that the fragments are told apart, if the format can.
+    fn enlarged(self, key: &'static str, landed: &[Landed]) -> Option<SmallDrawing> {
+        let depth = landed.last()?.depth;
+        let distances = || landed.iter().map(|it| self.distance(it.depth));
+        let least = distances().fold(f64::INFINITY, f64::min);
+        let most = distances().fold(0.0, f64::max);
+        let step = step_in_view(&self.rays, &self.format, depth).unwrap_or_default();
+        let reach = (BEYOND[0] * (most - least)).max(BEYOND[1] * step);
+        let [near, far] = self.rays.ends();
+        let shown = [(least - reach).max(near), (most + reach).min(far)];
+        let is_closer = shown[1] - shown[0] < 0.5 * (far - near);
+        let drawing = Self { shown, ..self }.drawing(key, landed);
+        let note = Message::new("curve-step").with("step", decimals(step));
+        let note = (step > 0.0).then_some((Role::Ink, Value::Message(note)));
+        is_closer.then_some(SmallDrawing { note, ..drawing })
+    }
+
+    fn drawing(&self, key: &'static str, landed: &[Landed]) -> SmallDrawing {
+        SmallDrawing::new(Value::Term(key), None, self.marks(landed))
+    }
+
+    /// Distance to the right, what is stored upwards.
+    fn marks(&self, landed: &[Landed]) -> Vec<Mark> {
+        let line = |points| Weight {
+            points,
+            strength: 1.0,
+        };
+        let [near, far] = self.shown;
+        let ends = self.shown.map(|distance| self.stored(distance));
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let right = |distance: f64| WIDTH * (distance - near) / (far - near);
+        let place = |distance: f64, stored: f64| {
+            let up = (stored - low) / (high - low).max(f64::MIN_POSITIVE);
+            [right(distance), up]
+        };
+        let axes = vec![[0.0, 1.08], [0.0, 0.0], [WIDTH + 0.08, 0.0]];
+        let axis = Mark::new(Role::Soft, Shape::Path(axes)).weighing(line(1.0));
+        let axis_name = |at, toward, key| {
+            let name = Mark::new(Role::Soft, Shape::Label(at)).labelled(Value::Term(key));
+            name.toward(toward)
+        };
+        let mut marks = vec![
+            axis,
+            axis_name([WIDTH, 0.0], [0.0, 1.0], "curve-distance"),
+            axis_name([0.0, 1.08], [1.0, 0.0], "curve-depth"),
+        ];
+        let distances = (0..=POINTS).map(|i| near + (far - near) * i as f64 / POINTS as f64);
+        let curve = distances.map(|distance| place(distance, self.stored(distance)));
+        marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(line(2.0)));
+        if self.shown == self.rays.ends() {
+            marks.extend(self.shown.into_iter().flat_map(|distance| {
+                let stored = self.stored(distance);
+                let end = |at, toward, text: Value| {
+                    let mark = Mark::new(Role::Soft, Shape::Label(at));
+                    mark.labelled(text).toward(toward)
+                };
+                [
+                    end(
+                        [right(distance), 0.0],
+                        [0.0, -1.0],
+                        Value::Formula(decimals(distance)),
+                    ),
+                    end(
+                        [0.0, place(distance, stored)[1]],
+                        [-1.0, 0.0],
+                        value(&self.format, stored),
+                    ),
+                ]
+            }));
+        }
+        for it in landed {
+            let distance = self.distance(it.depth);
+            let stored = self.stored(distance);
+            let at = place(distance, stored);
+            let tick = |to, toward, text: Value| {
+                let drop = Mark::new(it.role, Shape::Segment([at, to])).weighing(line(1.0));
+                let foot = Mark::new(it.role, Shape::Vertex(to)).weighing(line(2.0));
+                [drop.dashed(), foot.labelled(text).toward(toward)]
+            };
+            let far_away = Value::Formula(decimals(distance));
+            marks.extend(tick([at[0], 0.0], [0.0, -1.0], far_away));
+            marks.extend(tick([0.0, at[1]], [-1.0, 0.0], value(&self.format, stored)));
+            let dot = Mark::new(it.role, Shape::Dot(at)).labelled(it.name.clone());
+            marks.push(dot.strong());
+        }
+        marks
+    }
+}
+
+fn decimals(number: f64) -> Formula {
+    Formula::decimals().num(number)
 }

@@ -8,7 +8,7 @@ use crate::{
 use super::super::prelude::*;
 
 use super::{
-    curve::curves,
+    curve::{Landed, curves},
     names::{current, fragment_of, pixel_of},
     numbers::{against, t_of, value},
     raster::rasters,
@@ -24,14 +24,14 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         let look = faces([(current(at), Role::Accent)], scene);
         let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
         views.extend(rasters(at, scene));
-        let input = at.step.input;
+        let (input, pixel) = (at.step.input, pixel_of(at));
         let format = &input.format;
+        // Where steps of the format matter a curve tells what has come to a pixel.
         if format.number != DepthNumber::Double {
-            let depth = fragment_of(at).map(|fragment| fragment.depth);
-            let curves = curves(&Rays::of(&input.surfaces), format, depth);
+            let landed = pixel.map_or_else(Vec::new, |pixel| landed(at, pixel));
+            let curves = curves(&Rays::of(&input.surfaces), format, &landed);
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
-        }
-        if let Some(pixel) = pixel_of(at) {
+        } else if let Some(pixel) = pixel {
             let story = story(at, scenery, pixel);
             views.push(View::new(STORY_VIEW, Body::Story(story)));
         }
@@ -67,24 +67,42 @@ fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark
     marks
 }
 
+/// In which order the triangle comes, and how far the run is with it.
+fn stage<L: Variant>(at: &At<'_, DepthBuffer<L>>, id: u32) -> CellStage {
+    let order = &at.step.input.order;
+    let order_of = |id: u32| order.iter().position(|&other| other == id);
+    let is_done = at.step.event() == Some(Event::Done);
+    if fragment_of(at).is_some_and(|now| now.id == id) {
+        CellStage::Current
+    } else if is_done || order_of(id) < current(at).and_then(order_of) {
+        CellStage::Done
+    } else {
+        CellStage::ToCome
+    }
+}
+
+fn landed<L: Variant>(at: &At<'_, DepthBuffer<L>>, pixel: [u32; 2]) -> Vec<Landed> {
+    let told = pixel_story::<L>(at.step.input, pixel);
+    let landed = told.iter().filter_map(|fragment| {
+        let role = match stage(at, fragment.id) {
+            CellStage::ToCome => return None,
+            CellStage::Current => Role::Signal,
+            CellStage::Done => Role::Ink,
+        };
+        let name = name_of(at.scenery, fragment.id);
+        let depth = fragment.depth;
+        Some(Landed { name, depth, role })
+    });
+    landed.collect()
+}
+
 /// What has come to the pixel in hand: every fragment in order of arrival, and what the buffer held in between.
 fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32; 2]) -> Story {
     let own = at.step.input;
     let format = &own.format;
     let told = pixel_story::<L>(own, pixel);
-    let order_of = |id: u32| own.order.iter().position(|&other| other == id);
     let current = current(at);
-    let now = current.and_then(order_of);
-    let (is_done, fragment) = (at.step.event() == Some(Event::Done), fragment_of(at));
-    let stage = |id: u32| {
-        if fragment.is_some_and(|now| now.id == id) {
-            CellStage::Current
-        } else if is_done || order_of(id) < now {
-            CellStage::Done
-        } else {
-            CellStage::ToCome
-        }
-    };
+    let is_done = at.step.event() == Some(Event::Done);
     let stays = told.iter().rposition(|fragment| fragment.kept);
     let card = |(nth, told): (usize, &Fragment)| {
         let fate = fate(told);
@@ -101,7 +119,7 @@ fn story<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery, pixel: [u32
             against: against(format, told),
             fate,
             word: Value::Term(word),
-            stage: stage(told.id),
+            stage: stage(at, told.id),
             link: surface_link(scenery.scene(), told.id),
         }
     };

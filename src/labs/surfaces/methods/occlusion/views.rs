@@ -2,14 +2,19 @@
 
 use crate::{
     algo::surface::{Occlusion, OcclusionEvent as Event},
+    figure::Multiples,
     geom::AlignedBox,
 };
 
-use super::super::prelude::*;
+use super::super::{
+    bars::{Bar, bars},
+    prelude::*,
+};
 
 use super::names::{answer, answers, current, name_of};
 
 const LIST_VIEW: &str = "objects";
+const TRIANGLES_VIEW: &str = "triangles";
 
 pub fn views(at: &At<'_, Occlusion>) -> Vec<View> {
     let held = at.step.held;
@@ -29,12 +34,49 @@ pub fn views(at: &At<'_, Occlusion>) -> Vec<View> {
             let ends = ends.map(|at| camera.world_from_view(at));
             Mark3::new(Role::Signal, Shape3::Segment(ends))
         });
-        vec![
+        let counts = triangles(at).map(|it| View::new(TRIANGLES_VIEW, Body::Multiples(it)));
+        let views = [
             scenery.observer(fate, marks.collect()),
             View::new(RASTER_VIEW, Body::Raster(raster(at))),
             View::new(LIST_VIEW, Body::Lists(lists(at))),
-        ]
+        ];
+        views.into_iter().chain(counts).collect()
     })
+}
+
+/// How many triangles each object has: those that are drawn, and those that are spared.
+fn triangles(at: &At<'_, Occlusion>) -> Option<Multiples> {
+    /// Of fewer it does not matter how many are spared.
+    const MANY: usize = 100;
+    let (objects, focus) = (&at.step.input.objects, current(at.step.past));
+    let bar = |object_idx: usize| {
+        let n = objects[object_idx].n_triangles;
+        let role = fate_of(at, object_idx).map_or(Role::Soft, |(_, role)| role);
+        let is_current = focus == Some(object_idx) && role != Role::Discarded;
+        Bar {
+            name: name_of(at.scenery, object_idx),
+            reach: [0.0, n.into()],
+            ends: [None, Some(Value::Count(n as usize))],
+            role: if is_current { Role::Signal } else { role },
+        }
+    };
+    let rows: Vec<Bar> = (0..objects.len()).map(bar).collect();
+    let is_much = at.step.input.surfaces.triangles().len() > MANY;
+    bars("occlusion-triangles", &rows, focus).filter(|_| is_much)
+}
+
+/// In a word what has become of an object, and how that is drawn.
+fn fate_of(at: &At<'_, Occlusion>, object_idx: usize) -> Option<(&'static str, Role)> {
+    let held = at.step.held;
+    if held.skipped.contains(&object_idx) {
+        Some(("occlusion-skipped", Role::Discarded))
+    } else if !held.drawn.contains(&object_idx) {
+        None
+    } else if at.step.input.objects[object_idx].is_occluder {
+        Some(("occlusion-is-occluder", Role::Accent))
+    } else {
+        Some(("occlusion-drawn", Role::Accent))
+    }
 }
 
 /// The box that is asked, in view space.
@@ -84,21 +126,12 @@ fn answer_mark(&(pixel, passes): &([u32; 2], bool)) -> RasterMark {
 }
 
 fn lists(at: &At<'_, Occlusion>) -> Lists {
-    let held = at.step.held;
     let objects = &at.step.input.objects;
     let focus = current(at.step.past);
     let row = |object_idx: usize| {
         let answer = answers(at.step.past).find(|(of, _)| *of == object_idx);
         let result = answer.map(|(_, result)| result).filter(|it| !it.unasked);
-        let fate = if held.skipped.contains(&object_idx) {
-            Some(("occlusion-skipped", Role::Discarded))
-        } else if !held.drawn.contains(&object_idx) {
-            None
-        } else if objects[object_idx].is_occluder {
-            Some(("occlusion-is-occluder", Role::Accent))
-        } else {
-            Some(("occlusion-drawn", Role::Accent))
-        };
+        let fate = fate_of(at, object_idx);
         let is_current = focus == Some(object_idx);
         let role = fate.map_or(Role::Ink, |(_, role)| role);
         ListRow {

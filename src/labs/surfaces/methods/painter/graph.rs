@@ -13,6 +13,9 @@ use super::{
     variant::Variant,
 };
 
+/// Of more triangles not every pair is looked at once more.
+const MOST_EXPLAINED: usize = 8;
+
 /// The graph; `now` are the triangle that the step is about, and the one that is asked beside it.
 pub fn graph<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene, now: [Option<u32>; 2]) -> Graph {
     let (held, surfaces) = (at.step.held, at.step.input);
@@ -86,6 +89,18 @@ fn arrows<L: Variant>(
         arrow(ends, kind, role, hides(at, ends))
     });
     let mut arrows: Vec<GraphArrow> = found.collect();
+    // In the end the order has its reasons.
+    let placed = &held.placed;
+    if at.step.event() == Some(Event::Done) && placed.len() <= MOST_EXPLAINED {
+        let after =
+            |(i, &before): (usize, &u32)| placed[i + 1..].iter().map(move |&after| [before, after]);
+        let pairs = placed.iter().enumerate().flat_map(after);
+        let unknown = pairs.filter(|ends| !held.constraints.contains(ends));
+        arrows.extend(unknown.filter_map(|ends| {
+            let reason = hides(at, ends)?;
+            arrow(ends, ArrowKind::Holds, Role::Accent, Some(reason))
+        }));
+    }
     if let Some(Event::Pair {
         id,
         other,

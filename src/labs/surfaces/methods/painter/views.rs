@@ -1,8 +1,16 @@
-//! The scene, the picture so far, what must come before what, and two lists: the sorted one, the order.
+//! The scene, the picture so far, what must come before what, and how far each triangle reaches, in their order.
 
-use crate::algo::surface::{Painter, PainterEvent as Event};
+use crate::{
+    algo::surface::{Painter, PainterEvent as Event},
+    figure::Multiples,
+    labs::space::Tones,
+};
 
-use super::super::prelude::*;
+use super::super::{
+    bars::{Bar, bars},
+    on_raster::seams,
+    prelude::*,
+};
 
 use super::{
     graph::{graph, overlaps},
@@ -11,25 +19,98 @@ use super::{
 };
 
 const GRAPH_VIEW: &str = "graph";
-const LISTS_VIEW: &str = "lists";
+const DEPTHS_VIEW: &str = "depths";
 
 pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
     let now = about(at.step.event());
     let marked = [(now[0], Role::Accent), (now[1], Role::Signal)];
-    on_raster::views(at, |scenery| {
+    let mut views = on_raster::views(at, |scenery| {
         let scene = scenery.scene();
+        let raster = if scene.raster.tones == Tones::Counts && scene.beside.len() == 1 {
+            pairs(at)
+        } else {
+            raster(at)
+        };
         let mut views = vec![
             scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
-            View::new(RASTER_VIEW, Body::Raster(raster(at))),
+            View::new(RASTER_VIEW, Body::Raster(raster)),
         ];
         // Where nobody is asked nothing must come before anything.
         if !L::KEYS_ONLY {
             let graph = graph(at, scene, now);
             views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
         }
-        views.push(View::new(LISTS_VIEW, Body::Lists(lists(at, scene))));
+        let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
+        views.extend(depths);
         views
-    })
+    });
+    let is_done = at.step.event() == Some(Event::Done);
+    let role = if is_done { Role::Signal } else { Role::Ink };
+    let cut = at
+        .scenery
+        .map_or_else(Vec::new, |scenery| seams(scenery.scene(), role));
+    for view in &mut views {
+        if let Body::Space(space) = &mut view.body {
+            space.marks.extend(cut.iter().cloned());
+        }
+    }
+    views
+}
+
+/// From its nearest to its farthest vertex each triangle, in their order: where two have no distance in common nothing else is asked.
+fn extents<L: Variant>(at: &At<'_, Painter<L>>) -> Option<Multiples> {
+    let held = at.step.held;
+    let now = about(at.step.event());
+    let known = match held.n_sorted {
+        0 => &held.list[..],
+        n => &held.list[..n],
+    };
+    let ids: Vec<u32> = known.iter().map(|(it, _)| it.id).collect();
+    let reach = |id: u32| {
+        let (known, _) = held.list.iter().find(|(it, _)| it.id == id)?;
+        Some(known.depths())
+    };
+    let bar = |&id: &u32| {
+        let reach = reach(id)?;
+        let role = if now[1] == Some(id) {
+            Role::Signal
+        } else if now[0] == Some(id) {
+            Role::Accent
+        } else {
+            Role::Soft
+        };
+        Some(Bar {
+            name: name_of(at.scenery, id),
+            reach,
+            ends: reach.map(|depth| Some(Value::Formula(Formula::decimals().num(depth)))),
+            role,
+        })
+    };
+    let rows: Vec<Bar> = ids.iter().filter_map(bar).collect();
+    let focus = ids.iter().position(|&id| now[0] == Some(id));
+    bars("painter-depths", &rows, focus)
+}
+
+/// A row for each triangle, a column for each that may be asked about it, both in the sorted order: which pairs were asked.
+fn pairs<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
+    let held = at.step.held;
+    let n = at.step.input.triangles().len();
+    let place = |id: u32| held.list.iter().position(|(it, _)| it.id == id);
+    let mut pixels = vec![Pixel::EMPTY; n * n];
+    for event in at.step.past {
+        if let Event::Pair { id, other, .. } = *event
+            && let (Some(row), Some(column)) = (place(id), place(other))
+        {
+            pixels[row * n + column].role = Some(Role::Accent);
+            pixels[row * n + column].shade = 0.9;
+        }
+    }
+    let title = Message::new("raster-pairs").with("pairs", held.tally.pairs as usize);
+    Raster {
+        title: Value::Message(title.with("triangles", n)),
+        size: [n; 2],
+        ..raster_so_far(at.step.input, pixels, Vec::new())
+    }
 }
 
 fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
@@ -66,50 +147,4 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
         raster.over.extend(wrong);
     }
     raster
-}
-
-fn lists<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Lists {
-    let held = at.step.held;
-    let now = about(at.step.event());
-    let role_of = |id: u32| {
-        if now.contains(&Some(id)) {
-            Role::Signal
-        } else if held.placed.contains(&id) {
-            Role::Accent
-        } else {
-            Role::Ink
-        }
-    };
-    let row = |id: u32, detail: Option<Value>| ListRow {
-        details: vec![detail],
-        role: role_of(id),
-        link: surface_link(scene, id),
-        ..ListRow::new(name_of(at.scenery, id))
-    };
-    let known = match held.n_sorted {
-        0 => &held.list[..],
-        n => &held.list[..n],
-    };
-    let of_keys: Vec<u32> = known.iter().map(|(it, _)| it.id).collect();
-    let range = |id: u32| {
-        let (known, _) = held.list.iter().find(|(it, _)| it.id == id)?;
-        let [near, far] = known.depths();
-        let range = Formula::decimals().num(far).sym(" … ").num(near);
-        Some(Value::Formula(range))
-    };
-    let column = |title, ids: &[u32], detail: &dyn Fn(u32) -> Option<Value>| {
-        let focus = ids.iter().position(|&id| now[0] == Some(id));
-        let entry = |place: usize| row(ids[place], detail(ids[place]));
-        ListColumn::about(Value::Term(title), ids.len(), focus, entry)
-    };
-    let sorted = ListColumn {
-        columns: vec![Value::Name("z".to_owned())],
-        ..column("painter-sorted", &of_keys, &range)
-    };
-    let order = column("painter-order", &held.placed, &|_| None);
-    Lists {
-        lists: vec![sorted, order],
-        links: Vec::new(),
-        legend: Vec::new(),
-    }
 }

@@ -3,6 +3,7 @@
 use crate::{
     algo::surface::{Meeting, Ray, RayCasting, RayCastingEvent as Event},
     figure::{LineTick, NumberLine, Side},
+    labs::space::Tones,
 };
 
 use super::super::prelude::*;
@@ -17,10 +18,16 @@ const MOST_ROWS: usize = 12;
 pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
     let own = now(at).or(at.step.held.nearest.map(|hit| hit.id));
     on_raster::views(at, |scenery| {
-        let look = faces([(own, Role::Accent)], scenery.scene());
+        let scene = scenery.scene();
+        let look = faces([(own, Role::Accent)], scene);
+        let raster = if scene.raster.tones == Tones::Counts && scene.beside.len() == 1 {
+            questions(at)
+        } else {
+            raster(at, own)
+        };
         vec![
             scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery)),
-            View::new(RASTER_VIEW, Body::Raster(raster(at, own))),
+            View::new(RASTER_VIEW, Body::Raster(raster)),
             View::new(ASKED_VIEW, Body::Table(table(at, scenery))),
             View::new(AXIS_VIEW, Body::NumberLine(axis(at, scenery))),
         ]
@@ -94,6 +101,28 @@ fn raster(at: &At<'_, RayCasting>, own: Option<u32>) -> Raster {
             pixels(picture, own, letters),
             Vec::new(),
         )
+    }
+}
+
+/// How many triangles the ray of each pixel has asked.
+fn questions(at: &At<'_, RayCasting>) -> Raster {
+    let surfaces = &at.step.input.surfaces;
+    let mut pixels = vec![Pixel::EMPTY; surfaces.n_pixels()];
+    let mut before = 0;
+    for event in at.step.past {
+        if let Event::Seen { pixel, n_asked, .. } = *event {
+            pixels[at.step.held.so_far.picture.place(pixel)] = Pixel {
+                role: Some(Role::Accent),
+                shade: 0.9,
+                value: Some(Value::Count((n_asked - before) as usize)),
+            };
+            before = n_asked;
+        }
+    }
+    let title = Message::new("raster-questions").with("questions", before as usize);
+    Raster {
+        title: Value::Message(title.with("pixels", surfaces.n_pixels())),
+        ..raster_so_far(surfaces, pixels, Vec::new())
     }
 }
 

@@ -90,7 +90,7 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
     let outline = vec![[0.0, 0.0], [4.0, 1.0], [1.0, 3.0]];
     let drawing = |(i, key): (usize, &'static str)| SmallDrawing {
         title: Value::Term(key),
-        note: Some(name(&format!("{} → {}", i + 6, i + 7))),
+        note: Some((Role::Ink, name(&format!("{} → {}", i + 6, i + 7)))),
         marks: vec![Mark::new(Role::Accent, Shape::Area(vec![outline.clone()]))],
         is_current: current == Some(i),
         is_to_come: current.is_none_or(|current| i > current),
@@ -99,6 +99,6 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
     Multiples {
         drawings: PLANES.into_iter().enumerate().map(drawing).collect(),
         bounds: [[0.0, 0.0], [4.0, 3.0]],
-        is_beside: false,
+        tiles: Tiles::Strip,
     }
 }
