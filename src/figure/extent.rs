@@ -7,7 +7,7 @@ use super::{
     graph::{Graph, Places, layers, size_of},
     lens::Lens,
     run::Run,
-    small_pictures::{Multiples, Raster},
+    small_pictures::{Multiples, Raster, Tiles},
     values::{Bits, Costs, Lists, Table},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
@@ -69,7 +69,9 @@ impl View {
                 (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
             }
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
-            Body::Multiples(multiples) if multiples.tiles == Tiles::Strip && multiples.drawings.len() == 1 => {
+            Body::Multiples(multiples)
+                if multiples.tiles == Tiles::Strip && multiples.drawings.len() == 1 =>
+            {
                 // Rows of bars.
                 let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
                 (

@@ -5,7 +5,7 @@ pub use crate::{
         Body, Cell, Link, ListColumn, ListRow, Lists, Mark, Mark3, Pixel, Raster, RasterMark,
         RasterShape, Role, Run, Shape, Shape3, Table, TableNote, TableRow,
         Tick::{Accept, Cut, Phase, Reject, Test},
-        View, Watch, WatchRow, WatchSection,
+        Tiles, View, Watch, WatchRow, WatchSection,
     },
     text::{Formula, Message, Value},
     trace::{Recording, Step, silent},

@@ -147,6 +147,7 @@ sh-list-handed-on = Output list = input list
 sh-list-next = Next input list
 sh-list-given = Polygon
 sh-list-left = What is left
+sh-list-wrong = × Wrong result
 sh-n-inside = { $n } inside
 sh-opening = Clip the whole polygon, { $n } vertices, against one edge of the region after the other: { $edges } edges.
 sh-edge-side = Clip against the { $edge }: inside is { $inside }.

@@ -147,6 +147,7 @@ sh-list-handed-on = Salida = entrada
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = Lo que queda
+sh-list-wrong = × Resultado erróneo
 sh-n-inside = { $n } dentro
 sh-opening = Se recorta el polígono entero, { $n } vértices, contra un borde de la región tras otro: { $edges } bordes.
 sh-edge-side = Recorte contra el { $edge }: dentro es { $inside }.

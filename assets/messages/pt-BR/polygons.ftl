@@ -147,6 +147,7 @@ sh-list-handed-on = Saída = entrada
 sh-list-next = Próxima lista de entrada
 sh-list-given = Polígono
 sh-list-left = O que resta
+sh-list-wrong = × Resultado errado
 sh-n-inside = { $n } dentro
 sh-opening = O polígono inteiro, { $n } vértices, é recortado contra uma borda da região após a outra: { $edges } bordas.
 sh-edge-side = Recorte contra a { $edge }: dentro é { $inside }.

@@ -148,6 +148,7 @@ sh-list-handed-on = 输出表 = 输入表
 sh-list-next = 下一轮的输入表
 sh-list-given = 被裁剪多边形
 sh-list-left = 裁剪结果
+sh-list-wrong = × 错误的结果
 sh-n-inside = 内侧 { $n } 个
 sh-opening = 依次用裁剪区域的每条边裁剪整个多边形（{ $n } 个顶点）：共 { $edges } 条边。
 sh-edge-side = 用{ $edge }裁剪：内侧为 { $inside }。

@@ -122,7 +122,11 @@ impl<'a> Slate<'a> {
     }
 
     pub fn wrapped(&self, value: &Value, width: f32, (face, size, colour): Style) -> Typeset {
-        let span = Span::upright(self.pieces(value), self.font(face, size), colour);
+        let span = Span::upright(
+            self.look.catalog.value_pieces(value),
+            self.font(face, size),
+            colour,
+        );
         Typeset::wrapped(self.painter, &[span], width)
     }
 

@@ -6,7 +6,7 @@ pub mod data;
 
 use super::{body_of, prelude::*};
 use crate::{
-    figure::{Body, Run, View},
+    figure::{Body, Run, Tiles, View},
     lesson::{Course, Lesson, LessonStep},
     paint::{Headless, ThemeKind, crosses},
     text::{Catalog, Lang},

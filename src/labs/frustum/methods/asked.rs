@@ -150,7 +150,9 @@ impl Asked<'_> {
         if let Some(side) = self.lit() {
             let plane = camera.planes_in_world()[side as usize];
             marks.extend(normal_of(camera, side, self.turns_sign));
-            marks.extend(perpendicular(&plane, at, distances[side as usize]));
+            let distance = distances[side as usize];
+            let label = sym("d").equals(distance);
+            marks.extend(perpendicular(label, &plane, at, distance));
         }
         marks
     }

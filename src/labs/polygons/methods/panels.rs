@@ -116,11 +116,11 @@ fn rules<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Option<Multiples> {
                 .flat_map(|&nth| walk_marks(pass, nth, is_current)),
         );
         let n_out = nth.map(|nth| pass.walks[nth].1.len());
+        let note = n_out.map(|n| (Role::Ink, name(format!("+{n}"))));
         SmallDrawing {
             is_current,
             is_to_come: !nth.as_ref().is_some_and(has_come),
-            note: n_out.map(|n| name(format!("+{n}"))),
-            ..SmallDrawing::new(Value::Term(rule_term(rule)), marks)
+            ..SmallDrawing::new(Value::Term(rule_term(rule)), note, marks)
         }
     };
     let in_order = [Rule::InIn, Rule::InOut, Rule::OutOut, Rule::OutIn];
@@ -170,9 +170,8 @@ fn all_passes<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Multiples {
         SmallDrawing {
             is_current,
             is_to_come: !is_done && nth > now,
-            note: pass.map(lengths),
             link: Some(edge.link()),
-            ..SmallDrawing::new(edge.border(), marks)
+            ..SmallDrawing::new(edge.border(), pass.map(lengths), marks)
         }
     };
     let drawings = (0..region.n_edges()).map(drawing).collect();
@@ -189,8 +188,9 @@ fn wash(edge: &ClipEdge<'_>, is_current: bool) -> Mark {
 }
 
 /// `4 → 5`
-fn lengths<V>(pass: &Pass<V>) -> Value {
-    name(format!("{} → {}", pass.before.len(), pass.after.len()))
+fn lengths<V>(pass: &Pass<V>) -> (Role, Value) {
+    let lengths = format!("{} → {}", pass.before.len(), pass.after.len());
+    (Role::Ink, name(lengths))
 }
 
 /// What went in, dashed; what is left, and where it was cut. A quad is two triangles; what stands twice is crossed out.
@@ -240,8 +240,7 @@ fn places<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Option<Multiples> {
         marks.extend(pass_marks(pass, is_current));
         SmallDrawing {
             is_current,
-            note: Some(lengths(pass)),
-            ..SmallDrawing::new(title, marks)
+            ..SmallDrawing::new(title, Some(lengths(pass)), marks)
         }
     };
     if distances.contains(&0.0) {

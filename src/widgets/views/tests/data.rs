@@ -10,7 +10,7 @@ use crate::{
         Graph, GraphArrow, GraphNode, ItemMarker, LineTick, ListColumn, ListLink, ListRow, Lists,
         Mark, Measured, Multiples, NodeStage, NumberLine, Places, Product, Products, Ribbon,
         RibbonStage, Role, Shape, Side, SmallDrawing, Story, StoryCard, StoryFate, Table,
-        TableNote, TableRow, Traveller, Vector,
+        TableNote, TableRow, Tiles, Traveller, Vector,
     },
     text::{Formula, Message, Value},
 };
