@@ -143,7 +143,7 @@ fn grid_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
     const WIDE: f32 = 28.0;
     let [min, max] = multiples.bounds;
     let [width, height] = [0, 1].map(|i| (max[i] - min[i]).max(f64::MIN_POSITIVE));
-    let aspect = (width / height).clamp(FLATTEST.recip().into(), FLATTEST.into()) as f32;
+    let aspect = (width / height).clamp(FLATTEST.recip(), FLATTEST) as f32;
     // What is flat stands in two rows.
     let rows = if aspect < 2.0 { 1.0 } else { 2.0 };
     let drawn = WIDE * rows / multiples.drawings.len().max(1) as f32;

@@ -22,7 +22,7 @@ use super::{
     },
 };
 
-pub type Shown<'a> = CodeStep<'a, 2, Input>;
+type Shown<'a> = CodeStep<'a, 2, Input>;
 
 impl LineTelling for CohenSutherland {
     const WRITES_CODES: bool = true;

@@ -3,15 +3,16 @@
 
 use crate::{
     algo::line::{BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput},
-    labs::{crossing_formulas::Weights, interval::value_of},
+    labs::{crossing_formulas::Weights, interval::value_of, segments::CodeStep},
 };
 
 use super::{
-    cohen_sutherland::Shown,
     crossings::{Fate, fate_word},
     prelude::*,
     shared::side_key,
 };
+
+type Shown<'a> = CodeStep<'a, 2, CohenSutherlandInput>;
 
 fn cuts(input: CohenSutherlandInput) -> Vec<Event> {
     let run = Recording::<CohenSutherland>::new(input);
@@ -42,10 +43,9 @@ fn fate(cuts: &[Event], nth: usize, end: End) -> Fate {
 /// While one is made, and at the end.
 pub fn cut_table(shown: &Shown<'_>) -> Option<Table> {
     let n = shown.cuts.len();
-    match shown.event? {
-        Event::Cut { .. } => {}
-        Event::Accept { .. } if n > 0 => {}
-        _ => return None,
+    let is_over = matches!(shown.event?, Event::Accept { .. });
+    if n == 0 || !(is_over || matches!(shown.event?, Event::Cut { .. })) {
+        return None;
     }
     let heading = |key| TableRow {
         name: Value::Term(key),
@@ -89,9 +89,9 @@ fn row(shown: &Shown<'_>, cuts: &[Event], nth: usize, is_own: bool) -> Option<Ta
     let is_current = is_now && is_own && nth + 1 == shown.cuts.len();
     let fate = fate(cuts, nth, end);
     let role = match fate {
-        _ if is_current => Role::Signal,
+        Fate::Replaces(_) if is_current => Role::Signal,
         Fate::Replaces(_) if is_own => Role::Ink,
-        _ => Role::Soft,
+        Fate::Replaces(_) | Fate::InVain | Fate::Parallel => Role::Soft,
     };
     let [w1, w2] = weights(shown, side).map(Value::Number);
     let cells = [w1, w2, value_of(u), fate_word(fate)];

@@ -68,11 +68,10 @@ fn walks<V: LabVertex>(past: &[Event<V>]) -> Vec<(EdgeTest<V>, Range<usize>)> {
     let start = past.iter().rposition(is_turn).unwrap_or_default();
     let (mut walks, mut n_out) = (Vec::new(), 0);
     for event in &past[start..] {
-        match *event {
-            Event::Test(test) => walks.push((test, n_out..n_out)),
-            Event::Output { .. } => n_out += 1,
-            _ => {}
+        if let Event::Test(test) = *event {
+            walks.push((test, n_out..n_out));
         }
+        n_out += usize::from(matches!(event, Event::Output { .. }));
         if let Some((_, put_out)) = walks.last_mut() {
             put_out.end = n_out;
         }
