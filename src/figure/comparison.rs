@@ -90,16 +90,18 @@ impl Comparison {
                 vec![drawings.copied().chain([costs.need()]).collect()]
             }
             (Self::Over { wrong }, [_, _]) => {
-                let mut needs = needs.to_vec();
-                let right = needs.swap_remove(1 - wrong);
                 // How much is left is not what differs.
-                needs[0].retain(|need| need.stand != Stand::Across);
-                for need in &mut needs[0] {
-                    if let Some(more) = right.iter().find(|more| more.id == need.id) {
+                let own = needs[wrong]
+                    .iter()
+                    .filter(|need| need.stand != Stand::Across);
+                let widened = own.map(|&(mut need)| {
+                    let mut others = needs[1 - wrong].iter();
+                    if let Some(more) = others.find(|more| more.id == need.id) {
                         need.widen(more);
                     }
-                }
-                needs
+                    need
+                });
+                vec![widened.collect()]
             }
             _ => needs.to_vec(),
         }

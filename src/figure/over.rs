@@ -3,8 +3,6 @@
 
 use std::collections::HashSet;
 
-use glam::DVec3;
-
 use super::{
     frame::{Caption, Frame},
     mark::{Mark, Shape},
@@ -154,47 +152,23 @@ fn corners(marks: &[Mark]) -> Vec<[f64; 2]> {
 fn solids(space: &mut Space, right: &Space) {
     let missing = crossed(&mut space.marks, &right.marks);
     space.marks.extend(missing);
-    let [own, others] = [&*space, right].map(kept);
-    let is_in = |known: &HashSet<Vec<Bits>>, facet: &Facet| known.contains(&bits(&facet.corners));
-    let is_surplus = |facet: &&Facet| facet.role != Role::Discarded && !is_in(&others, facet);
-    let is_missing = |facet: &&Facet| facet.role != Role::Discarded && !is_in(&own, facet);
-    let surplus: Vec<Facet> = space.facets.iter().filter(is_surplus).cloned().collect();
-    let missing: Vec<Facet> = right.facets.iter().filter(is_missing).cloned().collect();
-    let facets = space.facets.iter().cloned().map(|facet| Facet {
-        role: if is_surplus(&&facet) {
-            Role::Signal
-        } else {
-            facet.role
-        },
-        ..facet
-    });
-    let facets: Vec<Facet> = facets.collect();
-    space.facets = facets.into();
-    let washes = missing.iter().map(|facet| facet.corners.clone());
-    let mut marks: Vec<Mark3> = washes
-        .map(|corners| Mark3::new(Role::Signal, Shape3::Wash(corners)))
-        .collect();
-    let drawn = |edge: &&Edge3| edge.role != Role::Discarded;
-    let own: HashSet<Vec<Bits>> = (space.edges.iter().filter(drawn))
-        .map(|edge| bits(&edge.ends))
-        .collect();
-    let edges = right.edges.iter().filter(drawn);
-    let edges = edges.filter(|edge| !own.contains(&bits(&edge.ends)));
-    let edges = edges.map(|edge| {
-        let edge = Mark3::new(Role::Signal, Shape3::Segment(edge.ends));
-        edge.edge().dashed()
-    });
-    let edges: Vec<Mark3> = edges.collect();
+    let facet = |it: &Facet| (it.role != Role::Discarded).then(|| bits(&it.corners));
+    let edge = |it: &Edge3| (it.role != Role::Discarded).then(|| bits(&it.ends));
+    let facets = lacking(&space.facets, &right.facets, facet);
+    let edges = lacking(&space.edges, &right.edges, edge);
+    let signal = |shape| Mark3::new(Role::Signal, shape);
+    let dashes = edges.iter().map(|it| signal(Shape3::Segment(it.ends)));
+    space.marks.extend(dashes.map(|it| it.edge().dashed()));
     // Who goes round sees solids that are left out; which of their faces are, the camera sees.
-    let is_camera = matches!(space.seer, Seer::Camera(_));
-    if is_camera || !edges.is_empty() {
-        marks.extend(named(&missing, "part-missing"));
+    let is_said = matches!(space.seer, Seer::Camera(_)) || !edges.is_empty();
+    let object = |it: &Facet| it.link.and_then(|link| link.number_of("object"));
+    for (i, facet) in facets.iter().enumerate() {
+        let mut wash = signal(Shape3::Wash(facet.corners.clone()));
+        if is_said && (i == 0 || object(facet) != object(facets[i - 1])) {
+            wash = wash.labelled(not_so(Value::Term("part-missing"))).strong();
+        }
+        space.marks.push(wash);
     }
-    if is_camera {
-        marks.extend(named(&surplus, "part-surplus"));
-    }
-    space.marks.extend(edges);
-    space.marks.extend(marks);
 }
 
 type Bits = [u64; 3];
@@ -203,26 +177,11 @@ fn bits(places: &[[f64; 3]]) -> Vec<Bits> {
     places.iter().map(|at| at.map(f64::to_bits)).collect()
 }
 
-fn kept(space: &Space) -> HashSet<Vec<Bits>> {
-    let facets = space.facets.iter();
-    let kept = facets.filter(|facet| facet.role != Role::Discarded);
-    kept.map(|facet| bits(&facet.corners)).collect()
-}
-
-/// A word in the middle of an object's facets.
-fn named(facets: &[Facet], word: &'static str) -> Vec<Mark3> {
-    let object = |facet: &Facet| facet.link.and_then(|link| link.number_of("object"));
-    let mut objects: Vec<Option<usize>> = facets.iter().map(object).collect();
-    objects.dedup();
-    let word = |of: Option<usize>| {
-        let own = facets.iter().filter(|facet| object(facet) == of);
-        let corners = own.flat_map(|facet| facet.corners.iter().copied().map(DVec3::from));
-        let corners: Vec<DVec3> = corners.collect();
-        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        let label = Mark3::new(Role::Signal, Shape3::Label(middle.into()));
-        label.labelled(not_so(Value::Term(word))).strong()
-    };
-    objects.into_iter().map(word).collect()
+/// What is right and not there, by where it is.
+fn lacking<'a, T>(own: &[T], right: &'a [T], at: impl Fn(&T) -> Option<Vec<Bits>>) -> Vec<&'a T> {
+    let own: HashSet<Vec<Bits>> = own.iter().filter_map(&at).collect();
+    let is_lacking = |it: &&T| at(it).is_some_and(|place| !own.contains(&place));
+    right.iter().filter(is_lacking).collect()
 }
 
 /// The lists that both make, beside each other: of the wrong one what is not in its place is crossed.

@@ -185,7 +185,6 @@ differs-nowhere = same steps on this input
 not-so = × { $what }
 wrong-and-right = Wrong: { $wrong } Right: { $right }
 part-missing = missing
-part-surplus = too much
 result-right = Right result: { $n }
 result-wrong = × Wrong result: { $n }
 again = { $what } again

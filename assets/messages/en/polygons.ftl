@@ -118,7 +118,6 @@ tac-finish =
 tac-list-triangles = Triangles
 tac-list-pieces = Pieces
 tac-dropped = dropped
-tac-seam = seam
 tac-vertices = vertices
 tac-now = triangle
 tac-pieces = pieces

@@ -185,7 +185,6 @@ differs-nowhere = mismos pasos con esta entrada
 not-so = × { $what }
 wrong-and-right = Mal: { $wrong } Bien: { $right }
 part-missing = falta
-part-surplus = sobra
 result-right = Resultado correcto: { $n }
 result-wrong = × Resultado erróneo: { $n }
 again = { $what } otra vez

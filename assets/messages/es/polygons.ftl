@@ -118,7 +118,6 @@ tac-finish =
 tac-list-triangles = Triángulos
 tac-list-pieces = Trozos
 tac-dropped = descartado
-tac-seam = costura
 tac-vertices = vértices
 tac-now = triángulo
 tac-pieces = trozos

@@ -185,7 +185,6 @@ differs-nowhere = mesmos passos com esta entrada
 not-so = × { $what }
 wrong-and-right = Errado: { $wrong } Certo: { $right }
 part-missing = falta
-part-surplus = sobra
 result-right = Resultado certo: { $n }
 result-wrong = × Resultado errado: { $n }
 again = { $what } de novo

@@ -118,7 +118,6 @@ tac-finish =
 tac-list-triangles = Triângulos
 tac-list-pieces = Pedaços
 tac-dropped = descartado
-tac-seam = emenda
 tac-vertices = vértices
 tac-now = triângulo
 tac-pieces = pedaços

@@ -173,7 +173,6 @@ differs-nowhere = 对此输入，各步相同
 not-so = × { $what }
 wrong-and-right = 错误：{ $wrong } 正确：{ $right }
 part-missing = 缺失
-part-surplus = 多余
 result-right = 正确结果：{ $n }
 result-wrong = × 错误结果：{ $n }
 again = { $what } 重复

@@ -117,7 +117,6 @@ tac-finish =
 tac-list-triangles = 三角形
 tac-list-pieces = 块
 tac-dropped = 丢弃
-tac-seam = 接缝
 tac-vertices = 顶点数
 tac-now = 三角形
 tac-pieces = 块数

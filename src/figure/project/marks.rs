@@ -7,7 +7,7 @@ use super::super::{
     role::{Label, Role},
     space::{Mark3, Shape3},
 };
-use super::{Parted, Seen, facets::cut_at, weight};
+use super::{Seen, facets::cut_at, weight};
 
 /// Lines of construction: widths in points, and how strong.
 const FINE: Weight = weight(1.2, 1.0);
@@ -119,34 +119,20 @@ impl Seen {
         drawn
     }
 
-    /// What solids hide of it is dashed.
+    /// A line with a head at its tip, hidden or not.
     fn arrow(&mut self, mark: &Mark3, ends: [[f64; 3]; 2]) -> Vec<Mark> {
         let tip = self.in_view(ends[1]).map(|view| self.on_picture(view));
-        let Parted { visible, hidden } = self.parted(ends, [None; 2]);
-        let part = |ends: [[f64; 2]; 2]| {
-            let by = tip.map(|tip| libm::hypot(ends[1][0] - tip[0], ends[1][1] - tip[1]));
-            let shape = if by.is_some_and(|by| by < NEAR) {
-                Shape::Arrow(ends)
-            } else {
-                Shape::Segment(ends)
-            };
-            weighed(Mark::new(mark.role, shape), mark.is_fine)
-        };
-        let dashed = hidden.into_iter().map(|ends| {
-            let weight = if mark.is_fine { FINE_HIDDEN } else { HIDDEN };
-            part(ends).dashed().weighing(weight)
-        });
-        let mut drawn: Vec<Mark> = dashed.collect();
-        drawn.extend(visible.into_iter().map(|ends| {
-            let mut part = part(ends);
-            (part.is_cased, part.is_dashed) = (stands_out(mark.role), mark.is_dashed);
-            part
-        }));
+        let mut drawn = self.line(mark, &[ends]);
         for part in &mut drawn {
-            part.link = mark.link;
-        }
-        if let Some(last) = drawn.last_mut() {
-            last.label.clone_from(&mark.label);
+            let ends = match &part.shape {
+                Shape::Segment(ends) => *ends,
+                Shape::Path(points) => [points[0], points[points.len() - 1]],
+                _ => continue,
+            };
+            let apart = tip.map(|tip| libm::hypot(ends[1][0] - tip[0], ends[1][1] - tip[1]));
+            if apart.is_some_and(|apart| apart < NEAR) {
+                part.shape = Shape::Arrow(ends);
+            }
         }
         drawn
     }

@@ -208,16 +208,20 @@ pub const fn fate_of(class: Option<Containment>) -> Fate {
     }
 }
 
-/// What becomes of the object in hand, and what comes of the others by the same test.
 pub fn both(
     scenery: &Scenery,
     fate: Fate,
-    class: impl Fn(&Object) -> Containment,
+    of_others: impl Fn(&Object) -> Fate,
     marks: Vec<Mark3>,
 ) -> [View; 2] {
-    let scene = scenery.scene();
-    let other = |i: usize| fate_of(Some(class(&scene.objects()[i])));
-    let fate = |i: usize| if i == scene.focus() { fate } else { other(i) };
+    let (focus, objects) = (scenery.scene().focus(), scenery.scene().objects());
+    let fate = |i: usize| {
+        if i == focus {
+            fate
+        } else {
+            of_others(&objects[i])
+        }
+    };
     [
         scenery.observer(fate, marks),
         scenery.camera(fate, |_, _| FaceLook::Whole, Vec::new()),

@@ -8,7 +8,6 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::super::Object;
 use super::asked::{Asked, both, fate_of, place, says};
 
 const CORNERS_VIEW: &str = "corners";
@@ -17,14 +16,10 @@ impl AnswerAsItIs for BoxCullOutput {}
 
 impl SpaceTelling for BoxCull {
     fn input(scene: &Scene) -> BoxCullInput {
-        input_of(scene, scene.focused())
-    }
-}
-
-fn input_of(scene: &Scene, object: &Object) -> BoxCullInput {
-    BoxCullInput {
-        planes: scene.culler().planes_in_world().to_vec(),
-        bounds: object.bounds().expect("its vertices are finite"),
+        BoxCullInput {
+            planes: scene.culler().planes_in_world().to_vec(),
+            bounds: scene.focused().bounds().expect("its vertices are finite"),
+        }
     }
 }
 
@@ -95,9 +90,7 @@ impl Telling for BoxCull {
             }
             let in_vain = at.step.held.false_positive.then_some(Fate::Culled);
             let fate = in_vain.unwrap_or(fate_of(asked.class));
-            let scene = scenery.scene();
-            let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
-            views.extend(both(scenery, fate, class, marks));
+            views.extend(both(scenery, fate, |_| Fate::ToCome, marks));
         }
         let table = corner_table(at, &asked);
         views.push(View::new(CORNERS_VIEW, Body::Table(table)));

@@ -128,7 +128,6 @@ fn dot(at: &At<'_, PointPlanes>) -> Mark3 {
 
 /// How far a plane at a side and the one across from it open, where that is not the same in both directions.
 fn opening(camera: &Camera, side: VolumeSide) -> Option<Mark3> {
-    const N_PARTS: u32 = 16;
     let corners = camera.corners_in_world().map(DVec3::from);
     // Those of the far side that differ in one direction.
     let [width, height] = [5, 6].map(|other| corners[4].distance(corners[other]));
@@ -138,13 +137,10 @@ fn opening(camera: &Camera, side: VolumeSide) -> Option<Mark3> {
     let eye = DVec3::from(camera.position());
     let across = [[[4, 6], [5, 7]], [[4, 5], [6, 7]]][side.axis()];
     let ends = across.map(|[a, b]| corners[a].midpoint(corners[b]) - eye);
-    let [a, b] = ends.map(DVec3::normalize_or_zero);
-    let along = |i| a.lerp(b, f64::from(i) / f64::from(N_PARTS));
-    let reach = 0.3 * ends[0].length();
-    let arc = (0..=N_PARTS).map(|i| eye + along(i).normalize_or_zero() * reach);
-    let sector = std::iter::once(eye).chain(arc).map(Into::into).collect();
-    let degrees = Formula::decimals().num(a.angle_between(b).to_degrees());
-    let sector = Mark3::new(Role::Ink, Shape3::Wash(sector));
+    let sector = [DVec3::ZERO, ends[0], ends[1]].map(|to| (eye + 0.3 * to).into());
+    let degrees = ends[0].angle_between(ends[1]).to_degrees();
+    let degrees = Formula::decimals().num(degrees);
+    let sector = Mark3::new(Role::Ink, Shape3::Wash(sector.to_vec()));
     Some(sector.labelled(degrees.sym("°")))
 }
 

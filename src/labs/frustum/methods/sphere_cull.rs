@@ -84,12 +84,13 @@ impl Telling for SphereCull {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
             let scene = scenery.scene();
-            let class = |other: &Object| silent::<Self>(&input_of(scene, other)).class;
+            let others =
+                |other: &Object| fate_of(Some(silent::<Self>(&input_of(scene, other)).class));
             let (fate, mut marks) = (fate_of(asked.planes.class), asked.marks(scene.culler()));
             if asked.planes.lit().is_none() {
                 marks.extend(asked.reach(DVec3::Y));
             }
-            views.extend(both(scenery, fate, class, marks));
+            views.extend(both(scenery, fate, others, marks));
         }
         views.push(View::new(GAUGES_VIEW, Body::Gauges(asked.gauges())));
         views

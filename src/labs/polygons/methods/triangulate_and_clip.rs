@@ -332,15 +332,9 @@ fn merged_marks(pieces: &Pieces) -> Vec<Mark> {
     let all: Vec<[Point; 2]> = pieces().flat_map(|(_, ring)| edges(ring)).collect();
     // A piece's edge that another one has the other way round, told once.
     let is_seam = |&(i, &[a, b]): &(usize, &[Point; 2])| all[..i].contains(&[b, a]);
-    let seams = all.iter().enumerate().filter(is_seam).enumerate();
-    let seams = seams.map(|(nth, (_, ends))| {
+    let seams = all.iter().enumerate().filter(is_seam).map(|(_, ends)| {
         let seam = Shape::Segment(ends.map(Point::to_array));
-        let seam = Mark::new(Role::Ink, seam).dashed();
-        if nth == 0 {
-            seam.labelled(Value::Term("tac-seam"))
-        } else {
-            seam
-        }
+        Mark::new(Role::Ink, seam).dashed()
     });
     let names = pieces().map(|(i, ring)| {
         let piece = Mark::new(Role::Accepted, Shape::Label(middle(ring)));

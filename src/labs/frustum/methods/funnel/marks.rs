@@ -106,53 +106,49 @@ fn asked_face<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<[[f64; 3]; 3]> {
     object.triangles.get(now.face_idx?).copied()
 }
 
-/// Into what the clipper cuts the triangle that is asked.
-fn pieces<L: Variant>(at: &At<'_, Funnel<L>>) -> Vec<Mark3> {
-    let Some(Event::Triangle {
-        fate: TriangleFate::Cut,
-        ..
-    }) = at.step.event()
-    else {
-        return Vec::new();
-    };
-    let corners = asked_face(at).map(|face| face.map(SpaceVertex::new));
-    let planes = at.step.input.camera.planes_in_world().to_vec();
-    let cut =
-        corners.map(|triangle| silent::<IntersectionPolygon>(&TrianglePlanes { planes, triangle }));
-    let pieces = cut.into_iter().flat_map(|cut| cut.triangles).enumerate();
-    let mark = |(i, piece): (usize, [SpaceVertex; 3])| {
-        let corners = piece.map(|vertex| vertex.at).to_vec();
-        let outline = Mark3::new(Role::Accent, Shape3::Outline(corners));
-        outline.labelled(name(numbered('T', i)))
-    };
-    pieces.map(mark).collect()
-}
-
-/// n and e of the face that is asked, as these rules compute them.
-fn arrows<L: Variant>(at: &At<'_, Funnel<L>>) -> Vec<Mark3> {
-    let Some(Event::Face { .. }) = at.step.event() else {
-        return Vec::new();
-    };
-    asked_face(at).map_or_else(Vec::new, |triangle| {
-        let viewer = asked_viewer::<L>(&at.step.input.camera);
-        let asked = Recording::<BackFace<L>>::new(BackFaceInput { triangle, viewer });
-        back_face::arrows(asked.input(), asked.events())
-    })
+/// Of the triangle that is asked: into what the clipper cuts it, and n and e as these rules compute them.
+fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3> {
+    let camera = &at.step.input.camera;
+    match at.step.event() {
+        Some(Event::Triangle {
+            fate: TriangleFate::Cut,
+            ..
+        }) => {
+            let cut = silent::<IntersectionPolygon>(&TrianglePlanes {
+                planes: camera.planes_in_world().to_vec(),
+                triangle: face.map(SpaceVertex::new),
+            });
+            let mark = |(i, piece): (usize, &[SpaceVertex; 3])| {
+                let outline = Shape3::Outline(piece.map(|vertex| vertex.at).to_vec());
+                Mark3::new(Role::Accent, outline).labelled(name(numbered('T', i)))
+            };
+            cut.triangles.iter().enumerate().map(mark).collect()
+        }
+        Some(Event::Face { .. }) => {
+            let (triangle, viewer) = (face, asked_viewer::<L>(camera));
+            let asked = Recording::<BackFace<L>>::new(BackFaceInput { triangle, viewer });
+            back_face::arrows(asked.input(), asked.events())
+        }
+        _ => Vec::new(),
+    }
 }
 
 pub fn both<L: Variant>(at: &At<'_, Funnel<L>>, scenery: &Scenery) -> [View; 2] {
     let known = Known::of(at);
     let camera = asked_camera::<L>(&at.step.input.camera);
     let fate = |i| known.fate(i);
-    let outline = |face: [[f64; 3]; 3]| {
-        let corners = face.to_vec();
-        Mark3::new(Role::Signal, Shape3::Outline(corners))
-    };
-    let triangle = asked_face(at).map(outline);
-    let mut marks = match &triangle {
-        Some(triangle) => [vec![triangle.clone()], pieces(at), arrows(at)].concat(),
-        None => sphere(at).map_or(Vec::new(), |sphere| sphere.marks(&camera)),
-    };
+    let face = asked_face(at);
+    let outline = |face: [[f64; 3]; 3]| Shape3::Outline(face.to_vec());
+    let triangle = face.map(|face| Mark3::new(Role::Signal, outline(face)));
+    let mut marks: Vec<Mark3> = triangle.iter().cloned().collect();
+    match face {
+        Some(face) => marks.extend(of_face(at, face)),
+        None => marks.extend(
+            sphere(at)
+                .into_iter()
+                .flat_map(|sphere| sphere.marks(&camera)),
+        ),
+    }
     if camera != at.step.input.camera {
         // What is asked is not what is drawn.
         let asked = volume(&camera).into_iter();
