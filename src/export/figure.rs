@@ -153,7 +153,6 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let mut columns = recorded.columns(picture.step, picture.asked_in());
     let page = Page {
         picture,
         look: Look {
@@ -162,14 +161,15 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
         },
         album,
         recorded,
-        needs: recorded.needs_at(&columns),
     };
+    let mut columns = recorded.columns(picture.step, picture.asked_in());
     let eyes = recorded.turned(
         &mut columns,
         picture.options.steps == Steps::All,
         album.eyes(),
     );
     let columns = recorded.drawn(columns);
+    let needs = recorded.needs_at(&columns);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
@@ -178,7 +178,7 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
             layout = page.show(ui, &columns, &eyes);
         });
         let may_grow = columns.len() == 1 && !page.look.theme.has_large_text();
-        let lost = lost(&page.needs, &layout);
+        let lost = lost(&needs, &layout);
         if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
             return (image, lost);
         }
@@ -201,7 +201,6 @@ struct Page<'a> {
     look: Look<'static>,
     album: &'a Album,
     recorded: &'a Recorded,
-    needs: Vec<Vec<Need>>,
 }
 
 impl Page<'_> {
@@ -226,7 +225,7 @@ impl Page<'_> {
             .map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
         let caption = self.caption_height(ui, columns, width);
         let heights = [caption.max(CAPTION_PTS), cost];
-        let (title, needs) = (self.picture.title, &self.needs);
+        let (title, needs) = (self.picture.title, &self.recorded.needs_at(columns));
         let mut layout = composition.lay_out(ui, area, title, heights, needs, 1.0);
         for (column, places) in columns.iter().zip(&mut layout.columns) {
             place_inset(ui, self.look, places, &column.frame.views, eyes);
