@@ -187,13 +187,13 @@ impl<'a> Page<'a> {
     fn of(album: &'a Album, picture: &'a Picture<'a>) -> (Self, Vec<Column>, Eyes) {
         let recorded = album.recorded(picture.scene);
         let mut columns = recorded.columns(picture.step, picture.asked_in());
-        let needs = recorded.needs_at(&columns);
         let eyes = recorded.turned(
             &mut columns,
             picture.options.steps == Steps::All,
             album.eyes(),
         );
         let columns = recorded.drawn(columns);
+        let needs = recorded.needs_at(&columns);
         let notation = notation(
             recorded.notation,
             columns.iter().map(|column| &column.frame),

@@ -173,8 +173,8 @@ pub fn compared<L: Variant<OnePolygon>>(fan: &[[SpaceVertex; 3]], camera: &Camer
         parts.filter(|part| part.len() > 2)
     };
     let fields = (0..FIELDS * FIELDS).map(|i| [i % FIELDS, i / FIELDS]);
-    let dark = fields.filter(|[i, j]| (i + j) % 2 == 0);
-    let shared = dark.filter(|&of| parts(of).count() == 2).last();
+    let mut dark = fields.filter(|[i, j]| (i + j) % 2 == 0);
+    let shared = dark.rfind(|&of| parts(of).count() == 2);
     let mut marks: Vec<Mark3> = shared
         .into_iter()
         .flat_map(parts)

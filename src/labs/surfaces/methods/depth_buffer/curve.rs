@@ -10,6 +10,8 @@ use super::{super::prelude::*, numbers::value};
 
 const WIDTH: f64 = 1.7;
 const POINTS: usize = 480;
+/// What is said of the ends of the axes stands so far off them.
+const BESIDE: f64 = 0.02;
 /// Around a drawing, for what is written on the axes.
 const BOUNDS: [[f64; 2]; 2] = [[-0.24, -0.2], [WIDTH + 0.1, 1.1]];
 /// What is enlarged reaches so far beyond what has landed, at least as far as so many steps.
@@ -116,38 +118,35 @@ impl Curve {
         };
         let axes = vec![[0.0, 1.08], [0.0, 0.0], [WIDTH + 0.08, 0.0]];
         let axis = Mark::new(Role::Soft, Shape::Path(axes)).weighing(line(1.0));
-        let axis_name = |at, toward, key| {
-            let name = Mark::new(Role::Soft, Shape::Label(at)).labelled(Value::Term(key));
-            name.toward(toward)
+        // Labels of one place would be one label.
+        let beside = |at, toward, text: Value| {
+            let mark = Mark::new(Role::Soft, Shape::Label(at));
+            mark.labelled(text).toward(toward)
         };
         let mut marks = vec![
             axis,
-            axis_name([WIDTH, 0.0], [0.0, 1.0], "curve-distance"),
-            axis_name([0.0, 1.08], [1.0, 0.0], "curve-depth"),
+            beside(
+                [0.86 * WIDTH, 0.0],
+                [0.0, 1.0],
+                Value::Term("curve-distance"),
+            ),
+            beside([0.0, 1.08], [1.0, 0.0], Value::Term("curve-depth")),
         ];
         let distances = (0..=POINTS).map(|i| near + (far - near) * i as f64 / POINTS as f64);
         let curve = distances.map(|distance| place(distance, self.stored(distance)));
         marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(line(2.0)));
         if self.shown == self.rays.ends() {
-            marks.extend(self.shown.into_iter().flat_map(|distance| {
+            for distance in self.shown {
                 let stored = self.stored(distance);
-                let end = |at, toward, text: Value| {
-                    let mark = Mark::new(Role::Soft, Shape::Label(at));
-                    mark.labelled(text).toward(toward)
-                };
-                [
-                    end(
-                        [right(distance), 0.0],
-                        [0.0, -1.0],
-                        Value::Formula(decimals(distance)),
-                    ),
-                    end(
-                        [0.0, place(distance, stored)[1]],
-                        [-1.0, 0.0],
-                        value(&self.format, stored),
-                    ),
-                ]
-            }));
+                let [x, y] = place(distance, stored);
+                let far_away = Value::Formula(decimals(distance));
+                marks.push(beside([x, -BESIDE], [0.0, -1.0], far_away));
+                marks.push(beside(
+                    [-BESIDE, y],
+                    [-1.0, 0.0],
+                    value(&self.format, stored),
+                ));
+            }
         }
         for it in landed {
             let distance = self.distance(it.depth);
