@@ -129,7 +129,14 @@ fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3
             let asked = Recording::<BackFace<L>>::new(BackFaceInput { triangle, viewer });
             back_face::arrows(asked.input(), asked.events())
         }
-        _ => Vec::new(),
+        Some(
+            Event::Object { .. }
+            | Event::Plane { .. }
+            | Event::Sphere { .. }
+            | Event::Triangle { .. }
+            | Event::Done,
+        )
+        | None => Vec::new(),
     }
 }
 
