@@ -142,11 +142,16 @@ fn click_on(bench: &mut Bench, text: &str) {
     bench.tap(at);
 }
 
+/// As the numbers of the step on stage are.
+fn written(bench: &Bench, place: [f64; 2]) -> String {
+    bench.app.look_at_step().catalog.value(&place.into())
+}
+
 #[test]
 fn a_place_is_typed_in_the_watch_table_and_in_a_list() {
     let mut bench = Bench::new(ROOMY);
-    let place = Catalog::of(Lang::En).value(&ends(&bench)[0].into());
     bench.command(Command::Seek(1));
+    let place = written(&bench, ends(&bench)[0]);
     click_on(&mut bench, &place);
     let typing = bench.app.stage.typing.as_ref().expect("the field is open");
     assert_eq!(typing.handle.kind().id, "p1");
@@ -158,7 +163,7 @@ fn a_place_is_typed_in_the_watch_table_and_in_a_list() {
     let handle = bench.document().handles()[0];
     let at = bench.document().position(handle);
     let [x, y, _] = at.expect("the first vertex");
-    let place = Catalog::of(Lang::En).value(&[x, y].into());
+    let place = written(&bench, [x, y]);
     click_on(&mut bench, &place);
     type_place(&mut bench, "1/8, 3/8");
     assert_eq!(bench.document().position(handle), Some([0.125, 0.375, 0.0]));
@@ -175,7 +180,7 @@ fn a_row_of_the_watch_table_and_a_handle_open_the_field_with_enter() {
     bench.key(Key::Escape);
     bench.settle();
     assert!(bench.app.stage.typing.is_none());
-    let place = Catalog::of(Lang::En).value(&ends(&bench)[0].into());
+    let place = written(&bench, ends(&bench)[0]);
     let texts = bench.texts();
     // The last is the inspector's.
     let shown = texts.iter().rev().find(|(text, _)| *text == place);
