@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use clipscope::{
     algo::surface::{DepthBits, DepthNumber, DepthSteps},
-    figure::Run,
+    figure::{Run, notation, said},
     geom::{Polygon, Segment, Window},
     labs::{
         Change, LABS, MethodCard, Scene, frustum,
@@ -12,7 +12,7 @@ use clipscope::{
         polygons, space, surfaces,
     },
     lesson::Course,
-    text::{Catalog, Lang},
+    text::{Catalog, Lang, Notation},
 };
 
 /// Segments that make every method say everything it can say.
@@ -205,6 +205,39 @@ fn nothing_that_is_said_is_missing_from_a_catalogue() {
             );
         }
     }
+}
+
+/// A reader compares the numbers of a picture: 3/4 and 1.25 do not stand beside each other.
+#[test]
+fn numbers_of_one_picture_are_all_fractions_or_all_decimals() {
+    let [mut n_fractions, mut n_decimals] = [0, 0];
+    let steps = Course::embedded().lessons.into_iter();
+    for step in steps.flat_map(|lesson| lesson.steps) {
+        for (card, run) in record(&step.scene) {
+            let every = (run.n_steps() / 40).max(1);
+            for k in (0..=run.n_steps()).step_by(every) {
+                let frame = run.frame(k);
+                let catalog = Catalog::of(Lang::En).alike(notation(Notation::Own, [&frame]));
+                let all = said(&frame.views, &frame.caption);
+                let texts: Vec<String> = all.into_iter().map(|it| it.text(catalog)).collect();
+                let with = |mark| texts.iter().find(|text| has_between_digits(text, mark));
+                let [fraction, decimal] = ['/', '.'].map(with);
+                n_fractions += usize::from(fraction.is_some());
+                n_decimals += usize::from(decimal.is_some());
+                let mixed = fraction.zip(decimal);
+                assert!(mixed.is_none(), "{}, {k} of {}: {mixed:?}", step.id, card.id);
+            }
+        }
+    }
+    assert!(n_fractions > 100 && n_decimals > 100, "{n_fractions}, {n_decimals}");
+}
+
+fn has_between_digits(text: &str, mark: char) -> bool {
+    let characters: Vec<char> = text.chars().collect();
+    let is_one = |around: &[char]| {
+        around[1] == mark && around[0].is_ascii_digit() && around[2].is_ascii_digit()
+    };
+    characters.windows(3).any(is_one)
 }
 
 #[test]

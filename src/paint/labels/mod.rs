@@ -215,7 +215,7 @@ fn is_same_point(a: &Anchor, b: &Anchor) -> bool {
 
 /// Names can be said to be of one thing; an equation cannot.
 fn can_join(a: &Text, b: &Text) -> bool {
-    let is_name = |text: &Text| !text.plain.contains([':', '<', '>']);
+    let is_name = |text: &Text| !text.plain.contains([':', '<', '>', '≈']);
     a.plain == b.plain || (is_name(a) && is_name(b) && !b.plain.contains('='))
 }
 
