@@ -225,11 +225,19 @@ fn numbers_of_one_picture_are_all_fractions_or_all_decimals() {
                 n_fractions += usize::from(fraction.is_some());
                 n_decimals += usize::from(decimal.is_some());
                 let mixed = fraction.zip(decimal);
-                assert!(mixed.is_none(), "{}, {k} of {}: {mixed:?}", step.id, card.id);
+                assert!(
+                    mixed.is_none(),
+                    "{}, {k} of {}: {mixed:?}",
+                    step.id,
+                    card.id
+                );
             }
         }
     }
-    assert!(n_fractions > 100 && n_decimals > 100, "{n_fractions}, {n_decimals}");
+    assert!(
+        n_fractions > 100 && n_decimals > 100,
+        "{n_fractions}, {n_decimals}"
+    );
 }
 
 fn has_between_digits(text: &str, mark: char) -> bool {

@@ -41,7 +41,7 @@ pub struct Job<'a> {
 impl<'a> Source<'a> {
     pub fn scene(self) -> &'a Scene {
         match self {
-            Self::Step(_, step) => &step.scene,
+            Self::Step(_, step) => &step.drawn().scene,
             Self::File(file) => &file.scene,
         }
     }
@@ -72,7 +72,7 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
     match steps {
         Steps::Figures => {
             let position = match source {
-                Source::Step(_, step) => step.position(),
+                Source::Step(_, step) => step.drawn().position(),
                 Source::File(file) => Some(file.position),
             };
             let job = position.map(|position| job(position, format!("{stem}.png")));

@@ -1,6 +1,9 @@
 //! `lesson.toml`: scenes by name, and the steps that show them.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, OnceLock},
+};
 
 use toml::{Spanned, de::DeString};
 
@@ -21,7 +24,7 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 6] = ["id", "scene", "at", "figure", "lock", "code"];
+const STEP_FIELDS: [&str; 7] = ["id", "scene", "at", "figure", "drawn", "lock", "code"];
 
 /// Nobody reads a longer lesson.
 const MAX_STEPS: usize = 1_000;
@@ -248,18 +251,18 @@ impl Steps {
         let id = id.and_then(|node| self.ids.take(node, is_kebab, ID));
         self.choose_scene(&fields);
         let stop = self.stop(&fields);
+        let drawn = fields.get("drawn").and_then(|node| self.drawn(node));
         let figure = fields.get("figure");
         let figure = figure.and_then(|node| self.figures.take(node, is_figure_name, FIGURE));
         let locks = fields.get("lock").map(|node| locks(self.lab, node));
         let code = fields.get("code");
         let code = code.and_then(|node| node.value(CodeView::ALL, CodeView::id));
         let step = id.clone().zip(stop);
-        let step = step.map(|(id, (scene, moment, stop))| LessonStep {
+        let step = step.map(|(id, stop)| LessonStep {
             id,
-            scene,
-            moment,
             stop,
             figure,
+            drawn,
             locks: locks.unwrap_or_default(),
             code: code.unwrap_or_default(),
         });
@@ -276,41 +279,62 @@ impl Steps {
             }
             return;
         };
+        self.current = self.named(node).map_or(Current::Broken, Current::Scene);
+    }
+
+    /// The name of one of the lesson's scenes, which is used by it.
+    fn named(&mut self, node: Node<'_>) -> Option<String> {
         let known: Vec<&str> = self.scenes.keys().map(String::as_str).collect();
         let name = node.one_of(&known, "problem-unknown-scene", |name| {
             known.contains(&name).then(|| name.to_owned())
-        });
-        self.current = name.map_or(Current::Broken, Current::Scene);
-        if let Current::Scene(name) = &self.current
-            && let Some(scene) = self.scenes.get_mut(name)
-        {
+        })?;
+        if let Some(scene) = self.scenes.get_mut(&name) {
             scene.is_used = true;
         }
+        Some(name)
     }
 
-    /// The step's scene, and where in its run the lesson stops.
-    fn stop(&self, fields: &TomlFields<'_>) -> Option<(Arc<Scene>, Moment, Stop)> {
-        let at = fields.get("at");
-        let moment = at.map_or(Some(Moment::Start), moment);
+    fn drawn(&mut self, node: Node<'_>) -> Option<Stop> {
+        let fields = node.fields(&["scene", "at"])?;
+        let name = match (fields.get("scene"), &self.current) {
+            (Some(node), _) => self.named(node)?,
+            (None, Current::Scene(name)) => name.clone(),
+            (None, Current::None | Current::Broken) => return None,
+        };
+        self.stop_in(&name, &fields)
+    }
+
+    fn stop(&self, fields: &TomlFields<'_>) -> Option<Stop> {
         let Current::Scene(name) = &self.current else {
+            // The moment is read for its mistakes.
+            fields.get("at").and_then(moment);
             return None;
         };
+        self.stop_in(name, fields)
+    }
+
+    /// A scene, and where in its run the lesson stops.
+    fn stop_in(&self, name: &str, fields: &TomlFields<'_>) -> Option<Stop> {
+        let at = fields.get("at");
+        let moment = at.map_or(Some(Moment::Start), moment);
         let NamedScene { scene, run, .. } = self.scenes.get(name)?;
         let (scene, moment) = (Arc::clone(scene.as_ref()?), moment?);
         let source = fields.sink.source;
         let stop = Stop {
+            scene,
+            moment,
             file: source.file.clone(),
             place: at.map(|node| source.place(node.span())),
-            ..Stop::default()
+            found: OnceLock::new(),
         };
         if let Some(run) = run {
-            let position = run.find(&moment);
+            let position = run.find(&stop.moment);
             if let (None, Some(node)) = (position, at) {
-                node.error(never_comes(&moment, &**run), []);
+                node.error(never_comes(&stop.moment, &**run), []);
             }
             stop.found.set(Some(position?)).ok();
         }
-        Some((scene, moment, stop))
+        Some(stop)
     }
 }
 

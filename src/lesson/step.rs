@@ -1,6 +1,9 @@
 //! One step of a lesson, and where in the run of its scene it stops.
 
-use std::sync::{Arc, OnceLock};
+use std::{
+    ops::Deref,
+    sync::{Arc, OnceLock},
+};
 
 use crate::{
     figure::{Moment, Run},
@@ -13,14 +16,62 @@ use super::{prelude::*, toml_fields::Node};
 #[derive(Clone, PartialEq, Debug)]
 pub struct LessonStep {
     pub id: String,
+    pub(super) stop: Stop,
+    /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
+    pub figure: Option<String>,
+    /// What the figure shows, where that is not what the step begins with.
+    pub(super) drawn: Option<Stop>,
+    pub locks: Vec<Lock>,
+    pub code: CodeView,
+}
+
+/// A scene, and where in its run a step or its figure stops.
+#[derive(Clone, Debug)]
+pub struct Stop {
     /// Shared by the steps that show it, since it may be large.
     pub scene: Arc<Scene>,
     pub moment: Moment,
-    /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
-    pub figure: Option<String>,
-    pub locks: Vec<Lock>,
-    pub code: CodeView,
-    pub(super) stop: Stop,
+    /// Where the moment is written, should it never come.
+    pub(super) file: String,
+    pub(super) place: Option<Place>,
+    pub(super) found: OnceLock<Option<usize>>,
+}
+
+/// How the moment is found is no part of what a stop is.
+impl PartialEq for Stop {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.scene, &self.moment) == (&other.scene, &other.moment)
+    }
+}
+
+impl Stop {
+    /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
+    /// when this is first asked for.
+    pub fn position(&self) -> Option<usize> {
+        let find = || self.scene.document().record().first()?.find(&self.moment);
+        *self.found.get_or_init(find)
+    }
+
+    fn problem(&self) -> Option<Problem> {
+        if self.position().is_some() {
+            return None;
+        }
+        let runs = self.scene.document().record();
+        Some(Problem {
+            file: self.file.clone(),
+            place: self.place.clone(),
+            severity: Severity::Error,
+            what: never_comes(&self.moment, &**runs.first()?),
+        })
+    }
+}
+
+impl Deref for LessonStep {
+    type Target = Stop;
+
+    fn deref(&self) -> &Stop {
+        &self.stop
+    }
 }
 
 impl LessonStep {
@@ -38,38 +89,13 @@ impl LessonStep {
         }
     }
 
-    /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
-    /// when this is first asked for.
-    pub fn position(&self) -> Option<usize> {
-        let find = || self.scene.document().record().first()?.find(&self.moment);
-        *self.stop.found.get_or_init(find)
+    /// What its figure shows.
+    pub fn drawn(&self) -> &Stop {
+        self.drawn.as_ref().unwrap_or(&self.stop)
     }
 
     pub fn problem(&self) -> Option<Problem> {
-        if self.position().is_some() {
-            return None;
-        }
-        let runs = self.scene.document().record();
-        Some(Problem {
-            file: self.stop.file.clone(),
-            place: self.stop.place.clone(),
-            severity: Severity::Error,
-            what: never_comes(&self.moment, &**runs.first()?),
-        })
-    }
-}
-
-/// How a step's moment is found, and where it is written, should it never come: no part of what the step is.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Stop {
-    pub file: String,
-    pub place: Option<Place>,
-    pub found: OnceLock<Option<usize>>,
-}
-
-impl PartialEq for Stop {
-    fn eq(&self, _other: &Self) -> bool {
-        true
+        self.stop.problem().or_else(|| self.drawn().problem())
     }
 }
 

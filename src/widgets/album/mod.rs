@@ -77,8 +77,9 @@ impl Album {
         let figures = steps
             .filter(|step| step.figure.is_some())
             .filter_map(|step| {
-                let nth = scenes.iter().position(|&scene| *scene == *step.scene)?;
-                Some((nth, step.position()?))
+                let drawn = step.drawn();
+                let nth = scenes.iter().position(|&scene| *scene == *drawn.scene)?;
+                Some((nth, drawn.position()?))
             });
         Self {
             figures: figures.collect(),
@@ -134,8 +135,10 @@ impl Album {
 fn scenes<'a>(scene: &'a Scene, lesson: Option<&'a Lesson>) -> Vec<&'a Scene> {
     let mut scenes: Vec<&Scene> = Vec::new();
     for step in lesson.iter().flat_map(|lesson| &lesson.steps) {
-        if step.figure.is_some() && !scenes.contains(&&*step.scene) {
-            scenes.push(&step.scene);
+        for scene in [&step.scene, &step.drawn().scene] {
+            if step.figure.is_some() && !scenes.contains(&&**scene) {
+                scenes.push(scene);
+            }
         }
     }
     if !scenes.contains(&scene) {
