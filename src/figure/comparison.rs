@@ -90,7 +90,6 @@ impl Comparison {
                 vec![drawings.copied().chain([costs.need()]).collect()]
             }
             (Self::Over { wrong }, [_, _]) => {
-                // How much is left is not what differs.
                 let own = needs[wrong]
                     .iter()
                     .filter(|need| need.stand != Stand::Across);

@@ -4,6 +4,7 @@
 use std::collections::HashSet;
 
 use super::{
+    extent::Stand,
     frame::{Caption, Frame},
     mark::{Mark, Shape},
     role::{Label, Role},
@@ -17,6 +18,8 @@ use crate::text::{Message, Value};
 pub fn over(wrong: &Frame, right: &Frame) -> Frame {
     let mut frame = wrong.clone();
     frame.caption = said(&wrong.caption, &right.caption);
+    // How much is left is not what differs.
+    (frame.views).retain(|view| view.need().stand != Stand::Across);
     for view in &mut frame.views {
         match (&mut view.body, right.body(view.id)) {
             (Body::Plane(marks), Some(Body::Plane(right))) => plane(marks, right),

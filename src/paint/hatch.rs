@@ -28,8 +28,9 @@ fn chords(outlines: &[Vec<Pos2>], sum: f32) -> Vec<[Pos2; 2]> {
     let mut crossings: Vec<f32> = crossed.map(x).collect();
     crossings.sort_by(f32::total_cmp);
     let (pairs, _) = crossings.as_chunks::<2>();
+    let pairs = pairs.iter().filter(|[from, to]| from < to);
     let chord = |pair: &[f32; 2]| pair.map(|x| pos2(x, sum - x));
-    pairs.iter().map(chord).collect()
+    pairs.map(chord).collect()
 }
 
 #[cfg(test)]

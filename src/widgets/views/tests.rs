@@ -6,10 +6,10 @@ pub mod data;
 
 use super::{body_of, prelude::*};
 use crate::{
-    figure::{Body, Run, Tiles, View},
+    figure::{Body, Run, Tiles, View, notation},
     lesson::{Course, Lesson, LessonStep},
     paint::{Headless, ThemeKind, crosses},
-    text::{Catalog, Lang},
+    text::{Catalog, Lang, Notation},
 };
 
 fn look() -> Look<'static> {
@@ -23,14 +23,12 @@ fn look() -> Look<'static> {
 fn drawn(
     table: &mut Headless,
     name: &str,
-    lang: Lang,
+    catalog: &Catalog,
     room: Vec2,
     view: &dyn OnSlate,
 ) -> Option<String> {
-    let look = Look {
-        theme: table.theme(),
-        catalog: Catalog::of(lang),
-    };
+    let (theme, lang) = (table.theme(), catalog.lang());
+    let look = Look { theme, catalog };
     let rect = Rect::from_min_size(pos2(16.0, 16.0), room);
     let mut found = None;
     let image = table.draw(room + vec2(32.0, 32.0), 4.0 / 3.0, |ui| {
@@ -73,7 +71,7 @@ fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
         for lang in Lang::ALL {
             for &room in rooms {
                 let what = format!("{name}, {kind}, {lang}, {room:?}");
-                let fault = drawn(&mut table, name, lang, room, view);
+                let fault = drawn(&mut table, name, Catalog::of(lang), room, view);
                 assert_eq!(fault, None, "{what}");
             }
         }
@@ -195,47 +193,14 @@ fn nothing_overlaps_in_the_figures_of_the_course() {
     let mut faults = Vec::new();
     each_run(|lesson, step, run| {
         let frame = run.frame(step.position().unwrap_or(run.n_steps()).min(run.n_steps()));
+        let catalog = Catalog::of(Lang::En).alike(notation(Notation::Own, [&frame]));
         for view in &frame.views {
             let Some(body) = body_of(view) else { continue };
             let name = format!("{}-{}-{}", lesson.id, step.id, view.id.0);
             let room = room_on_a_page(view);
-            let fault = drawn(&mut table, &name, Lang::En, room, body);
+            let fault = drawn(&mut table, &name, catalog, room, body);
             faults.extend(fault.map(|fault| format!("{name}: {fault}")));
         }
     });
     assert!(faults.is_empty(), "{faults:#?}");
-}
-
-fn has_number(said: &str, sign: char) -> bool {
-    let digits = |at: usize| {
-        let before = said[..at].chars().next_back();
-        let after = said[at + sign.len_utf8()..].chars().next();
-        [before, after].map(|c| c.is_some_and(|c| c.is_ascii_digit()))
-    };
-    let mut places = said.match_indices(sign);
-    places.any(|(at, _)| digits(at) == [true, true])
-}
-
-#[test]
-fn numbers_of_a_view_are_all_fractions_or_all_decimals() {
-    let look = look();
-    each_run(|_, step, run| {
-        for nth in 0..=run.n_steps() {
-            for view in &run.frame(nth).views {
-                let compared: &dyn OnSlate = match &view.body {
-                    Body::Table(table) => table,
-                    Body::Products(products) => products,
-                    Body::NumberLine(line) => line,
-                    Body::Matrix(product) => product,
-                    Body::Spaces(row) => row,
-                    Body::Graph(graph) => graph,
-                    Body::Story(story) => story,
-                    _ => continue,
-                };
-                let said = compared.spoken(look);
-                let is_mixed = ['/', '.'].map(|sign| has_number(&said, sign));
-                assert_ne!(is_mixed, [true, true], "{}, step {nth}: {said}", step.id);
-            }
-        }
-    });
 }

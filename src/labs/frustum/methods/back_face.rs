@@ -240,7 +240,9 @@ pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
 }
 
 fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
-    let symbols = ["det", "e", "V₁ − V₀", "V₂ − V₀"];
+    // Beside its columns what the determinant comes to: the dot product's number.
+    let det = known.products.map(|[_, det]| sym("det").equals(det));
+    let symbols = ["e", "V₁ − V₀", "V₂ − V₀"].map(sym);
     let edge = |i: usize| known.edges.map(|edges| edges[i]);
     let columns = [known.to_viewer, edge(0), edge(1)];
     let is_asked = matches!(at.step.event(), Some(Event::Products { .. }));
@@ -254,7 +256,7 @@ fn columns(at: &At<'_, BackFace>, known: &Known) -> Table {
         link: None,
     };
     Table {
-        header: symbols.map(sym).into(),
+        header: (std::iter::once(det.unwrap_or_else(|| sym("det"))).chain(symbols)).collect(),
         rows: ["x", "y", "z"].into_iter().enumerate().map(row).collect(),
         notes: Vec::new(),
     }
