@@ -3,6 +3,8 @@
 use egui::{Pos2, Rect, pos2};
 
 pub const GAP: f32 = 7.0;
+/// What is shorter is where outlines run along each other.
+const LEAST_PTS: f32 = 0.1;
 
 /// The diagonals, this far apart, inside everything that an odd number of `outlines` goes round, as far as the stage shows it.
 pub fn hatched(outlines: &[Vec<Pos2>], stage: Rect, gap: f32) -> Vec<[Pos2; 2]> {
@@ -28,7 +30,7 @@ fn chords(outlines: &[Vec<Pos2>], sum: f32) -> Vec<[Pos2; 2]> {
     let mut crossings: Vec<f32> = crossed.map(x).collect();
     crossings.sort_by(f32::total_cmp);
     let (pairs, _) = crossings.as_chunks::<2>();
-    let pairs = pairs.iter().filter(|[from, to]| from < to);
+    let pairs = pairs.iter().filter(|[from, to]| to - from > LEAST_PTS);
     let chord = |pair: &[f32; 2]| pair.map(|x| pos2(x, sum - x));
     pairs.map(chord).collect()
 }

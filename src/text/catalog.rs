@@ -13,7 +13,6 @@ use super::lang::Lang;
 use super::message::{Message, Value};
 use super::number::Notation;
 use super::piece::Piece;
-use super::writing::Said;
 
 macro_rules! ftl {
     ($lang:literal, $area:literal) => {
@@ -92,22 +91,9 @@ impl Catalog {
         self.notation
     }
 
-    pub(super) fn notation_of(&self, said: Said<'_>) -> Notation {
-        match self.notation {
-            Notation::Own => Notation::of([said]),
-            set => set,
-        }
-    }
-
     /// A missing key is shown as `⟦key⟧` and a missing value as `⟦$name⟧`: no reason to stop a lecture.
     pub fn message(&self, message: &Message) -> String {
         Piece::plain(&self.message_pieces(message))
-    }
-
-    /// [`message`](Self::message), to be set: its values are kept whole, and written alike.
-    pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
-        let notation = self.notation_of(Said::Message(message));
-        self.message_pieces_as(message, notation)
     }
 
     pub(super) fn message_pieces_as(&self, message: &Message, notation: Notation) -> Vec<Piece> {

@@ -6,6 +6,12 @@ use super::number::{self, Notation, Quantity, Written};
 use super::piece::Piece;
 
 impl Catalog {
+    /// [`message`](Self::message), to be set: its values are kept whole, and written alike.
+    pub fn message_pieces(&self, message: &Message) -> Vec<Piece> {
+        let notation = self.notation_of(Said::Message(message));
+        self.message_pieces_as(message, notation)
+    }
+
     pub fn value_pieces(&self, value: &Value) -> Vec<Piece> {
         self.value_pieces_as(value, self.notation_of(Said::Value(value)))
     }
@@ -56,6 +62,13 @@ impl Catalog {
     /// `(−1, 3/8)`, or `(−1; 1,5)` where the comma is the decimal separator.
     pub fn point(&self, p: [f64; 2]) -> String {
         self.value(&Value::Point(p))
+    }
+
+    fn notation_of(&self, said: Said<'_>) -> Notation {
+        match self.notation() {
+            Notation::Own => Notation::of([said]),
+            set => set,
+        }
     }
 
     const fn writer(&self, notation: Notation) -> Writer<'_> {
