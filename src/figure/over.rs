@@ -109,7 +109,7 @@ fn crossed<M: Told>(marks: &mut [M], right: &[M]) -> Vec<M> {
 }
 
 fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
-    let [own, others] = [marks, right].map(|marks| corners(marks));
+    let [own, others] = [&marks[..], right].map(corners);
     let n = |all: &[[f64; 2]], at: [f64; 2]| all.iter().filter(|&&it| it == at).count();
     let mut surplus = own.clone();
     surplus.retain(|&at| n(&others, at) > 0 && n(&own, at) > n(&others, at));

@@ -23,6 +23,7 @@ mod nearest;
 mod number;
 mod piece;
 mod reading;
+mod said;
 mod writing;
 
 pub use catalog::{AREAS, Catalog, sources};
@@ -33,4 +34,4 @@ pub(crate) use nearest::{clipped, nearest, printable, suggestion};
 pub use number::Notation;
 pub use piece::Piece;
 pub use reading::read_numbers;
-pub use writing::Said;
+pub use said::Said;
