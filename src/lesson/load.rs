@@ -26,7 +26,7 @@ impl Course {
     }
 
     /// Reads every lesson; one with an error is left out, all others stay. Moments are looked for when they are
-    /// needed: [`LessonStep::position`](super::LessonStep::position).
+    /// needed: `LessonStep::position`.
     pub fn load(files: &dyn Files) -> Loaded {
         let formats = SceneFormats::standard();
         let moments = Moments::Later;
