@@ -3,13 +3,11 @@
 use web_time::Instant;
 
 use crate::{
-    figure::{
-        Caption, Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, needs, notation, said,
-    },
+    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, notation},
     labs::{Difference, MethodCard, Scene, comparison},
     text::Notation,
     trace::{Counts, Transport},
-    widgets::Album,
+    widgets::{Album, wanted},
 };
 
 /// One run, or several side by side; with the frames of the present step.
@@ -160,13 +158,14 @@ impl Playback {
         let known = known.filter(|known| known.comparison == comparison);
         let mut prospect = Prospect::default();
         if self.needs.is_empty() {
-            self.needs = match known {
-                Some(known) => {
-                    self.notations[0] = known.notation;
-                    known.needs.clone()
-                }
-                None => comparison.needs(&self.wanted(bounds, &mut prospect)),
+            let wants = if let Some(known) = known {
+                (known.needs.clone(), known.notation)
+            } else {
+                let seen = self.eyes.is_none().then_some(&mut prospect);
+                let (wants, notation) = wanted(self.runs(), bounds, seen);
+                (comparison.needs(&wants), notation)
             };
+            (self.needs, self.notations[0]) = wants;
         }
         let eyes = self.eyes.take().unwrap_or_else(|| {
             let views = self.frames.iter().map(|frame| &frame.views[..]);
@@ -182,22 +181,6 @@ impl Playback {
         let at_end = self.steps().iter().all(|[step, n_steps]| step == n_steps);
         self.together = comparison.together(&self.frames, &names, at_end);
         self.notations[1] = notation(self.notations[0], self.on_stage());
-    }
-
-    /// What the views of each run want; they are seen, too, where no eyes have been found.
-    fn wanted(&mut self, bounds: [[f64; 2]; 2], prospect: &mut Prospect) -> Vec<Vec<Need>> {
-        let is_found = self.eyes.is_some();
-        let mut notation = Notation::Own;
-        let mut look = |views: &[View], caption: &Caption| {
-            notation = notation.max(Notation::of(said(views, caption)));
-            if !is_found {
-                prospect.add(views);
-            }
-        };
-        let needs = |run| needs(run, bounds, &mut look);
-        let wanted = self.runs().map(needs).collect();
-        self.notations[0] = notation;
-        wanted
     }
 
     /// Finds the eyes anew, for what is shown now.

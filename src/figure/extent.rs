@@ -69,23 +69,7 @@ impl View {
                 (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
             }
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
-            Body::Multiples(multiples)
-                if multiples.tiles == Tiles::Strip && multiples.drawings.len() == 1 =>
-            {
-                // Rows of bars.
-                let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
-                (
-                    Stand::Beside,
-                    [15.0, 2.6 + 1.2 * rows],
-                    [29.0, 3.0 + 1.9 * rows],
-                )
-            }
-            Body::Multiples(multiples) if multiples.tiles == Tiles::Beside => grid_need(multiples),
-            Body::Multiples(multiples) if multiples.tiles == Tiles::Strip => {
-                let n = multiples.drawings.len() as f32;
-                (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0])
-            }
-            Body::Multiples(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
+            Body::Multiples(multiples) => multiples_need(multiples),
             Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 8.0]),
             Body::Matrix(product) => {
                 let rows = product.rows.len() as f32;
@@ -139,16 +123,27 @@ impl View {
     }
 }
 
-fn grid_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
+fn multiples_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
     const WIDE: f32 = 28.0;
-    let [min, max] = multiples.bounds;
-    let [width, height] = [0, 1].map(|i| (max[i] - min[i]).max(f64::MIN_POSITIVE));
-    let aspect = (width / height).clamp(FLATTEST.recip(), FLATTEST) as f32;
-    // What is flat stands in two rows.
-    let rows = if aspect < 2.0 { 1.0 } else { 2.0 };
-    let drawn = WIDE * rows / multiples.drawings.len().max(1) as f32;
-    let height = rows * (2.8 + drawn / aspect);
-    (Stand::Beside, [15.0, 4.0 + 2.5 * rows], [WIDE, height])
+    let n = multiples.drawings.len() as f32;
+    match multiples.tiles {
+        Tiles::Strip if multiples.drawings.len() == 1 => {
+            // Rows of bars.
+            let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
+            let natural = [29.0, 3.0 + 1.9 * rows];
+            (Stand::Beside, [15.0, 2.6 + 1.2 * rows], natural)
+        }
+        Tiles::Strip => (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0]),
+        Tiles::Beside => {
+            let aspect = multiples.aspect().clamp(FLATTEST.recip(), FLATTEST) as f32;
+            // What is flat stands in two rows.
+            let rows = if aspect < 2.0 { 1.0 } else { 2.0 };
+            let drawn = WIDE * rows / n.max(1.0);
+            let height = rows * (2.8 + drawn / aspect);
+            (Stand::Beside, [15.0, 4.0 + 2.5 * rows], [WIDE, height])
+        }
+        Tiles::Large => (Stand::Drawing, DRAWING[0], DRAWING[1]),
+    }
 }
 
 fn raster_need(raster: &Raster) -> (Stand, [f32; 2], [f32; 2]) {

@@ -77,6 +77,13 @@ pub struct Weight {
     pub strength: f32,
 }
 
+impl Weight {
+    pub const fn of(points: f32) -> Self {
+        let strength = 1.0;
+        Self { points, strength }
+    }
+}
+
 told!(Mark);
 
 impl Mark {

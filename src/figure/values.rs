@@ -215,9 +215,14 @@ impl ListColumn {
     }
 
     pub fn reach(len: usize, focus: Option<usize>) -> Range<usize> {
-        let first = focus.unwrap_or(0).saturating_sub(Self::MOST / 2);
-        let first = first.min(len.saturating_sub(Self::MOST));
-        first..len.min(first + Self::MOST)
+        Self::reach_of(Self::MOST, len, focus)
+    }
+
+    /// Of so many in all, at `most` so many about the one in focus.
+    pub fn reach_of(most: usize, len: usize, focus: Option<usize>) -> Range<usize> {
+        let first = focus.unwrap_or(0).saturating_sub(most / 2);
+        let first = first.min(len.saturating_sub(most));
+        first..len.min(first + most)
     }
 }
 

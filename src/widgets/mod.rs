@@ -22,7 +22,7 @@ mod watch;
 mod whole_rows;
 
 pub use crate::paint::Look;
-pub use album::{Album, Column, Medium, Recorded};
+pub use album::{Album, Column, Medium, Recorded, wanted};
 pub use boundary::{BoundaryMoved, boundary};
 pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};

@@ -50,17 +50,17 @@ pub const MAX_FITTED: usize = 20;
 const MOST_COUNTED: usize = 1000;
 
 impl Scene {
+    /// What all segments cost by this method.
+    pub fn cost_by(&self, method: Method) -> Counts {
+        let segments = self.segments().iter();
+        segments.map(|&it| (method.info().cost)(self, it)).sum()
+    }
+
     /// Of segments that are too many to look at each: what all of them cost by each method, the least first.
     pub fn costs_of_all(&self) -> Option<Costs> {
         let is_crowd = (MAX_FITTED + 1..=MOST_COUNTED).contains(&self.segments().len());
         let region = self.region(self.method);
-        let of = |method: Method| {
-            let counts = self
-                .segments()
-                .iter()
-                .map(|&it| (method.info().cost)(self, it));
-            (counts.sum::<Counts>(), method.card().name())
-        };
+        let of = |method: Method| (self.cost_by(method), method.card().name());
         let methods = Method::all().filter(|&method| is_crowd && self.region(method) == region);
         let mut costs: Vec<_> = methods.map(of).collect();
         costs.sort_by_key(|(counts, _)| counts.total());

@@ -47,8 +47,7 @@ impl Document for Scene {
         if n <= MAX_FITTED {
             return None;
         }
-        let segments = self.segments().iter();
-        let cost: Counts = segments.map(|&s| (method.info().cost)(self, s)).sum();
+        let cost = self.cost_by(method);
         let message = Message::new("cost-of-all-segments")
             .with("count", n)
             .with("divisions", cost.div as usize)

@@ -17,7 +17,7 @@ use crate::{
 
 use super::caption::height_for_all;
 
-pub use recorded::{Column, Recorded};
+pub use recorded::{Column, Recorded, wanted};
 
 /// What scenes are recorded for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

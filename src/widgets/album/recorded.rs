@@ -33,13 +33,7 @@ impl Recorded {
         let methods = scene.document().methods();
         let comparison = comparison(&methods, &all);
         let mut prospect = Prospect::default();
-        let mut notation = Notation::Own;
-        let mut look = |views: &[View], caption: &Caption| {
-            prospect.add(views);
-            notation = notation.max(Notation::of(said(views, caption)));
-        };
-        let needs = |&run: &&dyn Run| needs(run, bounds, &mut look);
-        let wanted: Vec<_> = all.iter().map(needs).collect();
+        let (wanted, notation) = wanted(all.iter().copied(), bounds, Some(&mut prospect));
         Self {
             scene: scene.clone(),
             bounds,
@@ -132,6 +126,24 @@ impl Recorded {
         }
         eyes
     }
+}
+
+/// What the views of runs want that stand beside each other, and how the numbers of all of them are written; a prospect sees
+/// them, too.
+pub fn wanted<'r>(
+    runs: impl Iterator<Item = &'r dyn Run>,
+    bounds: [[f64; 2]; 2],
+    mut prospect: Option<&mut Prospect>,
+) -> (Vec<Vec<Need>>, Notation) {
+    let mut notation = Notation::Own;
+    let mut look = |views: &[View], caption: &Caption| {
+        notation = notation.max(Notation::of(said(views, caption)));
+        if let Some(prospect) = &mut prospect {
+            prospect.add(views);
+        }
+    };
+    let wanted = runs.map(|run| needs(run, bounds, &mut look)).collect();
+    (wanted, notation)
 }
 
 /// The last step up to this one that answers a question, and what might have come there.

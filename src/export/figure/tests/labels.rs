@@ -21,13 +21,7 @@ fn in_the_slots_of_the_course_labels_belong_to_their_points() {
     ] {
         let course = Course::embedded();
         let mut studio = Studio::new(theme);
-        let options = Options {
-            size_px: [640, 360],
-            theme,
-            lang,
-            steps: Steps::Figures,
-            asks: false,
-        };
+        let options = small(theme, lang);
         let mut all: Vec<(String, Placed)> = Vec::new();
         for job in jobs(&course.lessons, Steps::Figures) {
             for labels in placed(&mut studio, &job.picture(options)) {

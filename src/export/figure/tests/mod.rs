@@ -11,6 +11,17 @@ use crate::{
 
 use super::*;
 
+/// The figures of the course, in pictures that are quickly drawn.
+const fn small(theme: ThemeKind, lang: Lang) -> Options {
+    Options {
+        size_px: [640, 360],
+        theme,
+        lang,
+        steps: Steps::Figures,
+        asks: false,
+    }
+}
+
 /// The page is never smaller than at 16 : 9, whatever the size: a higher or wider one has room for more. Of methods side by
 /// side, and where text is large, lists and tables go before a drawing shrinks; a drawing never goes.
 #[test]
@@ -21,13 +32,7 @@ fn no_figure_of_the_course_loses_a_view() {
     for theme in [ThemeKind::Light, ThemeKind::Projector] {
         let mut studio = Studio::new(theme);
         for lang in Lang::ALL {
-            let options = Options {
-                size_px: [640, 360],
-                theme,
-                lang,
-                steps: Steps::Figures,
-                asks: false,
-            };
+            let options = small(theme, lang);
             let faults = jobs.iter().filter_map(|job| {
                 let picture = job.picture(options);
                 let (_, lost) = studio.drawn(&picture);
@@ -53,11 +58,8 @@ fn every_figure_is_said_in_words_and_what_it_answers_is_asked() {
     for job in jobs {
         for lang in Lang::ALL {
             let options = |asks: bool| Options {
-                size_px: [640, 360],
-                theme: ThemeKind::Light,
-                lang,
-                steps: Steps::Figures,
                 asks,
+                ..small(ThemeKind::Light, lang)
             };
             let [told, asked] = [false, true].map(|asks| {
                 let said = studio.alternative(&job.picture(options(asks)));
@@ -143,13 +145,7 @@ const TOO_SMALL: [&str; 2] = ["polygon-fan.png", "wrong-around-origin.png"];
 fn every_eye_of_the_course_sees_what_its_step_measures() {
     let course = Course::embedded();
     let mut studio = Studio::new(ThemeKind::Light);
-    let options = Options {
-        size_px: [640, 360],
-        theme: ThemeKind::Light,
-        lang: Lang::En,
-        steps: Steps::Figures,
-        asks: false,
-    };
+    let options = small(ThemeKind::Light, Lang::En);
     let mut all = Vec::new();
     for job in jobs(&course.lessons, Steps::Figures) {
         let faults = faults(&mut studio, &job.picture(options));
@@ -168,13 +164,7 @@ fn every_eye_of_the_course_sees_what_its_step_measures() {
 fn from_figure_to_figure_of_a_lesson_nothing_moves() {
     let course = Course::embedded();
     let mut studio = Studio::new(ThemeKind::Light);
-    let options = Options {
-        size_px: [640, 360],
-        theme: ThemeKind::Light,
-        lang: Lang::En,
-        steps: Steps::Figures,
-        asks: false,
-    };
+    let options = small(ThemeKind::Light, Lang::En);
     let mut n_alike = 0;
     for lesson in &course.lessons {
         let mut seen: Vec<(_, Layout)> = Vec::new();

@@ -20,11 +20,7 @@ pub struct Bar {
 
 /// None of none; of many those about the one in focus.
 pub fn bars(title: &'static str, bars: &[Bar], focus: Option<usize>) -> Option<Multiples> {
-    let reach = focus
-        .unwrap_or(0)
-        .saturating_sub(MOST / 2)
-        .min(bars.len().saturating_sub(MOST));
-    let bars = &bars[reach..bars.len().min(reach + MOST)];
+    let bars = &bars[ListColumn::reach_of(MOST, bars.len(), focus)];
     if bars.is_empty() {
         return None;
     }
@@ -38,18 +34,14 @@ pub fn bars(title: &'static str, bars: &[Bar], focus: Option<usize>) -> Option<M
         let part = (x - low) / (high - low).max(f64::MIN_POSITIVE);
         [WIDTH * part, -(row as f64)]
     };
-    let weight = |points| Weight {
-        points,
-        strength: 1.0,
-    };
     let mut marks = Vec::new();
     for (row, bar) in bars.iter().enumerate() {
         let ends = bar.reach.map(|x| place(x, row));
-        marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(weight(6.0)));
+        marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(Weight::of(6.0)));
         let name = Mark::new(bar.role, Shape::Label([-1.4 * AROUND, ends[0][1]]));
         marks.push(name.labelled(bar.name.clone()).strong());
         for (i, outward) in [-1.0, 1.0].into_iter().enumerate() {
-            let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(weight(2.0));
+            let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(Weight::of(2.0));
             let said = bar.ends[i].clone();
             marks.extend(said.map(|said| end.labelled(said).toward([outward, 0.0])));
         }

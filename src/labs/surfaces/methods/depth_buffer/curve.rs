@@ -104,10 +104,6 @@ impl Curve {
 
     /// Distance to the right, what is stored upwards.
     fn marks(&self, landed: &[Landed]) -> Vec<Mark> {
-        let line = |points| Weight {
-            points,
-            strength: 1.0,
-        };
         let [near, far] = self.shown;
         let ends = self.shown.map(|distance| self.stored(distance));
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
@@ -117,7 +113,7 @@ impl Curve {
             [right(distance), up]
         };
         let axes = vec![[0.0, 1.08], [0.0, 0.0], [WIDTH + 0.08, 0.0]];
-        let axis = Mark::new(Role::Soft, Shape::Path(axes)).weighing(line(1.0));
+        let axis = Mark::new(Role::Soft, Shape::Path(axes)).weighing(Weight::of(1.0));
         // Labels of one place would be one label.
         let beside = |at, toward, text: Value| {
             let mark = Mark::new(Role::Soft, Shape::Label(at));
@@ -134,7 +130,7 @@ impl Curve {
         ];
         let distances = (0..=POINTS).map(|i| near + (far - near) * i as f64 / POINTS as f64);
         let curve = distances.map(|distance| place(distance, self.stored(distance)));
-        marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(line(2.0)));
+        marks.push(Mark::new(Role::Accent, Shape::Path(curve.collect())).weighing(Weight::of(2.0)));
         if self.shown == self.rays.ends() {
             for distance in self.shown {
                 let stored = self.stored(distance);
@@ -151,19 +147,31 @@ impl Curve {
         for it in landed {
             let distance = self.distance(it.depth);
             let stored = self.stored(distance);
-            let at = place(distance, stored);
-            let tick = |to, toward, text: Value| {
-                let drop = Mark::new(it.role, Shape::Segment([at, to])).weighing(line(1.0));
-                let foot = Mark::new(it.role, Shape::Vertex(to)).weighing(line(2.0));
-                [drop.dashed(), foot.labelled(text).toward(toward)]
-            };
-            let far_away = Value::Formula(decimals(distance));
-            marks.extend(tick([at[0], 0.0], [0.0, -1.0], far_away));
-            marks.extend(tick([0.0, at[1]], [-1.0, 0.0], value(&self.format, stored)));
-            let dot = Mark::new(it.role, Shape::Dot(at)).labelled(it.name.clone());
-            marks.push(dot.strong());
+            let read = [
+                Value::Formula(decimals(distance)),
+                value(&self.format, stored),
+            ];
+            marks.extend(it.marks(place(distance, stored), read));
         }
         marks
+    }
+}
+
+impl Landed {
+    /// A dot there, and what is read under it and beside it.
+    fn marks(&self, at: [f64; 2], [below, beside]: [Value; 2]) -> Vec<Mark> {
+        let tick = |to, toward, text: Value| {
+            let drop = Mark::new(self.role, Shape::Segment([at, to])).weighing(Weight::of(1.0));
+            let foot = Mark::new(self.role, Shape::Vertex(to)).weighing(Weight::of(2.0));
+            [drop.dashed(), foot.labelled(text).toward(toward)]
+        };
+        let dot = Mark::new(self.role, Shape::Dot(at)).labelled(self.name.clone());
+        let ticks = [
+            tick([at[0], 0.0], [0.0, -1.0], below),
+            tick([0.0, at[1]], [-1.0, 0.0], beside),
+        ];
+        let ticks = ticks.into_iter().flatten();
+        ticks.chain([dot.strong()]).collect()
     }
 }
 
