@@ -53,6 +53,7 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
         scene,
         lesson: None,
         step,
+        before: None,
         options: Options {
             lang: Lang::En,
             theme: ThemeKind::Light,

@@ -150,6 +150,7 @@ impl Platform for Desktop {
             scene: picture.scene,
             lesson: picture.lesson,
             step: picture.position,
+            before: None,
             options: export::Options {
                 size_px,
                 theme,

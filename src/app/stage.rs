@@ -29,6 +29,7 @@ const SPACING: Spacing = Spacing {
     titled: 2.0 * INDENT,
     name: 44.0,
     over_caption: 0.0,
+    keeps: 0.75,
     is_fixed: true,
 };
 
@@ -55,10 +56,12 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let focused = state.focused.take();
     state.canvas_ids.clear();
     state.handle_ids.clear();
+    let look = app.look_at_step();
+    let headings: Vec<String> = methods.iter().map(|it| look.say(it.name_key)).collect();
     let composition = Composition {
-        look: app.look_at_step(),
+        look,
         spacing: &SPACING,
-        methods,
+        headings: &headings,
         difference: app.playback.difference,
     };
     let layout = lay_out(app, ui, state, (rect, &composition));
@@ -122,7 +125,7 @@ fn lay_out(
     let album = app
         .album
         .as_ref()
-        .filter(|_| composition.methods.len() == 1);
+        .filter(|_| composition.headings.len() == 1);
     let lesson = album.map(|album| album.caption_height(ui.painter(), look, width));
     let caption = lesson.map_or(own, |lesson| lesson.max(own));
     ui.painter()

@@ -6,11 +6,11 @@ mod tests;
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, ColumnLayout, Eyes, Layout, Need, Spacing, ViewId, notation},
-    labs::Scene,
-    lesson::Lesson,
+    figure::{Body, ColumnLayout, Eyes, Layout, Mark, Need, Spacing, ViewId, notation},
+    labs::{Difference, Scene},
+    lesson::{Lesson, Stop},
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
-    text::{Catalog, Lang, Message},
+    text::{Catalog, Lang, Message, Notation},
     widgets::{
         Album, Bars, Column, Composition, Cost, Medium, Recorded, covered, height_for_all,
         most_of_a_kind, place_inset, rect_of, space, view,
@@ -35,7 +35,13 @@ const SPACING: Spacing = Spacing {
     titled: 46.0,
     name: 36.0,
     over_caption: 8.0,
+    keeps: 0.75,
     is_fixed: false,
+};
+/// Of what was and what is, the views that differ are larger than the drawing needs them.
+const BESIDE_BEFORE: Spacing = Spacing {
+    keeps: 0.2,
+    ..SPACING
 };
 const OVER_COST_PTS: f32 = 8.0;
 
@@ -70,6 +76,8 @@ pub struct Picture<'a> {
     pub lesson: Option<&'a Lesson>,
     /// Events folded so far.
     pub step: usize,
+    /// How it was: what is shown beside the scene.
+    pub before: Option<&'a Stop>,
     pub options: Options,
 }
 
@@ -107,15 +115,15 @@ impl Studio {
     /// In words what the figure shows: its title, and under each method's name its sentence.
     pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
         let catalog = Catalog::of(picture.options.lang);
-        let recorded = album(&mut self.last, picture).recorded(picture.scene);
-        let columns = recorded.columns(picture.step, picture.asked_in());
-        let sentence = |column: &Column| {
+        let halves = halves(album(&mut self.last, picture), picture);
+        let headings = headings(&halves, catalog);
+        let columns = halves.iter().flat_map(|half| &half.columns);
+        let sentence = |(column, name): (&Column, &String)| {
             let said = column.frame.caption.text(catalog);
-            if columns.len() > 1 {
-                let name = catalog.message(&Message::new(column.method.name_key));
+            if headings.len() > 1 {
                 catalog.message(
                     &Message::new("named-sentence")
-                        .with("name", name)
+                        .with("name", name.clone())
                         .with("said", said),
                 )
             } else {
@@ -125,7 +133,7 @@ impl Studio {
         let title = picture.title.map(str::to_owned);
         let lines: Vec<String> = title
             .into_iter()
-            .chain(columns.iter().map(sentence))
+            .chain(columns.zip(&headings).map(sentence))
             .collect();
         lines.join("\n") + "\n"
     }
@@ -147,15 +155,15 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let (page, columns, eyes) = Page::of(album, picture);
+    let page = Page::of(album, picture);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
         let mut layout = Layout::default();
         let image = table.draw(size / pixels_per_point, pixels_per_point, |ui| {
-            layout = page.show(ui, &columns, &eyes);
+            layout = page.show(ui);
         });
-        let may_grow = columns.len() == 1 && !page.look.theme.has_large_text();
+        let may_grow = page.needs.len() == 1 && !page.look.theme.has_large_text();
         let lost = lost(&page.needs, &layout);
         if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
             return (image, lost);
@@ -174,75 +182,126 @@ fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
     needs.iter().zip(&layout.columns).flat_map(lost).collect()
 }
 
+/// A scene at a step, with each of its methods.
+struct Half<'a> {
+    recorded: &'a Recorded,
+    columns: Vec<Column>,
+}
+
+/// How it was, if that is shown, and how it is.
+fn halves<'a>(album: &'a Album, picture: &Picture<'_>) -> Vec<Half<'a>> {
+    let was = picture
+        .before
+        .and_then(|stop| Some((&*stop.scene, stop.position()?)));
+    let now = (picture.scene, picture.step);
+    let half = |(scene, step)| {
+        let recorded = album.recorded(scene);
+        let columns = recorded.columns(step, picture.asked_in());
+        Half { recorded, columns }
+    };
+    was.into_iter().chain([now]).map(half).collect()
+}
+
+/// What stands over each column.
+fn headings(halves: &[Half<'_>], catalog: &Catalog) -> Vec<String> {
+    match halves {
+        [_, _] => ["figure-before", "figure-now"]
+            .map(|key| catalog.term(key))
+            .to_vec(),
+        _ => {
+            let columns = halves.iter().flat_map(|half| &half.columns);
+            let name = |column: &Column| catalog.term(column.method.name_key);
+            columns.map(name).collect()
+        }
+    }
+}
+
 struct Page<'a> {
     picture: &'a Picture<'a>,
     look: Look<'static>,
     album: &'a Album,
-    recorded: &'a Recorded,
+    halves: Vec<Half<'a>>,
+    /// Of each half.
+    eyes: Vec<Eyes>,
     needs: Vec<Vec<Need>>,
 }
 
+/// What is drawn in a column: whose it is, and which of its methods.
+type Drawn<'a> = (&'a Half<'a>, usize, &'a Column);
+
 impl<'a> Page<'a> {
     /// With what is drawn on it, as the eyes that are found for it see it.
-    fn of(album: &'a Album, picture: &'a Picture<'a>) -> (Self, Vec<Column>, Eyes) {
-        let recorded = album.recorded(picture.scene);
-        let mut columns = recorded.columns(picture.step, picture.asked_in());
-        let eyes = recorded.turned(
-            &mut columns,
-            picture.options.steps == Steps::All,
-            album.eyes(),
-        );
-        let columns = recorded.drawn(columns);
-        let needs = recorded.needs_at(&columns);
-        let notation = notation(
-            recorded.notation,
-            columns.iter().map(|column| &column.frame),
-        );
-        let page = Page {
-            picture,
-            look: Look {
-                theme: Theme::of(picture.options.theme),
-                catalog: Catalog::of(picture.options.lang).alike(notation),
-            },
-            album,
-            recorded,
-            needs,
+    fn of(album: &'a Album, picture: &'a Picture<'a>) -> Self {
+        let mut halves = halves(album, picture);
+        let of_all = picture.options.steps == Steps::All;
+        let mut eyes = Vec::new();
+        for Half { recorded, columns } in &mut halves {
+            eyes.push(recorded.turned(columns, of_all, album.eyes()));
+            *columns = recorded.drawn(std::mem::take(columns));
+        }
+        let needs = match &halves[..] {
+            [was, now] => was.recorded.needs_beside(now.recorded),
+            _ => {
+                let needs = |half: &Half<'_>| half.recorded.needs_at(&half.columns);
+                halves.iter().flat_map(needs).collect()
+            }
         };
-        (page, columns, eyes)
+        let own = halves.iter().map(|half| half.recorded.notation);
+        let own = own.fold(Notation::Own, Notation::max);
+        let columns = halves.iter().flat_map(|half| &half.columns);
+        let notation = notation(own, columns.map(|column| &column.frame));
+        let look = Look {
+            theme: Theme::of(picture.options.theme),
+            catalog: Catalog::of(picture.options.lang).alike(notation),
+        };
+        Page {
+            picture,
+            look,
+            album,
+            halves,
+            eyes,
+            needs,
+        }
+    }
+
+    fn columns(&self) -> impl Iterator<Item = Drawn<'_>> {
+        self.halves.iter().flat_map(|half| {
+            let columns = half.columns.iter().enumerate();
+            columns.map(move |(nth, column)| (half, nth, column))
+        })
     }
 
     /// Draws it, and says where everything stands.
-    fn show(&self, ui: &mut Ui, columns: &[Column], eyes: &Eyes) -> Layout {
+    fn show(&self, ui: &mut Ui) -> Layout {
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
-        let methods: Vec<_> = columns.iter().map(|column| column.method).collect();
+        let headings = headings(&self.halves, self.look.catalog);
         let composition = Composition {
             look: self.look,
-            spacing: &SPACING,
-            methods: &methods,
-            difference: self.recorded.difference,
+            spacing: match self.halves[..] {
+                [_, _] => &BESIDE_BEFORE,
+                _ => &SPACING,
+            },
+            headings: &headings,
+            difference: self.difference(),
         };
         let width = composition.column_width(area);
-        let costs = self.costs(columns);
+        let costs = self.costs();
         let bars: Vec<_> = costs
             .iter()
             .map(|cost| Bars::new(ui.painter(), self.look, cost, width))
             .collect();
-        let cost = bars
-            .first()
-            .map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
-        let caption = self.caption_height(ui, columns, width);
-        let heights = [caption.max(CAPTION_PTS), cost];
-        let (title, needs) = (self.picture.title, &self.needs);
-        let mut layout = composition.lay_out(ui, area, title, heights, needs, 1.0);
-        for (column, places) in columns.iter().zip(&mut layout.columns) {
+        let (mut layout, has_bars) = self.lay_out(ui, area, &composition, bars.first());
+        for (i, ((_, _, column), places)) in self.columns().zip(&mut layout.columns).enumerate() {
+            let eyes = &self.eyes[i.min(self.eyes.len() - 1)];
             place_inset(ui, self.look, places, &column.frame.views, eyes);
         }
-        for (i, (column, places)) in columns.iter().zip(&layout.columns).enumerate() {
-            self.drawing(ui, i, column, places);
+        for (i, (drawn, places)) in self.columns().zip(&layout.columns).enumerate() {
+            let (_, _, column) = drawn;
+            self.drawing(ui, drawn, places);
             let moment = column.moment(self.look.catalog);
             let words = (&column.frame.caption, moment.as_deref());
             composition.beside_the_drawing(ui, (i, places), &column.frame.views, words, None);
-            if let Some(bars) = bars.get(i).filter(|_| column.has_run) {
+            if let Some(bars) = bars.get(i).filter(|_| has_bars && column.has_run) {
                 let mut rect = rect_of(places.cost);
                 rect.min.y += OVER_COST_PTS;
                 bars.paint(ui.painter(), rect);
@@ -251,25 +310,52 @@ impl<'a> Page<'a> {
         layout
     }
 
-    /// Of the highest sentence of the lesson's runs, so that pictures that follow each other stay where they are. Two methods
+    /// Where all stands, and whether the bars of the costs do: of what was and what is only where what differs has no room.
+    fn lay_out(
+        &self,
+        ui: &Ui,
+        area: Rect,
+        composition: &Composition<'_>,
+        bars: Option<&Bars<'_>>,
+    ) -> (Layout, bool) {
+        let width = composition.column_width(area);
+        let caption = self.caption_height(ui, width).max(CAPTION_PTS);
+        let lay_out = |cost| {
+            let heights = [caption, cost];
+            composition.lay_out(ui, area, self.picture.title, heights, &self.needs, 1.0)
+        };
+        if let [_, _] = self.halves[..] {
+            let layout = lay_out(0.0);
+            if lost(&self.needs, &layout).is_empty() {
+                return (layout, false);
+            }
+        }
+        let cost = bars.map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
+        (lay_out(cost), true)
+    }
+
+    /// Of two methods of which one is wrong on purpose.
+    fn difference(&self) -> Option<Difference> {
+        self.halves.iter().find_map(|half| half.recorded.difference)
+    }
+
+    /// Of the highest sentence of the lesson's runs, so that pictures that follow each other stay where they are. Two columns
     /// leave no room for sentences that are not shown.
-    fn caption_height(&self, ui: &Ui, columns: &[Column], width: f32) -> f32 {
-        let shown = columns.iter().map(|column| column.frame.caption.clone());
+    fn caption_height(&self, ui: &Ui, width: f32) -> f32 {
+        let shown = self.columns().map(|(_, _, it)| it.frame.caption.clone());
         let shown = height_for_all(ui.painter(), self.look, shown, width);
-        if self.picture.options.steps == Steps::Figures && columns.len() > 1 {
+        if self.picture.options.steps == Steps::Figures && self.columns().nth(1).is_some() {
             return shown;
         }
         let highest = self.album.caption_height(ui.painter(), self.look, width);
         highest.max(shown)
     }
 
-    /// What each method has done, where two are compared and do not do the same; what a mistake costs is not what is to be seen.
-    fn costs(&self, columns: &[Column]) -> Vec<Cost<'static>> {
-        if columns.len() < 2 || self.recorded.difference.is_some() {
-            return Vec::new();
-        }
-        let counts: Vec<_> = columns.iter().map(|column| column.frame.counts).collect();
-        if counts.iter().all(|count| *count == counts[0]) {
+    /// What each column has done, where two are compared and do not do the same; what a mistake costs is not what is to be seen.
+    fn costs(&self) -> Vec<Cost<'static>> {
+        let counts: Vec<_> = self.columns().map(|(_, _, it)| it.frame.counts).collect();
+        let is_equal = counts.iter().all(|count| *count == counts[0]);
+        if is_equal || self.difference().is_some() {
             return Vec::new();
         }
         let most = most_of_a_kind(&counts);
@@ -281,7 +367,8 @@ impl<'a> Page<'a> {
         counts.iter().map(cost).collect()
     }
 
-    fn drawing(&self, ui: &Ui, index: usize, column: &Column, places: &ColumnLayout) {
+    fn drawing(&self, ui: &Ui, drawn: Drawn<'_>, places: &ColumnLayout) {
+        let (_, _, column) = drawn;
         let Some(first) = column.frame.views.first() else {
             return;
         };
@@ -293,19 +380,20 @@ impl<'a> Page<'a> {
             let covered = covered(places, first.id, self.look);
             space(ui, self.look, rect, (first.id, shown), &covered, None);
         } else if first.id == ViewId::PLANE {
-            self.plane(ui, rect, index, column);
+            let viewport = Viewport::fit(rect, drawn.0.recorded.bounds);
+            let painter = ui.painter().with_clip_rect(rect);
+            let (marks, around) = (plane_marks(drawn), Around::default());
+            (self.look).stage(&painter, &viewport, &marks, None, around);
         } else {
             view(ui, self.look, rect, first, None);
         }
     }
+}
 
-    fn plane(&self, ui: &Ui, rect: Rect, index: usize, column: &Column) {
-        let scene = self.picture.scene.document();
-        let viewport = Viewport::fit(rect, self.recorded.bounds);
-        let painter = ui.painter().with_clip_rect(rect);
-        let mut marks = scene.backdrop(index, column.at_end());
-        marks.extend(column.frame.marks().iter().cloned());
-        let around = Around::default();
-        (self.look).stage(&painter, &viewport, &marks, None, around);
-    }
+/// What a column draws of the plane, with what stands there before its method begins.
+fn plane_marks((half, nth, column): Drawn<'_>) -> Vec<Mark> {
+    let scene = half.recorded.scene.document();
+    let mut marks = scene.backdrop(nth, column.at_end());
+    marks.extend(column.frame.marks().iter().cloned());
+    marks
 }

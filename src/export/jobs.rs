@@ -106,6 +106,10 @@ impl Job<'_> {
                 Source::File(_) => None,
             },
             step: self.position,
+            before: match self.source {
+                Source::Step(_, step) => step.before.as_ref(),
+                Source::File(_) => None,
+            },
             options,
         }
     }

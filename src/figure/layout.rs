@@ -35,9 +35,6 @@ const READABLE: f32 = 13.0;
 const PARTS: [f32; 3] = [1.0, 0.85, 0.7];
 /// A drawing that is smaller by less is as large.
 const SAME: f32 = 0.99;
-/// Of methods side by side each drawing keeps so much of the side that it has alone.
-const BESIDE_OTHERS: f32 = 0.75;
-
 /// The white space of a page, or of the window's stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spacing {
@@ -50,6 +47,8 @@ pub struct Spacing {
     pub name: f32,
     /// White space between the views and the hairline over the caption.
     pub over_caption: f32,
+    /// Of columns side by side each drawing keeps so much of the side that it has alone.
+    pub keeps: f32,
     /// It cannot be enlarged: where nothing else has room, all views are low.
     pub is_fixed: bool,
 }
@@ -160,7 +159,7 @@ impl Sheet {
                     .map(|needs| drawings(needs))
                     .collect::<Vec<_>>(),
             );
-            alone.scale * BESIDE_OTHERS.powi(needs.len() as i32)
+            alone.scale * self.spacing.keeps.powi(needs.len() as i32)
         } else {
             let all = readable.largest(stages, needs);
             if self.em <= READABLE {

@@ -33,6 +33,14 @@ impl Folder {
         &self.root
     }
 
+    /// Where it lies, wherever one looks from.
+    pub fn full_path(&self) -> String {
+        let full = std::path::absolute(&self.root);
+        full.unwrap_or_else(|_| self.root.clone())
+            .display()
+            .to_string()
+    }
+
     fn path(&self, path: &str) -> PathBuf {
         match (&self.single, path.split_once('/')) {
             (Some(_), Some((_, name))) => self.root.join(name),

@@ -24,7 +24,9 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 7] = ["id", "scene", "at", "figure", "drawn", "lock", "code"];
+const STEP_FIELDS: [&str; 8] = [
+    "id", "scene", "at", "figure", "drawn", "before", "lock", "code",
+];
 
 /// Nobody reads a longer lesson.
 const MAX_STEPS: usize = 1_000;
@@ -251,7 +253,7 @@ impl Steps {
         let id = id.and_then(|node| self.ids.take(node, is_kebab, ID));
         self.choose_scene(&fields);
         let stop = self.stop(&fields);
-        let drawn = fields.get("drawn").and_then(|node| self.drawn(node));
+        let [drawn, before] = ["drawn", "before"].map(|name| self.other(fields.get(name)?));
         let figure = fields.get("figure");
         let figure = figure.and_then(|node| self.figures.take(node, is_figure_name, FIGURE));
         let locks = fields.get("lock").map(|node| locks(self.lab, node));
@@ -263,6 +265,7 @@ impl Steps {
             stop,
             figure,
             drawn,
+            before,
             locks: locks.unwrap_or_default(),
             code: code.unwrap_or_default(),
         });
@@ -294,7 +297,8 @@ impl Steps {
         Some(name)
     }
 
-    fn drawn(&mut self, node: Node<'_>) -> Option<Stop> {
+    /// A stop that is not the one that the step begins with.
+    fn other(&mut self, node: Node<'_>) -> Option<Stop> {
         let fields = node.fields(&["scene", "at"])?;
         let name = match (fields.get("scene"), &self.current) {
             (Some(node), _) => self.named(node)?,

@@ -53,4 +53,4 @@ pub use problem::{Place, Problem, Severity};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
-pub use step::{CodeView, LessonStep};
+pub use step::{CodeView, LessonStep, Stop};

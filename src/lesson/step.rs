@@ -21,6 +21,8 @@ pub struct LessonStep {
     pub figure: Option<String>,
     /// What the figure shows, where that is not what the step begins with.
     pub(super) drawn: Option<Stop>,
+    /// What the figure shows beside that: how it was before.
+    pub before: Option<Stop>,
     pub locks: Vec<Lock>,
     pub code: CodeView,
 }
@@ -94,8 +96,14 @@ impl LessonStep {
         self.drawn.as_ref().unwrap_or(&self.stop)
     }
 
+    /// All that its figure shows, in this order.
+    pub fn shown(&self) -> impl Iterator<Item = &Stop> {
+        self.before.iter().chain([self.drawn()])
+    }
+
     pub fn problem(&self) -> Option<Problem> {
-        self.stop.problem().or_else(|| self.drawn().problem())
+        let stops = [&self.stop].into_iter().chain(self.shown());
+        stops.into_iter().find_map(Stop::problem)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Caption, ColumnLayout, Layout, Need, Sheet, Slot, Spacing, View},
-    labs::{Difference, MethodCard},
+    labs::Difference,
     paint::fonts::semibold,
 };
 
@@ -17,14 +17,15 @@ const LEAST_UNDER_TITLE: f32 = 8.0;
 pub struct Composition<'a> {
     pub look: Look<'a>,
     pub spacing: &'static Spacing,
-    pub methods: &'a [&'static MethodCard],
+    /// What is written over each column, where there are several.
+    pub headings: &'a [String],
     pub difference: Option<Difference>,
 }
 
 impl Composition<'_> {
     pub fn column_width(&self, area: Rect) -> f32 {
         let space = self.spacing;
-        let n = self.methods.len().max(1) as f32;
+        let n = self.headings.len().max(1) as f32;
         let columns = area.width() - 2.0 * space.margin - (n - 1.0) * space.gutter;
         columns / n - 2.0 * space.inset
     }
@@ -45,7 +46,7 @@ impl Composition<'_> {
         let title = title.map(|title| Span::text(title, font, theme.ink));
         let title = title.map(|title| Typeset::wrapped(ui.painter(), &[title], width));
         let [min, max] = [area.min, area.max].map(|at| [at.x, at.y]);
-        let is_alone = self.methods.len() <= 1;
+        let is_alone = self.headings.len() <= 1;
         let name = if is_alone { 0.0 } else { spacing.name };
         let height = title.as_ref().map(|title| title.size().y);
         let sheet = Sheet {
@@ -80,14 +81,14 @@ impl Composition<'_> {
     ) -> Option<Link> {
         let look = self.look;
         let inside = |slot: Slot| rect_of(slot).shrink2(vec2(self.spacing.inset, 0.0));
-        if let Some(method) = self.methods.get(column).filter(|_| self.methods.len() > 1) {
+        if let Some(name) = (self.headings.get(column)).filter(|_| self.headings.len() > 1) {
             let difference = self.difference.filter(|known| known.column == column);
             let note = difference.map(|difference| look.catalog.message(&difference.message()));
             let strip = inside(places.name);
             let at = (strip.left_top(), Align2::LEFT_TOP);
-            let (name, notes) = (look.say(method.name_key), [moment, note.as_deref()]);
+            let notes = [moment, note.as_deref()];
             let painter = ui.painter_at(strip);
-            column_title(&painter, look, at, strip.width(), &name, notes);
+            column_title(&painter, look, at, strip.width(), name, notes);
         }
         let mut pointed = None;
         for shown in views.iter().skip(1) {

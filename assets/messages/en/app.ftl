@@ -117,6 +117,7 @@ help-drag = Drag any handle, at any step: the run is recorded again
 status-exported = Exported to { $path }
 status-exporting = Exported { $count } of { $total } steps. Escape stops.
 status-export-failed = The figure could not be exported: { $reason }
+status-restored = Your work from last time is back; undo takes it away.
 status-saved = Saved to { $path }
 status-memory-aside = { $path } could not be read: { $reason } It is now { $aside }, and settings begin anew.
 status-memory-unread = { $path } could not be read: { $reason } Settings and work will not be kept.
@@ -199,3 +200,5 @@ view-more = … { $count } more
 
 what-comes-next = What comes next? { $options }
 named-sentence = { $name }: { $said }
+figure-before = Before
+figure-now = Now

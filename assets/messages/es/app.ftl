@@ -117,6 +117,7 @@ help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuel
 status-exported = Exportado en { $path }
 status-exporting = Exportados { $count } de { $total } pasos. Escape detiene la exportación.
 status-export-failed = No se pudo exportar la figura: { $reason }
+status-restored = Tu trabajo de la última vez está de vuelta; deshacer lo quita.
 status-saved = Guardado en { $path }
 status-memory-aside = No se pudo leer { $path }: { $reason } Ahora se llama { $aside } y los ajustes empiezan de nuevo.
 status-memory-unread = No se pudo leer { $path }: { $reason } Los ajustes y el trabajo no se guardarán.
@@ -199,3 +200,5 @@ view-more = … { $count } más
 
 what-comes-next = ¿Qué viene ahora? { $options }
 named-sentence = { $name }: { $said }
+figure-before = Antes
+figure-now = Ahora

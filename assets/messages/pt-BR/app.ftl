@@ -117,6 +117,7 @@ help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução 
 status-exported = Exportado para { $path }
 status-exporting = { $count } de { $total } passos exportados. Esc interrompe.
 status-export-failed = Não foi possível exportar a figura: { $reason }
+status-restored = Seu trabalho da última vez está de volta; desfazer o retira.
 status-saved = Salvo em { $path }
 status-memory-aside = Não foi possível ler { $path }: { $reason } Agora se chama { $aside }, e os ajustes recomeçam.
 status-memory-unread = Não foi possível ler { $path }: { $reason } Os ajustes e o trabalho não serão guardados.
@@ -199,3 +200,5 @@ view-more = … mais { $count }
 
 what-comes-next = O que vem agora? { $options }
 named-sentence = { $name }: { $said }
+figure-before = Antes
+figure-now = Agora

@@ -113,6 +113,7 @@ help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 status-exported = 已导出到 { $path }
 status-exporting = 已导出 { $count } / { $total } 步。按 Esc 停止。
 status-export-failed = 无法导出此图：{ $reason }
+status-restored = 已恢复上次的内容；撤销即可去掉。
 status-saved = 已保存到 { $path }
 status-memory-aside = 无法读取 { $path }：{ $reason }该文件现在名为 { $aside }，设置从头开始。
 status-memory-unread = 无法读取 { $path }：{ $reason }设置和所做的工作将不会保存。
@@ -187,3 +188,5 @@ view-more = …… 还有 { $count } 项
 
 what-comes-next = 下一步会怎样？{ $options }
 named-sentence = { $name }：{ $said }
+figure-before = 之前
+figure-now = 现在

@@ -123,6 +123,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
             lesson: None,
             scene: bench.app.scene(),
             step,
+            before: None,
             options: Options {
                 lang: figures.lang,
                 theme: figures.theme,

@@ -25,6 +25,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
             titled: 0.0,
             name: 0.0,
             over_caption: 18.0,
+            keeps: 0.75,
             is_fixed: false,
         },
         title: 40.0,

@@ -10,7 +10,7 @@ use egui::Painter;
 use crate::{
     figure::{Eyes, Prospect, View},
     labs::Scene,
-    lesson::Lesson,
+    lesson::{Lesson, LessonStep},
     paint::{Look, ThemeKind},
     text::Lang,
 };
@@ -76,10 +76,10 @@ impl Album {
         let steps = lesson.iter().flat_map(|lesson| &lesson.steps);
         let figures = steps
             .filter(|step| step.figure.is_some())
-            .filter_map(|step| {
-                let drawn = step.drawn();
-                let nth = scenes.iter().position(|&scene| *scene == *drawn.scene)?;
-                Some((nth, drawn.position()?))
+            .flat_map(LessonStep::shown)
+            .filter_map(|stop| {
+                let nth = scenes.iter().position(|&scene| *scene == *stop.scene)?;
+                Some((nth, stop.position()?))
             });
         Self {
             figures: figures.collect(),
@@ -135,8 +135,9 @@ impl Album {
 fn scenes<'a>(scene: &'a Scene, lesson: Option<&'a Lesson>) -> Vec<&'a Scene> {
     let mut scenes: Vec<&Scene> = Vec::new();
     for step in lesson.iter().flat_map(|lesson| &lesson.steps) {
-        for scene in [&step.scene, &step.drawn().scene] {
-            if step.figure.is_some() && !scenes.contains(&&**scene) {
+        let shown = step.shown().map(|stop| &*stop.scene);
+        for scene in [&*step.scene].into_iter().chain(shown) {
+            if step.figure.is_some() && !scenes.contains(&scene) {
                 scenes.push(scene);
             }
         }

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use crate::{
     figure::{
-        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, View, needs, said, sentences,
+        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, Stand, View, needs, said,
+        sentences,
     },
     labs::{Difference, MethodCard, Scene, comparison},
     text::{Catalog, Lang, Message, Notation},
@@ -99,6 +100,24 @@ impl Recorded {
         let first = columns.first().map(|column| &column.frame);
         let at = |frame| self.comparison.needs_at(self.needs.clone(), frame);
         first.map_or_else(Vec::new, at)
+    }
+
+    /// What differs between this scene and another one, each with its first method: what it makes, and the first other view
+    /// that is not the same in the end.
+    pub fn needs_beside(&self, other: &Self) -> Vec<Vec<Need>> {
+        let ends = [self, other].map(|it| it.runs[0].frame(it.runs[0].n_steps()));
+        let is_made = |need: &&Need| need.stand == Stand::Drawing;
+        let differs = |need: &&Need| {
+            let [was, is] = ends.each_ref().map(|end| end.body(need.id));
+            !need.is_drawing() && was != is
+        };
+        let needs = |it: &Self| {
+            let needs = &it.needs[0];
+            let made = needs.iter().rfind(is_made);
+            let shown = made.into_iter().chain(needs.iter().find(differs));
+            shown.copied().collect()
+        };
+        vec![needs(self), needs(other)]
     }
 
     /// The columns that are drawn: one of all methods, where they show the same.

@@ -94,6 +94,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
         scene: &scene,
         lesson: None,
         step,
+        before: None,
         options: export::Options {
             lang: Lang::En,
             theme: ThemeKind::Light,

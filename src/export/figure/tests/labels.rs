@@ -60,12 +60,10 @@ const fn is_line(obstacle: &Obstacle) -> bool {
 /// The labels of each of a figure's drawings.
 fn placed(studio: &mut Studio, picture: &Picture<'_>) -> Vec<Vec<Placed>> {
     let mut all = Vec::new();
-    let bounds = album(&mut studio.last, picture)
-        .recorded(picture.scene)
-        .bounds;
     laid_out(studio, picture, |ui, look, columns, layout| {
         all = Vec::new();
-        for (i, (column, places)) in columns.iter().zip(&layout.columns).enumerate() {
+        for (i, (&drawn, places)) in columns.iter().zip(&layout.columns).enumerate() {
+            let (half, _, column) = drawn;
             let drawing = &column.frame.views[0];
             let Some(slot) = places.slot(drawing.id) else {
                 continue;
@@ -79,10 +77,8 @@ fn placed(studio: &mut Studio, picture: &Picture<'_>) -> Vec<Vec<Placed>> {
                 let marks = projected(ui.ctx(), ui.scope_id().with(i), space, &lens);
                 (seen, marks.to_vec())
             } else {
-                let document = picture.scene.document();
-                let mut marks = document.backdrop(i, column.at_end());
-                marks.extend(column.frame.marks().iter().cloned());
-                (Viewport::fit(rect, bounds), marks)
+                let seen = Viewport::fit(rect, half.recorded.bounds);
+                (seen, plane_marks(drawn))
             };
             let around = Around {
                 covered: &covered,

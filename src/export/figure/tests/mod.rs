@@ -38,7 +38,8 @@ fn no_figure_of_the_course_loses_a_view() {
                 let (_, lost) = studio.drawn(&picture);
                 let needs = &studio.last.as_ref()?.recorded(picture.scene).needs;
                 let drawing = needs.first()?.first()?.id;
-                let may_go = needs.len() > 1 || theme == ThemeKind::Projector;
+                let is_beside = needs.len() > 1 || picture.before.is_some();
+                let may_go = is_beside || theme == ThemeKind::Projector;
                 let is_lost = |id: &&ViewId| !may_go || **id == drawing;
                 let gone: Vec<_> = lost.iter().filter(is_lost).collect();
                 (!gone.is_empty()).then(|| format!("{}: {gone:?}", job.path))
@@ -92,15 +93,16 @@ const LEAST_FAULT: f64 = 1e-6;
 fn laid_out(
     studio: &mut Studio,
     picture: &Picture<'_>,
-    mut look_at: impl FnMut(&Ui, Look<'_>, &[Column], &Layout),
+    mut look_at: impl FnMut(&Ui, Look<'_>, &[Drawn<'_>], &Layout),
 ) {
     let Studio { table, last } = studio;
     let album = album(last, picture);
-    let (page, columns, eyes) = Page::of(album, picture);
+    let page = Page::of(album, picture);
     let look = page.look;
     table.draw(Vec2::from(PAGE_PTS), 1.0, |ui| {
-        let layout = page.show(ui, &columns, &eyes);
-        look_at(ui, look, &columns, &layout);
+        let layout = page.show(ui);
+        let drawn: Vec<_> = page.columns().collect();
+        look_at(ui, look, &drawn, &layout);
     });
 }
 
@@ -109,7 +111,7 @@ fn faults(studio: &mut Studio, picture: &Picture<'_>) -> [f64; 6] {
     let mut faults = [0.0; 6];
     laid_out(studio, picture, |ui, look, columns, layout| {
         faults = [0.0; 6];
-        for (column, places) in columns.iter().zip(&layout.columns) {
+        for ((_, _, column), places) in columns.iter().zip(&layout.columns) {
             let id = column.frame.views[0].id;
             let Some((space, slot)) = column.frame.space().zip(places.slot(id)) else {
                 continue;
@@ -160,6 +162,16 @@ fn every_eye_of_the_course_sees_what_its_step_measures() {
 }
 
 /// Of a lesson's figures of the plane that show one place by one method, in the same views.
+/// Are several columns in it?
+fn is_beside(job: &jobs::Job<'_>) -> bool {
+    let n_methods = job.source.scene().document().methods().len();
+    n_methods > 1
+        || job
+            .picture(small(ThemeKind::Light, Lang::En))
+            .before
+            .is_some()
+}
+
 #[test]
 fn from_figure_to_figure_of_a_lesson_nothing_moves() {
     let course = Course::embedded();
@@ -170,11 +182,11 @@ fn from_figure_to_figure_of_a_lesson_nothing_moves() {
         let mut seen: Vec<(_, Layout)> = Vec::new();
         for job in jobs([lesson], Steps::Figures) {
             let scene = job.source.scene().document();
-            if scene.region().is_none() || scene.methods().len() > 1 {
+            if scene.region().is_none() || is_beside(&job) {
                 continue;
             }
             laid_out(&mut studio, &job.picture(options), |_, _, columns, now| {
-                let views = columns.iter().flat_map(|column| &column.frame.views);
+                let views = columns.iter().flat_map(|(_, _, it)| &it.frame.views);
                 let ids: Vec<ViewId> = views.map(|view| view.id).collect();
                 let kind = (ids, lesson.bounds_of(job.source.scene()));
                 match seen.iter().find(|(known, _)| *known == kind) {
