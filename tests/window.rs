@@ -3,7 +3,7 @@
 //! `target/windows/` holds what differs; `CLIPSCOPE_BLESS=1 cargo test --test all window::` accepts it.
 
 use clipscope::{
-    app::{App, Page, Settings},
+    app::{App, Page, Places, Settings},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::Lang,
@@ -57,7 +57,10 @@ fn window(
     let settings = Settings {
         lang,
         theme,
-        page: Some(Page::Step(lesson.to_owned(), step.id.clone())),
+        places: Places {
+            page: Some(Page::Step(lesson.to_owned(), step.id.clone())),
+            ..Places::default()
+        },
         ..Settings::default()
     };
     let mut app = App::new(course.clone(), settings);

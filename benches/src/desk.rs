@@ -46,7 +46,10 @@ impl Desk {
             .is_some_and(|lesson| lesson.step_index(step).is_some());
         assert!(found, "the course has no step {lesson} {step}");
         let settings = Settings {
-            page: Some(Page::Step(lesson.to_owned(), step.to_owned())),
+            places: Places {
+                page: Some(Page::Step(lesson.to_owned(), step.to_owned())),
+                ..Places::default()
+            },
             // So that a drag changes the scene in every frame.
             snap: false,
             ..Settings::default()

@@ -36,7 +36,10 @@ impl App {
             Command::Redo => self.travel(History::redo),
             Command::Reset => self.reset(now),
             Command::Select(handle) => self.stage.selected = Some(handle),
-            Command::Ask(about) => self.stage.asked = about,
+            // The same click takes the question back.
+            Command::Ask(about) => {
+                self.stage.asked = about.filter(|_| about != self.stage.asked);
+            }
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
             Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
@@ -114,9 +117,10 @@ impl App {
     }
 
     fn go_to_verdict(&mut self) {
-        let (document, run) = (self.history.now().document(), self.playback.main());
+        let document = self.history.now().document();
+        let now = (self.playback.main(), self.position());
         let asked = self.stage.asked;
-        let verdict = asked.and_then(|about| document.verdict(about, run));
+        let verdict = asked.and_then(|about| document.verdict(about, now));
         if let Some(step) = verdict.and_then(|verdict| verdict.step) {
             self.seek(step);
         }
@@ -131,6 +135,9 @@ impl App {
         let size = self.history.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..));
         let fits = edit.brings_another();
+        if fits {
+            self.history.leave(self.playback.transport.position());
+        }
         let mut selected = None;
         let changed = self.history.edit(gesture, now, size, |scene| {
             selected = edit.apply(scene)?;
@@ -198,12 +205,16 @@ impl App {
         }
     }
 
-    fn travel(&mut self, step: fn(&mut History<Scene>)) {
+    fn travel(&mut self, step: fn(&mut History<Scene>, usize) -> Option<usize>) {
         let before = self.history.revision();
-        step(&mut self.history);
+        let position = self.position();
+        let position = step(&mut self.history, position);
         if self.history.revision() != before {
             self.playback.rerecord(self.history.now());
             self.stage.refit(self.history.now());
+        }
+        if let Some(position) = position {
+            self.seek(position);
         }
     }
 
@@ -216,7 +227,7 @@ impl App {
     }
 
     /// Shows what is to be seen now, from where it is seen best.
-    fn fit(&mut self) {
+    pub(super) fn fit(&mut self) {
         self.stage.fit(self.bookmark.bounds_of(self.history.now()));
         self.playback.look_anew();
     }

@@ -1,5 +1,7 @@
 //! Where the reader stands: in the course, or beside it.
 
+use std::collections::BTreeMap;
+
 use super::{desk::Page, prelude::*};
 
 /// A course, and an open step of it where it has one; or the free scene of a lab, and the step to come back to.
@@ -81,7 +83,18 @@ impl Bookmark {
         found.is_some_and(|lesson_idx| self.open([lesson_idx, 0]))
     }
 
-    pub const fn open_free(&mut self, lab: &'static Lab) -> bool {
+    /// Opens the free scene of a lab: beside the open step where that is of the same lab, else beside the step of its own that
+    /// was open `last`, or its first.
+    pub fn open_free(&mut self, lab: &'static Lab, last: Option<&Page>) -> bool {
+        let is_of_lab = |bookmark: &Self| bookmark.lesson().is_some_and(|it| it.lab == lab.id);
+        if !is_of_lab(self) {
+            if let Some(Page::Step(lesson, step)) = last {
+                self.open_ids(lesson, step);
+            }
+            if !is_of_lab(self) {
+                self.open_lab(lab.id);
+            }
+        }
         self.free = Some(lab);
         true
     }
@@ -91,10 +104,11 @@ impl Bookmark {
         &mut self,
         page: &Page,
         lab_of: impl FnOnce(&str) -> Option<&'static Lab>,
+        steps: &BTreeMap<String, Page>,
     ) -> bool {
         match page {
             Page::Step(lesson, step) => self.open_ids(lesson, step),
-            Page::Free(id) => lab_of(id).is_some_and(|lab| self.open_free(lab)),
+            Page::Free(id) => lab_of(id).is_some_and(|lab| self.open_free(lab, steps.get(lab.id))),
         }
     }
 

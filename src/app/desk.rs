@@ -20,7 +20,6 @@ pub enum Page {
 pub struct Work {
     pub history: History<Scene>,
     pub position: usize,
-    pub file: Option<String>,
     /// Is it another scene than the page's own? A free scene is always the reader's.
     pub is_changed: bool,
 }
@@ -33,16 +32,30 @@ pub struct StoredWork {
     pub scene: String,
     pub position: usize,
     pub file: Option<String>,
+    /// Does the file hold another scene than this?
+    #[serde(default)]
+    pub is_unsaved: bool,
     /// What another window had made of the page before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<String>,
 }
 
+#[derive(Default)]
 pub struct Desk {
     /// The work on all pages but the open one.
     pub works: BTreeMap<Page, Work>,
-    /// The page of each lab that was open last, by the lab's id.
-    pub last: BTreeMap<String, Page>,
+    pub places: Places,
+}
+
+/// Where a reader of a course was last.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Places {
+    pub page: Option<Page>,
+    /// The page of each lab, by the lab's id.
+    pub labs: BTreeMap<String, Page>,
+    /// The step of the course in each lab.
+    pub steps: BTreeMap<String, Page>,
 }
 
 impl Desk {

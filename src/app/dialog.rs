@@ -79,13 +79,13 @@ impl App {
     }
 
     pub(super) fn opened(&self) -> Dialog {
-        let path = self.file.clone();
+        let path = self.history.file().map(str::to_owned);
         let path = path.unwrap_or_else(|| self.platform.suggest(""));
         Dialog::Open(Target::new(path))
     }
 
     pub(super) fn saved(&self) -> Dialog {
-        let path = self.file.clone();
+        let path = self.history.file().map(str::to_owned);
         Dialog::Save(Target::new(path.unwrap_or_else(|| self.suggested("toml"))))
     }
 

@@ -38,7 +38,6 @@ fn path_of(path: &str, figures: Figures, step: usize) -> String {
 
 impl App {
     pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
-        let now = ctx.input(|input| input.time);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
         #[cfg(not(target_arch = "wasm32"))]
         let has_mesh = dropped.iter().any(|file| is_mesh(file.path()));
@@ -52,7 +51,7 @@ impl App {
             }
             let name = file.path().display().to_string();
             match bytes_of(&file) {
-                Ok(bytes) => self.open_bytes(&name, &bytes, now),
+                Ok(bytes) => self.open_bytes(&name, &bytes),
                 Err(reason) => self.report_unread(&name, reason),
             }
         }
@@ -84,11 +83,11 @@ impl App {
 
     /// Shows the scene in these bytes, in the free scene of its lab; what is wrong with them is shown, and all left as
     /// it was.
-    pub fn open_bytes(&mut self, name: &str, bytes: &[u8], now: f64) {
+    pub fn open_bytes(&mut self, name: &str, bytes: &[u8]) {
         match self.kit.formats.read(name, bytes) {
             Ok(read) => {
                 self.notices.clear();
-                self.open_scene(name, read, now);
+                self.open_scene(name, read);
             }
             Err(problems) => self.report_unfit(&problems),
         }
@@ -100,13 +99,15 @@ impl App {
         self.complain(format!("{}\n{kept}", self.listing(problems)));
     }
 
-    pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile, now: f64) {
+    pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile) {
         let SceneFile { scene, position } = opened;
         let lab = scene.document().lab();
-        self.turn_to(|bookmark| bookmark.open_free(lab));
-        self.edit(Edit::Replace(scene), None, now);
+        self.open_free(lab);
+        self.history.leave(self.position());
+        self.history.open(file, scene);
+        self.playback.rerecord(self.history.now());
+        self.fit();
         self.seek(position);
-        self.file = Some(file.to_owned());
     }
 
     /// Problems as a compiler prints them; of very many, the first.
@@ -127,7 +128,7 @@ impl App {
         let mut asked = self.shown.dialog.take();
         let is_there = match &asked {
             Some(Dialog::Save(target)) => {
-                self.file.as_deref() != Some(&target.path) && self.platform.exists(&target.path)
+                self.history.file() != Some(&target.path) && self.platform.exists(&target.path)
             }
             Some(Dialog::Export(target, figures)) => {
                 let [first, last] = self.exported(*figures);
@@ -151,7 +152,7 @@ impl App {
             Some(Dialog::Open(Target { path, .. })) => {
                 if !self.open_folder_or_mesh(Path::new(&path), ctx) {
                     match self.platform.read(&path) {
-                        Ok(bytes) => self.open_bytes(&path, &bytes, now),
+                        Ok(bytes) => self.open_bytes(&path, &bytes),
                         Err(reason) => {
                             self.report_unread(&path, reason);
                             self.shown.dialog = Some(Dialog::Open(Target::new(path)));
@@ -163,7 +164,7 @@ impl App {
                 let path = target.path.clone();
                 let written = self.platform.write(&path, self.as_file().as_bytes());
                 match &written {
-                    Ok(path) => self.file = Some(path.clone()),
+                    Ok(path) => self.history.saved(path.clone()),
                     Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
                 }
                 self.report(&path, written, ["status-saved", "status-save-failed"], now);

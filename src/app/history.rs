@@ -1,5 +1,7 @@
 //! The document and its past: every change can be undone, a whole gesture at once.
 
+use std::{cell::OnceCell, rc::Rc};
+
 const MAX_UNDO: usize = 100;
 const MIN_UNDO: usize = 4;
 /// Units of documents (segments, say) kept at most for undo: some hundred megabytes.
@@ -17,28 +19,62 @@ pub enum UndoGroup {
     Number(usize),
 }
 
+/// A file that the document is of.
+#[derive(Clone, PartialEq, Debug)]
+pub struct OnDisk<S> {
+    pub path: String,
+    /// What is in it, if that is known.
+    pub document: Option<S>,
+}
+
+/// A document as it was, and what goes back with it.
+#[derive(Clone, Debug)]
+struct Version<S> {
+    document: S,
+    file: Option<Rc<OnDisk<S>>>,
+    /// The step of the run at which another document took its place.
+    left_at: Option<usize>,
+}
+
 #[derive(Clone, Debug)]
 pub struct History<S> {
-    now: S,
-    past: Vec<S>,
-    future: Vec<S>,
+    now: Version<S>,
+    past: Vec<Version<S>>,
+    future: Vec<Version<S>>,
     open: Option<(UndoGroup, f64)>,
     revision: u64,
+    unsaved: OnceCell<bool>,
 }
 
 impl<S: Clone + PartialEq> History<S> {
-    pub const fn new(now: S) -> Self {
+    pub const fn new(document: S) -> Self {
         Self {
-            now,
+            now: Version {
+                document,
+                file: None,
+                left_at: None,
+            },
             past: Vec::new(),
             future: Vec::new(),
             open: None,
             revision: 0,
+            unsaved: OnceCell::new(),
         }
     }
 
     pub const fn now(&self) -> &S {
-        &self.now
+        &self.now.document
+    }
+
+    pub fn file(&self) -> Option<&str> {
+        self.now.file.as_deref().map(|file| &*file.path)
+    }
+
+    /// Is the document another one than its file holds?
+    pub fn is_unsaved(&self) -> bool {
+        let file = self.now.file.as_deref();
+        let differs = |file: &OnDisk<S>| file.document.as_ref() != Some(self.now());
+        *self.unsaved.get_or_init(|| file.is_some_and(differs))
     }
 
     /// Another number after every change: what is cached under it is still true.
@@ -66,8 +102,9 @@ impl<S: Clone + PartialEq> History<S> {
             _ => false,
         };
         let before = self.now.clone();
-        change(&mut self.now)?;
-        if self.now == before {
+        self.now.left_at = None;
+        change(&mut self.now.document)?;
+        if self.now.document == before.document {
             return Ok(false);
         }
         if !continues {
@@ -77,16 +114,58 @@ impl<S: Clone + PartialEq> History<S> {
         }
         self.open = gesture.map(|gesture| (gesture, time));
         self.future.clear();
-        self.revision += 1;
+        self.changed();
         Ok(true)
     }
 
-    pub fn replace(&mut self, now: S) {
-        if now != self.now {
-            self.past.push(std::mem::replace(&mut self.now, now));
-            self.future.clear();
-            self.moved();
+    pub fn replace(&mut self, document: S) {
+        if document != self.now.document {
+            let file = self.now.file.clone();
+            self.put(document, file);
         }
+    }
+
+    /// Shows what a file holds in the place of what is shown.
+    pub fn open(&mut self, path: &str, document: S) {
+        let file = OnDisk {
+            path: path.to_owned(),
+            document: Some(document.clone()),
+        };
+        self.put(document, Some(Rc::new(file)));
+    }
+
+    fn put(&mut self, document: S, file: Option<Rc<OnDisk<S>>>) {
+        let now = Version {
+            document,
+            file,
+            left_at: None,
+        };
+        self.past.push(std::mem::replace(&mut self.now, now));
+        self.future.clear();
+        self.moved();
+    }
+
+    /// The document has been written into this file: so are all versions of the same file.
+    pub fn saved(&mut self, path: String) {
+        let document = Some(self.now().clone());
+        self.keep_in(Some(OnDisk { path, document }));
+    }
+
+    /// The file of the document, and of all versions that had the same.
+    pub fn keep_in(&mut self, file: Option<OnDisk<S>>) {
+        let (old, new) = (self.now.file.clone(), file.map(Rc::new));
+        let versions = self.past.iter_mut().chain(&mut self.future);
+        for version in versions.chain([&mut self.now]) {
+            if version.file.as_ref().map(Rc::as_ptr) == old.as_ref().map(Rc::as_ptr) {
+                version.file.clone_from(&new);
+            }
+        }
+        self.unsaved = OnceCell::new();
+    }
+
+    /// Another document is about to take this one's place: its run stands at this step.
+    pub const fn leave(&mut self, position: usize) {
+        self.now.left_at = Some(position);
     }
 
     pub const fn is_in_gesture(&self) -> bool {
@@ -105,23 +184,39 @@ impl<S: Clone + PartialEq> History<S> {
         !self.future.is_empty()
     }
 
-    pub fn undo(&mut self) {
-        if let Some(before) = self.past.pop() {
-            self.future.push(std::mem::replace(&mut self.now, before));
-            self.moved();
-        }
+    /// One version back, from a run at this step; the step at which that version's run was left, where another document had
+    /// taken its place.
+    pub fn undo(&mut self, position: usize) -> Option<usize> {
+        let before = self.past.pop()?;
+        let left = self.turn(before, position);
+        self.future.push(left);
+        self.now.left_at.take()
     }
 
-    pub fn redo(&mut self) {
-        if let Some(after) = self.future.pop() {
-            self.past.push(std::mem::replace(&mut self.now, after));
-            self.moved();
-        }
+    /// The same forward.
+    pub fn redo(&mut self, position: usize) -> Option<usize> {
+        let after = self.future.pop()?;
+        let left = self.turn(after, position);
+        self.past.push(left);
+        self.now.left_at.take()
     }
 
-    const fn moved(&mut self) {
-        self.open = None;
+    /// Shows this version; the one that was shown.
+    fn turn(&mut self, to: Version<S>, position: usize) -> Version<S> {
+        let mut left = std::mem::replace(&mut self.now, to);
+        left.left_at = self.now.left_at.is_some().then_some(position);
+        self.moved();
+        left
+    }
+
+    fn changed(&mut self) {
         self.revision += 1;
+        self.unsaved = OnceCell::new();
+    }
+
+    fn moved(&mut self) {
+        self.open = None;
+        self.changed();
     }
 }
 
@@ -147,12 +242,12 @@ mod tests {
         }
         document.end_gesture();
         set(&mut document, Some(UndoGroup::Drag(0)), 0.1, 4);
-        document.undo();
+        document.undo(0);
         assert_eq!(*document.now(), 3);
-        document.undo();
+        document.undo(0);
         assert_eq!((*document.now(), document.can_undo()), (0, false));
-        document.redo();
-        document.redo();
+        document.redo(0);
+        document.redo(0);
         assert_eq!((*document.now(), document.can_redo()), (4, false));
     }
 
@@ -162,9 +257,9 @@ mod tests {
         set(&mut document, Some(UndoGroup::Nudge(1)), 0.0, 1);
         set(&mut document, Some(UndoGroup::Nudge(1)), 0.5, 2);
         set(&mut document, Some(UndoGroup::Nudge(1)), 3.0, 3);
-        document.undo();
+        document.undo(0);
         assert_eq!(*document.now(), 2);
-        document.undo();
+        document.undo(0);
         assert_eq!(*document.now(), 0);
     }
 
@@ -182,9 +277,31 @@ mod tests {
     fn a_new_change_forgets_what_was_undone() {
         let mut document = History::new(0);
         set(&mut document, None, 0.0, 1);
-        document.undo();
+        document.undo(0);
         set(&mut document, None, 0.0, 2);
         assert!(!document.can_redo());
+    }
+
+    #[test]
+    fn the_file_and_the_moment_go_back_with_the_document() {
+        let mut document = History::new(0);
+        document.open("a", 1);
+        set(&mut document, None, 0.0, 2);
+        assert!(document.is_unsaved());
+        document.leave(7);
+        document.open("b", 3);
+        assert_eq!((document.file(), document.is_unsaved()), (Some("b"), false));
+        assert_eq!(document.undo(4), Some(7), "where its run had been");
+        assert_eq!((document.file(), document.is_unsaved()), (Some("a"), true));
+        document.saved("c".to_owned());
+        assert_eq!(document.undo(0), None, "an edit stays at its moment");
+        assert_eq!((*document.now(), document.file()), (1, Some("c")));
+        assert!(document.is_unsaved());
+        document.redo(0);
+        assert!(!document.is_unsaved());
+        assert_eq!(document.redo(9), Some(4));
+        assert_eq!((*document.now(), document.file()), (3, Some("b")));
+        assert_eq!(document.undo(4), Some(9));
     }
 
     #[test]

@@ -243,6 +243,11 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
             app.push(Command::Verdict);
         }
     }
+    if let Some((key, change)) = &verdict.offer
+        && ui.button(look.say(key)).clicked()
+    {
+        app.push(Command::Edit(Edit::Own(change.clone()), None));
+    }
 }
 
 fn costs(app: &App, ui: &mut Ui, column: usize) {

@@ -248,7 +248,7 @@ fn works([before, now, there]: [&[StoredWork]; 3]) -> Vec<StoredWork> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{lesson::Course, text::Lang};
+    use crate::{app::desk::Places, lesson::Course, text::Lang};
 
     fn work(page: &str, scene: &str) -> StoredWork {
         StoredWork {
@@ -256,6 +256,7 @@ mod tests {
             scene: scene.to_owned(),
             position: 0,
             file: None,
+            is_unsaved: false,
             before: None,
         }
     }
@@ -353,7 +354,10 @@ mod tests {
                 speed: number,
                 zoom: number,
                 window: Some([number, 700.0]),
-                page: Some(Page::Step("03-outcodes".to_owned(), "accepted".to_owned())),
+                places: Places {
+                    page: Some(Page::Step("03-outcodes".to_owned(), "accepted".to_owned())),
+                    ..Places::default()
+                },
                 works: vec![work("lines", "method = 7")],
                 ..Settings::default()
             };

@@ -168,7 +168,7 @@ impl App {
         let Some((lab, edit)) = found else {
             return;
         };
-        self.turn_to(|bookmark| bookmark.open_free(lab));
+        self.open_free(lab);
         let added = self.change(edit, None, now);
         let mut said = vec![match added {
             Ok(()) => Message::new("status-mesh-added")

@@ -54,7 +54,7 @@ mod web;
 mod window;
 
 pub use command::{BINDINGS, Binding, Command};
-pub use desk::{Page, StoredWork};
+pub use desk::{Page, Places, StoredWork};
 pub use dialog::{Answer, Dialog, Figures, Question, Target};
 #[cfg(not(target_arch = "wasm32"))]
 pub use mesh_loading::is_mesh;
@@ -108,7 +108,6 @@ pub struct App {
     bookmark: Bookmark,
     desk: Desk,
     history: History<Scene>,
-    file: Option<String>,
     playback: Playback,
     /// The scenes of the open lesson, which are shown alike.
     album: Option<Album>,
@@ -166,21 +165,21 @@ impl App {
             ..Bookmark::default()
         };
         let first = kit.panels.first().expect("a window has a lab").lab();
-        let is_open = match &settings.page {
-            Some(page) => bookmark.open_page(page, |id| kit.lab(id)),
+        let places = settings.places();
+        let is_open = match &places.page {
+            Some(page) => bookmark.open_page(page, |id| kit.lab(id), &places.steps),
             None => bookmark.step().is_some(),
         };
         if !is_open && bookmark.step().is_none() {
-            bookmark.open_free(first);
+            bookmark.open_free(first, None);
         }
         let scene = (first.first_scene)();
         let stored = std::mem::take(&mut settings.works);
         let mut app = Self {
             desk: Desk {
                 works: BTreeMap::new(),
-                last: std::mem::take(&mut settings.labs),
+                places,
             },
-            file: None,
             settings,
             playback: Playback::record(&scene, 0),
             album: None,
@@ -205,6 +204,9 @@ impl App {
         };
         app.lay_out(stored);
         app.enter();
+        if app.is_the_readers() && app.history.can_undo() {
+            app.tell(&Message::new("status-restored"), 0.0);
+        }
         app
     }
 
@@ -214,7 +216,7 @@ impl App {
     }
 
     pub fn with_scene(mut self, file: &str, opened: SceneFile) -> Self {
-        self.open_scene(file, opened, 0.0);
+        self.open_scene(file, opened);
         self
     }
 
@@ -224,12 +226,18 @@ impl App {
 
     pub fn settings(&self) -> Settings {
         Settings {
-            page: self.bookmark.page(),
-            labs: self.desk.last.clone(),
             works: self.stored_works(),
             theme: self.lasting_theme(),
             speed: self.playback.transport.speed(),
             ..self.settings.clone()
+        }
+        .with_places(self.places())
+    }
+
+    fn places(&self) -> Places {
+        Places {
+            page: self.bookmark.page(),
+            ..self.desk.places.clone()
         }
     }
 

@@ -75,6 +75,11 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
     let course = loaded
         .as_ref()
         .map_or_else(Course::embedded, |loaded| loaded.course.clone());
+    let root = opening.folder.as_ref().map(Folder::full_path);
+    let settings = Settings {
+        folder: root,
+        ..settings
+    };
     let mut app = App::new(course, settings).with_platform(Desktop::with_dialogs());
     if let Some((file, scene)) = opening.scene {
         app = app.with_scene(&file, scene);

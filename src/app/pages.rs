@@ -8,8 +8,8 @@ use crate::{
 use super::{
     App,
     bookmark::Bookmark,
-    desk::{Page, StoredWork, Work},
-    history::History,
+    desk::{Page, Places, StoredWork, Work},
+    history::{History, OnDisk},
     playback::Playback,
     prelude::*,
     room::{CoursePart, Room},
@@ -37,7 +37,7 @@ impl App {
     }
 
     /// Is the scene the reader's own, or changed by the reader?
-    fn is_the_readers(&self) -> bool {
+    pub(super) fn is_the_readers(&self) -> bool {
         self.bookmark.free.is_some() || !self.is_untouched()
     }
 
@@ -48,7 +48,6 @@ impl App {
         let at_first = |(scene, position)| Work {
             history: History::new(scene),
             position,
-            file: None,
             is_changed: false,
         };
         let work = work.or_else(|| self.own().map(at_first));
@@ -61,7 +60,11 @@ impl App {
         }
         if let Some(page) = page {
             let lab = self.scene().document().lab();
-            self.desk.last.insert(lab.id.to_owned(), page);
+            let places = &mut self.desk.places;
+            if let Page::Step(..) = page {
+                places.steps.insert(lab.id.to_owned(), page.clone());
+            }
+            places.labs.insert(lab.id.to_owned(), page);
         }
         self.playback.transport.set_speed(self.settings.speed);
         before
@@ -75,7 +78,6 @@ impl App {
         Work {
             position: before.transport.position(),
             history: std::mem::replace(&mut self.history, work.history),
-            file: std::mem::replace(&mut self.file, work.file),
             ..work
         }
     }
@@ -119,8 +121,18 @@ impl App {
         blocks.any(|block| matches!(block, Block::Answer(_)))
     }
 
-    /// The next step of the lesson, or the one before; where a question is to be read, first its answer.
+    /// The next step of the lesson, or the one before; where a question is to be read, first its answer. From a free scene back to
+    /// the course.
     pub(super) fn turn_page(&mut self, forward: bool) {
+        if self.bookmark.free.is_some() {
+            // Whoever presents a scene of their own stays there, and comes on in its run.
+            if self.is_presenting() {
+                self.playback.transport.step(if forward { 1 } else { -1 });
+            } else {
+                self.toggle_free();
+            }
+            return;
+        }
         let is_read = match self.room() {
             Room::Course => true,
             Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
@@ -137,11 +149,12 @@ impl App {
     /// A lab where it was left; at first its first lesson, or its free scene where the course has none.
     pub(super) fn open_lab(&mut self, id: &str) {
         let Some(lab) = self.kit.lab(id) else { return };
-        let last = self.desk.last.get(id).cloned();
+        let Places { labs, steps, .. } = self.desk.places.clone();
         self.turn_to(|bookmark| {
-            last.is_some_and(|page| bookmark.open_page(&page, |_| Some(lab)))
+            let last = labs.get(id);
+            last.is_some_and(|page| bookmark.open_page(page, |_| Some(lab), &steps))
                 || bookmark.open_lab(id)
-                || bookmark.open_free(lab)
+                || bookmark.open_free(lab, None)
         });
     }
 
@@ -150,7 +163,7 @@ impl App {
         let lab = self.kit.lab(id);
         let adopted = lab.and_then(|lab| Some((lab, (lab.adopt)(self.scene())?)));
         if let Some((lab, scene)) = adopted {
-            self.turn_to(|bookmark| bookmark.open_free(lab));
+            self.open_free(lab);
             self.edit(Edit::Replace(scene), None, now);
         }
     }
@@ -158,10 +171,15 @@ impl App {
     /// From the course to the lab's free scene, or back.
     pub(super) fn toggle_free(&mut self) {
         let lab = self.scene().document().lab();
-        self.turn_to(|bookmark| match bookmark.free {
-            Some(_) => bookmark.open(bookmark.at),
-            None => bookmark.open_free(lab),
-        });
+        match self.bookmark.free {
+            Some(_) => self.turn_to(|bookmark| bookmark.open(bookmark.at)),
+            None => self.open_free(lab),
+        }
+    }
+
+    pub(super) fn open_free(&mut self, lab: &'static Lab) {
+        let last = self.desk.places.steps.get(lab.id).cloned();
+        self.turn_to(|bookmark| bookmark.open_free(lab, last.as_ref()));
     }
 
     /// The scene and its moment, as a file spells them.
@@ -172,23 +190,22 @@ impl App {
 
     pub(super) fn stored_works(&self) -> Vec<StoredWork> {
         let page = self.bookmark.page().filter(|_| self.is_the_readers());
-        let open = (page.iter()).map(|page| (page, self.scene(), self.position(), &self.file));
+        let open = (page.iter()).map(|page| (page, &self.history, self.position()));
         let changed = self.desk.works.iter().filter(|(_, work)| work.is_changed);
-        let changed =
-            changed.map(|(page, work)| (page, work.history.now(), work.position, &work.file));
+        let changed = changed.map(|(page, work)| (page, &work.history, work.position));
         let mut room = MOST_STORED;
-        let stored = open
-            .chain(changed)
-            .filter_map(|(page, scene, position, file)| {
-                room = room.checked_sub(scene.document().size())?;
-                Some(StoredWork {
-                    page: page.clone(),
-                    scene: self.kit.formats.write(scene, &Moment::Start),
-                    position,
-                    file: file.clone(),
-                    before: None,
-                })
-            });
+        let stored = open.chain(changed).filter_map(|(page, history, position)| {
+            let scene = history.now();
+            room = room.checked_sub(scene.document().size())?;
+            Some(StoredWork {
+                page: page.clone(),
+                scene: self.kit.formats.write(scene, &Moment::Start),
+                position,
+                file: history.file().map(str::to_owned),
+                is_unsaved: history.is_unsaved(),
+                before: None,
+            })
+        });
         stored.collect()
     }
 
@@ -222,10 +239,13 @@ impl App {
                 history.replace(before.scene);
             }
             history.replace(scene);
+            history.keep_in(work.file.map(|path| OnDisk {
+                path,
+                document: (!work.is_unsaved).then(|| history.now().clone()),
+            }));
             let laid_out = Work {
                 history,
                 position: work.position,
-                file: work.file,
                 is_changed,
             };
             self.desk.works.insert(work.page, laid_out);

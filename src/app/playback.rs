@@ -15,6 +15,8 @@ pub struct Playback {
     pub transport: Transport,
     /// The scene's method first.
     runs: Vec<Box<dyn Run>>,
+    /// The last run that was none of a refused scene, and where it stood: a drag across such a scene comes back to there.
+    interrupted: Option<(Box<dyn Run>, usize)>,
     /// Steps at which a phase begins, the first few hundred.
     pub phases: Vec<usize>,
     /// Where a method that is wrong on purpose first differs from the right one.
@@ -67,6 +69,7 @@ impl Playback {
             transport,
             phases: phases(&*runs[0]),
             runs,
+            interrupted: None,
             difference,
             baseline: scene.document().baseline(),
             frames: Vec::new(),
@@ -91,11 +94,17 @@ impl Playback {
         let is_slow = start.elapsed().as_secs_f64() > MOST_SECS;
         self.n_slow = if is_slow { self.n_slow + 1 } else { 0 };
         self.is_late = false;
-        let position = runs[0].corresponding(self.main(), self.transport.position());
-        self.transport.rebase(runs[0].n_steps(), position);
+        let before = std::mem::replace(&mut self.runs, runs).swap_remove(0);
+        let now = (before, self.transport.position());
+        let (before, step) = self.interrupted.take().unwrap_or(now);
+        let position = self.main().corresponding(&*before, step);
+        self.transport.rebase(self.main().n_steps(), position);
+        if self.main().is_refused() {
+            self.interrupted = Some((before, step));
+        }
         self.reached = position;
-        self.phases = phases(&*runs[0]);
-        (self.runs, self.difference) = (runs, difference);
+        self.phases = phases(self.main());
+        self.difference = difference;
         self.baseline = scene.document().baseline();
         self.framed_at = None;
         self.recording += 1;

@@ -80,7 +80,7 @@ impl WatchRooms {
 
 #[derive(Default)]
 pub struct Verdicts {
-    about: Option<Link>,
+    about: Option<(Link, usize)>,
     room: RunRoom<Option<Verdict>>,
 }
 
@@ -91,10 +91,11 @@ impl Verdicts {
         ui: &Ui,
         (scene, about): (&Scene, Link),
     ) -> Option<&Verdict> {
-        if self.about.replace(about) != Some(about) {
+        let now = (about, on_stage.0.transport.position());
+        if self.about.replace(now) != Some(now) {
             self.room = RunRoom::default();
         }
-        let verdict = || scene.document().verdict(about, on_stage.0.main());
+        let verdict = || scene.document().verdict(about, (on_stage.0.main(), now.1));
         self.room.get(on_stage, ui, 0.0, verdict).as_ref()
     }
 }

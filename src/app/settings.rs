@@ -1,13 +1,11 @@
 //! What the app remembers from one time to the next.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 use crate::{paint::ThemeKind, text::Lang, trace::Transport};
 
 use super::{
-    desk::{Page, StoredWork},
+    desk::{Places, StoredWork},
     dialog::Figures,
 };
 
@@ -28,9 +26,14 @@ pub struct Settings {
     /// The window's inner size in points, when it was closed.
     pub window: Option<[f32; 2]>,
     pub figures: Option<Figures>,
-    pub page: Option<Page>,
-    /// The page of each lab that was open last, by the lab's id.
-    pub labs: BTreeMap<String, Page>,
+    /// In the course that is built in.
+    #[serde(flatten)]
+    pub places: Places,
+    /// In those of folders, the one that was open last first.
+    pub folders: Vec<(String, Places)>,
+    /// The folder whose course is open.
+    #[serde(skip)]
+    pub folder: Option<String>,
     pub works: Vec<StoredWork>,
 }
 
@@ -47,13 +50,16 @@ impl Default for Settings {
             board: 1.0,
             window: None,
             figures: None,
-            page: None,
-            labs: BTreeMap::new(),
+            places: Places::default(),
+            folders: Vec::new(),
+            folder: None,
             works: Vec::new(),
         }
     }
 }
 
+/// So many folders are remembered.
+const MOST_FOLDERS: usize = 8;
 /// What a window can be.
 const SIDES: std::ops::RangeInclusive<f32> = 240.0..=8192.0;
 const ZOOMS: std::ops::RangeInclusive<f32> = 0.5..=3.0;
@@ -76,6 +82,27 @@ impl Settings {
         self.figures = self
             .figures
             .filter(|it| Figures::SIZES.contains(&it.size_px));
+        self
+    }
+
+    /// Where the reader of the open course was last.
+    pub fn places(&self) -> Places {
+        let Some(open) = &self.folder else {
+            return self.places.clone();
+        };
+        let known = self.folders.iter().find(|(folder, _)| folder == open);
+        known.map(|(_, places)| places.clone()).unwrap_or_default()
+    }
+
+    pub fn with_places(mut self, now: Places) -> Self {
+        match self.folder.clone() {
+            None => self.places = now,
+            Some(open) => {
+                self.folders.retain(|(folder, _)| *folder != open);
+                self.folders.insert(0, (open, now));
+                self.folders.truncate(MOST_FOLDERS);
+            }
+        }
         self
     }
 

@@ -81,11 +81,18 @@ impl App {
     }
 
     pub(super) fn name_window(&mut self, ctx: &Context) {
-        let file = self.file.as_deref().map(std::path::Path::new);
+        let file = self.history.file().map(std::path::Path::new);
         let name = file.and_then(|path| path.file_name()?.to_str());
         let title = name.map_or_else(
             || "Clipscope".to_owned(),
-            |name| format!("{name} – Clipscope"),
+            |name| {
+                let changed = if self.history.is_unsaved() {
+                    "● "
+                } else {
+                    ""
+                };
+                format!("{changed}{name} – Clipscope")
+            },
         );
         if self.shown.title != title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

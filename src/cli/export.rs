@@ -8,7 +8,7 @@ use clap::{
 };
 
 use crate::{
-    app::{App, Page, Settings},
+    app::{App, Page, Places, Settings},
     export::{Content, Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
@@ -202,9 +202,12 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
     let settings = Settings {
         lang: args.lang,
         theme: args.theme,
-        page: match job.source {
-            Source::Step(lesson, step) => Some(Page::Step(lesson.id.clone(), step.id.clone())),
-            Source::File(_) => None,
+        places: Places {
+            page: match job.source {
+                Source::Step(lesson, step) => Some(Page::Step(lesson.id.clone(), step.id.clone())),
+                Source::File(_) => None,
+            },
+            ..Places::default()
         },
         ..Settings::default()
     };
@@ -213,6 +216,11 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
     if let Source::File(file) = job.source {
         app = app.with_scene(&job.path, file.clone());
     }
-    app.seek(job.position);
+    // The figure of a step may show another scene than the window begins with.
+    let own = match job.source {
+        Source::Step(_, step) if step.drawn().scene != step.scene => step.position(),
+        Source::Step(..) | Source::File(_) => None,
+    };
+    app.seek(own.unwrap_or(job.position));
     table.draw(size, args.scale, |ui| app.ui(ui)).to_png()
 }

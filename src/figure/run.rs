@@ -200,8 +200,13 @@ impl dyn Run + '_ {
     }
 
     pub fn why(&self, thing: Link) -> Option<usize> {
+        self.why_until(thing, self.n_steps())
+    }
+
+    /// The same of its steps up to this one.
+    pub fn why_until(&self, thing: Link, step: usize) -> Option<usize> {
         let mut found = None;
-        self.visit([1, self.n_steps()], &mut |step, shown| {
+        self.visit([1, step], &mut |step, shown| {
             if shown.decision().is_some_and(|(_, about)| about == thing) {
                 found = Some(step);
             }

@@ -98,19 +98,22 @@ pub trait Draggable {
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
 }
 
+/// A run, and the step of it that is shown.
+pub type AtStep<'a> = (&'a dyn Run, usize);
+
 pub trait Answers {
     fn asked(&self, click: &Click<'_>) -> Option<Link> {
         click.link
     }
     /// What decided the fate of what is asked about, and what would turn it.
     ///
-    /// `run` is the first of [`Document::record`].
-    fn verdict(&self, _about: Link, _run: &dyn Run) -> Option<Verdict> {
+    /// The run is the first of [`Document::record`].
+    fn verdict(&self, _about: Link, _now: AtStep<'_>) -> Option<Verdict> {
         None
     }
 }
 
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub struct Verdict {
     /// The test that decided it, with its numbers.
     pub why: Caption,
@@ -118,6 +121,8 @@ pub struct Verdict {
     pub notes: Vec<Message>,
     /// The step of the first run that says so, if one does.
     pub step: Option<usize>,
+    /// A change of the scene that goes on from there, and what is said of it.
+    pub offer: Option<(&'static str, Own)>,
 }
 
 /// What any document can do besides: it is copied, compared and printed. Nobody writes this by hand.

@@ -30,8 +30,8 @@ pub use difference::{Difference, comparison};
 pub use edit::Edit;
 pub use handle::{Handle, HandleKind, Motion};
 pub use lab::{
-    Answers, Backdrop, Change, ChangeOf, Click, Document, Draggable, Lab, Lock, OutlineKind, Own,
-    Plain, Scene, Verdict,
+    Answers, AtStep, Backdrop, Change, ChangeOf, Click, Document, Draggable, Lab, Lock,
+    OutlineKind, Own, Plain, Scene, Verdict,
 };
 pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;

@@ -12,7 +12,7 @@ pub use crate::{
 };
 
 pub use super::{
-    Answer, CodeLine, Verdict,
+    Answer, AtStep, CodeLine, Verdict,
     card::{MethodCard, code_line},
     recorded::Recorded,
     telling::{AnswerAsItIs, At, Each, Named, Row, Telling, Watched, table},

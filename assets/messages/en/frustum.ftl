@@ -339,6 +339,12 @@ pixel-other-nothing = { $count ->
     [one] One pixel
    *[other] { $count } pixels
   } { $direction } nothing is seen.
+pixel-shows = Pixel { $at } shows face { $face } of object { $object } at this step.
+pixel-shows-nothing = Pixel { $at } shows nothing at this step.
+pixel-truth = The nearest there is face { $face } of object { $object }.
+pixel-truth-nothing = No face covers it.
+pixel-alone = Only this pixel
+pixel-all = All pixels
 pixel-right = to the right
 pixel-left = to the left
 pixel-down = down

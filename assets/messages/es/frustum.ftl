@@ -342,6 +342,12 @@ pixel-other-nothing = { $count ->
     [one] Un píxel
    *[other] { $count } píxeles
   } { $direction } no se ve nada.
+pixel-shows = En este paso el píxel { $at } muestra la cara { $face } del objeto { $object }.
+pixel-shows-nothing = En este paso el píxel { $at } no muestra nada.
+pixel-truth = La más cercana allí es la cara { $face } del objeto { $object }.
+pixel-truth-nothing = Ninguna cara lo cubre.
+pixel-alone = Solo este píxel
+pixel-all = Todos los píxeles
 pixel-right = a la derecha
 pixel-left = a la izquierda
 pixel-down = hacia abajo

@@ -339,6 +339,12 @@ pixel-other-nothing = { $count ->
     [1] Um pixel
    *[other] { $count } pixels
   } { $direction } não se vê nada.
+pixel-shows = Neste passo, o pixel { $at } mostra a face { $face } do objeto { $object }.
+pixel-shows-nothing = Neste passo, o pixel { $at } não mostra nada.
+pixel-truth = A mais próxima ali é a face { $face } do objeto { $object }.
+pixel-truth-nothing = Nenhuma face o cobre.
+pixel-alone = Só este pixel
+pixel-all = Todos os pixels
 pixel-right = à direita
 pixel-left = à esquerda
 pixel-down = para baixo

@@ -73,7 +73,7 @@ fn the_system_is_asked_where_to_save_and_what_to_open() {
     // The system has asked whether the file is to be replaced.
     asked.answers(&mut bench, Answer::Chosen(path.clone()));
     assert_eq!(bench.app.shown.dialog, None);
-    assert_eq!(bench.app.file.as_deref(), Some(&*path));
+    assert_eq!(bench.app.history.file(), Some(&*path));
 
     let saved = bench.app.scene().clone();
     bench.command(Command::Undo);

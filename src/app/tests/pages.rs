@@ -89,7 +89,7 @@ fn a_scene_that_is_refused_offers_the_methods_that_take_it() {
 window = [0, 0, 4, 4]
 polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
 ";
-    bench.app.open_bytes("bow-tie.toml", bow_tie, 0.0);
+    bench.app.open_bytes("bow-tie.toml", bow_tie);
     bench.settle();
     let run = bench.app.playback.main();
     assert!(run.is_refused());
@@ -122,4 +122,100 @@ fn the_number_of_a_step_that_was_changed_is_marked_and_no_other() {
         let is_second = matches!(&of_steps[..], [one] if one.starts_with("2: "));
         assert!(is_second, "{size}: {of_steps:?}");
     }
+}
+
+/// Whoever leaves by a free scene comes back to the lab's own step, after a restart too.
+#[test]
+fn from_a_free_scene_one_comes_back_to_the_step_of_its_lab() {
+    let mut bench = Bench::course(SIZE);
+    let last_of = |bench: &Bench, lab: &str| {
+        let mut lessons = bench.app.bookmark.course.lessons.iter();
+        lessons
+            .rposition(|it| it.lab == lab)
+            .expect("it has lessons")
+    };
+    let [frustum, surfaces] = ["frustum", "surfaces"].map(|lab| [last_of(&bench, lab), 1]);
+    bench.command(Command::Open(frustum));
+    bench.command(Command::Free);
+    bench.command(Command::Open(surfaces));
+    bench.command(Command::Lab("frustum"));
+    assert!(bench.app.bookmark.free.is_some());
+    let mut again = Bench::with(restarted(&bench.app), SIZE);
+    for bench in [&mut bench, &mut again] {
+        bench.command(Command::Free);
+        assert_eq!(
+            (bench.app.bookmark.at, bench.app.bookmark.free),
+            (frustum, None)
+        );
+    }
+    again.command(Command::Lab("surfaces"));
+    assert_eq!(again.app.bookmark.at, surfaces);
+}
+
+#[test]
+fn what_is_restored_is_said_and_undo_takes_it_away() {
+    let mut bench = Bench::course(SIZE);
+    let [own, _] = change(&mut bench);
+    let mut again = Bench::with(restarted(&bench.app), SIZE);
+    let said = Catalog::of(Lang::En).term("status-restored");
+    let is_said = again.texts().iter().any(|(text, _)| text.contains(&said));
+    assert!(is_said);
+    again.undo();
+    assert_eq!(again.app.scene(), &own);
+}
+
+#[test]
+fn the_place_in_a_folders_course_is_its_own() {
+    let places = |step: usize| {
+        let page = Bench::course(SIZE).app.bookmark.page_of([0, step]);
+        Places {
+            page,
+            ..Places::default()
+        }
+    };
+    let built_in = Settings::default().with_places(places(1));
+    let folder = Some("/mine".to_owned());
+    let mine = Settings { folder, ..built_in }.with_places(places(2));
+    assert_eq!((mine.places(), &mine.places), (places(2), &places(1)));
+    let stored = serde_json::to_string(&mine).expect("plain data");
+    let read: Settings = serde_json::from_str(&stored).expect("as it was written");
+    assert_eq!(
+        read.places(),
+        places(1),
+        "the built-in course is open again"
+    );
+    assert_eq!(
+        Settings {
+            folder: mine.folder,
+            ..read
+        }
+        .places(),
+        places(2)
+    );
+}
+
+#[test]
+fn a_drag_across_a_refused_position_comes_back_to_its_moment() {
+    let mut bench = Bench::course(SIZE);
+    let lessons = bench.app.bookmark.course.lessons.iter();
+    let at = lessons.enumerate().find_map(|(i, lesson)| {
+        let is_it = |step: &LessonStep| {
+            let methods = step.scene.document().methods();
+            methods.len() == 1 && methods[0].id == "weiler-atherton"
+        };
+        Some([i, lesson.steps.iter().position(is_it)?])
+    });
+    bench.command(Command::Open(at.expect("there is one")));
+    bench.command(Command::Seek(3));
+    let own = bench.app.scene().clone();
+    let bow_tie = b"method = \"weiler-atherton\"
+window = [0, 0, 4, 4]
+polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
+";
+    let read = bench.app.kit.formats.read("bow-tie.toml", bow_tie);
+    let bow_tie = read.expect("it is read").scene;
+    bench.edit(Edit::Replace(bow_tie));
+    assert!(bench.app.playback.main().is_refused());
+    bench.edit(Edit::Replace(own));
+    assert_eq!(bench.app.position(), 3);
 }

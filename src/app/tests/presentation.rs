@@ -64,3 +64,20 @@ fn a_pointer_that_rests_is_hidden_and_the_app_sleeps() {
     bench.frame(0.1, vec![Event::PointerMoved(pos2(910.0, 500.0))]);
     assert_ne!(bench.cursor, CursorIcon::None);
 }
+
+/// A clicker has two keys: in a scene of one's own they walk through its run.
+#[test]
+fn a_clicker_stays_in_the_free_scene_that_is_presented() {
+    let mut bench = Bench::course(SIZE);
+    bench.key(Key::F8);
+    bench.command(Command::FIRST);
+    let page = bench.app.bookmark.page();
+    bench.key(Key::F5);
+    bench.key(Key::PageDown);
+    assert_eq!(
+        (bench.app.bookmark.page(), bench.app.position()),
+        (page.clone(), 1)
+    );
+    bench.key(Key::PageUp);
+    assert_eq!((bench.app.bookmark.page(), bench.app.position()), (page, 0));
+}

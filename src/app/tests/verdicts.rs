@@ -116,17 +116,57 @@ fn in_the_cameras_picture_the_pixel_is_told() {
 }
 
 #[test]
-fn a_pixel_of_a_raster_is_looked_at_and_let_go() {
+fn to_ask_about_a_pixel_changes_nothing_and_from_the_answer_it_is_looked_at_alone() {
     let mut bench = Bench::lab("surfaces");
     let looked_at = |bench: &Bench| bench.space().raster.pixel;
-    assert_eq!(looked_at(&bench), None);
     let all = bench.n_steps();
-    bench.press_at(middle_of(&bench, "raster"));
+    let at = middle_of(&bench, "raster");
+    bench.press_at(at);
+    assert!(bench.verdict().is_some());
+    assert!(!bench.app.history.can_undo(), "a question is no change");
+    bench.press_at(at);
+    assert_eq!(bench.verdict(), None, "the same click takes it back");
+    bench.press_at(at);
+    bench.key(Key::Escape);
+    assert_eq!(bench.verdict(), None, "and so does Escape");
+    bench.press_at(at);
+    let press = |bench: &mut Bench, key: &str| {
+        let button = Catalog::of(Lang::En).term(key);
+        let texts = bench.texts();
+        let found = texts.iter().find(|(text, _)| *text == button);
+        let (_, rect) = found.unwrap_or_else(|| panic!("no {button}: {texts:?}"));
+        bench.press_at(rect.center());
+    };
+    press(&mut bench, "pixel-alone");
     assert!(looked_at(&bench).is_some());
     assert!(bench.n_steps() < all, "its story alone");
-    // It may stand elsewhere by now, beside the table with its story.
-    let at = bench.app.stage.places.clone();
-    assert!(at.iter().any(|(id, _)| id.0 == "story"));
-    bench.command(Command::Undo);
-    assert_eq!(looked_at(&bench), None);
+    press(&mut bench, "pixel-all");
+    assert_eq!((looked_at(&bench), bench.n_steps()), (None, all));
+}
+
+/// Two surfaces that eight bits cannot tell apart: the picture shows the one behind.
+#[test]
+fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
+    let mut bench = Bench::course(SIZE);
+    let lesson = bench.app.bookmark.course.lessons.iter();
+    let step = lesson.enumerate().find_map(|(i, lesson)| {
+        let is_it = |step: &LessonStep| step.figure.as_deref() == Some("depth-eight-bits");
+        Some([i, lesson.steps.iter().position(is_it)?])
+    });
+    bench.command(Command::Open(step.expect("there is such a step")));
+    let place = Link::nth(crate::figure::Raster::LINK, 5 * 16 + 8);
+    let told = |bench: &mut Bench, seek: usize| {
+        bench.command(Command::Seek(seek));
+        bench.command(Command::Ask(None));
+        bench.command(Command::Ask(Some(place)));
+        bench.verdict().expect("it is told")
+    };
+    assert!(told(&mut bench, 0).contains("shows nothing at this step"));
+    let end = bench.n_steps();
+    let said = told(&mut bench, end);
+    assert!(said.contains("shows face 1 of object A"), "{said}");
+    assert!(
+        said.contains("nearest there is face 1 of object B"),
+        "{said}"
+    );
 }

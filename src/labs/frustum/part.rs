@@ -44,6 +44,7 @@ pub fn told_at(
         why: run.caption(step),
         notes: told.into_iter().chain(turn).collect(),
         step: Some(step),
+        offer: None,
     }
 }
 
@@ -175,7 +176,7 @@ mod tests {
             let mut steps = std::collections::HashSet::new();
             for scene in scenes(id) {
                 let runs = scene.record();
-                let told = |about| scene.verdict(about, &*runs[0]);
+                let told = |about| scene.verdict(about, (&*runs[0], 0));
                 for &about in links {
                     let verdict = told(about).unwrap_or_else(|| panic!("{id}: {about:?}"));
                     let step = verdict.step.expect("at a step");

@@ -8,7 +8,7 @@ use crate::{
 
 use super::part::told_at;
 
-pub fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
+pub fn verdict(scene: &Scene, about: Link, (run, _): AtStep<'_>) -> Option<Verdict> {
     if let Some(pixel) = pixel_verdict(scene, about) {
         return Some(pixel);
     }
@@ -91,6 +91,7 @@ fn object_verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> 
         why: Caption::new(message),
         notes: Vec::new(),
         step: run.why(about),
+        offer: None,
     })
 }
 
@@ -120,7 +121,7 @@ mod tests {
     fn told_of_faces(scene: &Scene) -> Vec<String> {
         let runs = scene.record();
         let event = |about| {
-            let told = verdict(scene, about, &*runs[0]).expect("it is told");
+            let told = verdict(scene, about, (&*runs[0], 0)).expect("it is told");
             runs[0].event_json(told.step.expect("at a step"))
         };
         assert_eq!(event(object_link(scene.focus()))["event"], "sphere");

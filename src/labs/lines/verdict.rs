@@ -64,7 +64,7 @@ impl Answers for Scene {
         under(self, click).map(segment_link)
     }
 
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+    fn verdict(&self, about: Link, (run, _): AtStep<'_>) -> Option<Verdict> {
         let segment = self.focused();
         if about != segment_link(self.focus()) {
             return None;
@@ -100,6 +100,7 @@ impl Answers for Scene {
             why: run.caption(decided.step),
             notes: between.into_iter().chain([turn]).collect(),
             step: Some(decided.step),
+            offer: None,
         })
     }
 }

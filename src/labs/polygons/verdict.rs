@@ -76,7 +76,7 @@ impl Answers for Scene {
         crossing.or_else(piece).map(found_link)
     }
 
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+    fn verdict(&self, about: Link, (run, _): AtStep<'_>) -> Option<Verdict> {
         let vertices = self.subject.vertices();
         if let Some(vertex_idx) = (0..vertices.len()).find(|&i| about == corner_link(i)) {
             return vertex_verdict(self, vertex_idx, run);
@@ -90,6 +90,7 @@ impl Answers for Scene {
             why: run.caption(step),
             notes: Vec::new(),
             step: Some(step),
+            offer: None,
         })
     }
 }
@@ -106,6 +107,7 @@ fn vertex_verdict(scene: &Scene, vertex_idx: usize, run: &dyn Run) -> Option<Ver
             why: Caption::new(message.with("vertex", vertex_name(vertex_idx))),
             notes: Vec::new(),
             step: Some(run.n_steps()),
+            offer: None,
         });
     };
     let told = Message::new(if fate.is_kept {
@@ -119,6 +121,7 @@ fn vertex_verdict(scene: &Scene, vertex_idx: usize, run: &dyn Run) -> Option<Ver
         why: run.caption(fate.step),
         notes: std::iter::once(told).chain(turn).collect(),
         step: Some(fate.step),
+        offer: None,
     })
 }
 
@@ -233,12 +236,12 @@ mod tests {
             assert!(!found.is_empty(), "{}", card.id);
             for idx in 0..found.len() {
                 let told = scene
-                    .verdict(found_link(idx), &*runs[0])
+                    .verdict(found_link(idx), (&*runs[0], 0))
                     .expect("it is told");
                 assert!((1..=runs[0].n_steps()).contains(&told.step.expect("at a step")));
             }
             for vertex_idx in 0..scene.subject.vertices().len() {
-                let told = scene.verdict(corner_link(vertex_idx), &*runs[0]);
+                let told = scene.verdict(corner_link(vertex_idx), (&*runs[0], 0));
                 assert_eq!(told.is_some(), scene.method.info().clips, "{}", card.id);
             }
         }

@@ -19,6 +19,11 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
         None
     }
 
+    /// Of a method that makes a picture: which triangle each pixel shows, row by row, less than 0 for none.
+    fn ids<'a>(_: &Step<'a, Self>) -> Option<&'a [i32]> {
+        None
+    }
+
     /// What decided the fate of a part of what it clips, in a run of it.
     fn verdict(_: &Scene, _about: Link, _run: &dyn Run) -> Option<Verdict> {
         None
@@ -44,6 +49,10 @@ where
             ))
         },
         verdict: A::verdict,
+        shown_at: |scene, (step, place)| {
+            let recording = Recording::<A>::new(A::input(scene));
+            recording.at(step, |step| A::ids(step)?.get(place).copied())
+        },
     };
     let card = MethodCard::of::<A>();
     MethodEntry { card, info }

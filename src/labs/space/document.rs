@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    Method, Part, RasterPlan, Scene, SpaceChange, Subject,
+    Method, Part, Scene, SpaceChange, Subject,
     change::beside,
     pixel::pixel_link,
     stage::{face_link, object_link, vertex_link},
@@ -41,16 +41,6 @@ impl Scene {
         }
     }
 
-    /// The raster with this pixel looked at, or none any more where it is already.
-    fn looking_at(&self, place: usize) -> RasterPlan {
-        let [columns, _] = self.raster.size(self.camera.aspect());
-        let place = place as u32;
-        let pixel = Some([place % columns, place / columns]);
-        let mut plan = self.raster;
-        plan.pixel = pixel.filter(|_| self.raster.pixel != pixel);
-        plan
-    }
-
     pub(in crate::labs) fn shows_objects(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_objects())
@@ -79,9 +69,9 @@ impl Answers for Scene {
         click.picture.map(|at| pixel_link(self, at)).or(click.link)
     }
 
-    fn verdict(&self, about: Link, run: &dyn Run) -> Option<Verdict> {
+    fn verdict(&self, about: Link, now: AtStep<'_>) -> Option<Verdict> {
         let info = self.method.info();
-        (info.verdict)(self, about, run).or_else(|| (info.lab.verdict)(self, about, run))
+        (info.verdict)(self, about, now.0).or_else(|| (info.lab.verdict)(self, about, now))
     }
 }
 
@@ -135,10 +125,6 @@ impl Document for Scene {
 
     fn click(&self, click: &Click<'_>) -> Option<Own> {
         let clicked = click.link?;
-        let on_raster = clicked.number_of(Raster::LINK);
-        if let Some(place) = on_raster.filter(|_| self.asks(Subject::Surfaces)) {
-            return Some(Arc::new(SpaceChange::Raster(self.looking_at(place))));
-        }
         let found = |part, link: fn(usize) -> Link| {
             let idx = (0..self.count(part)).find(|&i| clicked == link(i))?;
             Some((part, idx))

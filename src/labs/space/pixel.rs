@@ -1,17 +1,19 @@
 //! Why a pixel of the camera's picture shows what it shows: all that covers it, the nearest of it, and how far beside it
 //! something else is seen.
 
+use std::sync::Arc;
+
 use crate::{
     algo::{
         ring::Right,
         surface::{DepthBufferInput, Fragment, pixel_story},
     },
     figure::Caption,
-    labs::{prelude::*, words::pixel_formula},
+    labs::{Own, prelude::*, words::pixel_formula},
 };
 
 use super::{
-    RasterPlan, Scene,
+    RasterPlan, Scene, SpaceChange,
     soup::{place_of, surfaces_of},
 };
 
@@ -60,11 +62,56 @@ pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     Some(verdict_at(scene, picture_size(scene), pixel))
 }
 
-pub fn raster_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
+/// Of a pixel of the raster: what it shows at this step, by which step; where that is not what is nearest there, what is.
+pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Option<Verdict> {
     let size = scene.raster.size(scene.camera.aspect());
-    let place = u32::try_from(about.number_of(Raster::LINK)?).ok()?;
-    let pixel = [place % size[0], place / size[0]];
-    (pixel[1] < size[1]).then(|| verdict_at(scene, size, pixel))
+    let place = about.number_of(Raster::LINK)?;
+    let at = u32::try_from(place).ok()?;
+    let pixel = [at % size[0], at / size[0]];
+    if pixel[1] >= size[1] {
+        return None;
+    }
+    let truth = verdict_at(scene, size, pixel);
+    let input = DepthBufferInput::new(surfaces_of(scene, size));
+    let shown = (scene.method.info().shown_at)(scene, (step, place))?;
+    let shown = u32::try_from(shown).ok();
+    let nearest = seen_at(&input, pixel);
+    let decided = run.why_until(about, step);
+    let offer = Some(looking_at(scene, pixel));
+    if shown == nearest {
+        let step = decided;
+        return Some(Verdict {
+            step,
+            offer,
+            ..truth
+        });
+    }
+    let message = match shown {
+        Some(id) => told_of(scene, id, Message::new("pixel-shows")),
+        None => Message::new("pixel-shows-nothing"),
+    };
+    let why = message.with("at", pixel_formula(pixel));
+    let said = decided.map(|step| run.caption(step).decision);
+    let truth = match nearest {
+        Some(id) => told_of(scene, id, Message::new("pixel-truth")),
+        None => Message::new("pixel-truth-nothing"),
+    };
+    Some(Verdict {
+        why: Caption::new(why),
+        notes: said.into_iter().chain([truth]).collect(),
+        step: decided,
+        offer,
+    })
+}
+
+/// The raster with this pixel alone looked at, or with all again where it is already.
+fn looking_at(scene: &Scene, pixel: [u32; 2]) -> (&'static str, Own) {
+    let is_alone = scene.raster.pixel == Some(pixel);
+    let mut plan = scene.raster;
+    plan.pixel = (!is_alone).then_some(pixel);
+    let keys = ["pixel-alone", "pixel-all"];
+    let change: Own = Arc::new(SpaceChange::Raster(plan));
+    (keys[usize::from(is_alone)], change)
 }
 
 fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
@@ -90,6 +137,7 @@ fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
         why,
         notes: notes.into_iter().collect(),
         step: None,
+        offer: None,
     }
 }
 

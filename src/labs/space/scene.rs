@@ -20,7 +20,7 @@ pub struct SpaceLab {
     pub most_beside: usize,
     pub methods: fn() -> &'static [MethodEntry<MethodInfo>],
     /// Its verdict on what the method that runs has none on.
-    pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
+    pub verdict: fn(&Scene, Link, AtStep<'_>) -> Option<Verdict>,
 }
 
 impl SpaceLab {
@@ -50,6 +50,8 @@ pub struct MethodInfo {
     pub record: fn(&Scene) -> Box<dyn Run>,
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
+    /// Which triangle a pixel shows at a step, less than 0 for none; of a method that makes no picture nothing.
+    pub shown_at: fn(&Scene, (usize, usize)) -> Option<i32>,
 }
 
 /// Always valid: at least one object, the focus is one of them, face and vertex are that object's.

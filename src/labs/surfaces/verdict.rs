@@ -14,9 +14,9 @@ use crate::{
 };
 
 /// The verdict on a pixel, of the camera's picture or of the raster; on a face of the object in focus; on an object.
-pub fn verdict(scene: &Scene, about: Link, _: &dyn Run) -> Option<Verdict> {
+pub fn verdict(scene: &Scene, about: Link, now: AtStep<'_>) -> Option<Verdict> {
     pixel_verdict(scene, about)
-        .or_else(|| raster_verdict(scene, about))
+        .or_else(|| raster_verdict(scene, about, now))
         .or_else(|| owner_verdict(scene, about))
 }
 
@@ -40,6 +40,7 @@ fn owner_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
         why: Caption::new(counts.told(name)),
         notes: Vec::new(),
         step: None,
+        offer: None,
     })
 }
 
@@ -120,7 +121,7 @@ mod tests {
         for method in crate::labs::surfaces::SURFACES.all() {
             scene.method = method;
             let run = (method.info().record)(&scene);
-            let told = |about| scene.verdict(about, &*run);
+            let told = |about| scene.verdict(about, (&*run, run.n_steps()));
             for about in [face_link(0), object_link(1)] {
                 let key = told(about).map(|verdict| verdict.why.decision.key);
                 assert_eq!(key, Some("owns-some"));

@@ -26,6 +26,10 @@ impl AnswerAsItIs for BspOutput {}
 impl SpaceTelling for Bsp {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
+        Some(step.held.picture.ids())
+    }
+
     /// The tree of a scene's faces; of the first of them, where that of all would be too large.
     fn input(scene: &Scene) -> BspInput {
         /// A longer run cannot be followed.

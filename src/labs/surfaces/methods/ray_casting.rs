@@ -28,6 +28,10 @@ impl AnswerAsItIs for RayCastingOutput {}
 impl SpaceTelling for RayCasting {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
+        Some(step.held.so_far.picture.ids())
+    }
+
     fn input(scene: &Scene) -> RayCastingInput {
         let surfaces = surfaces_on_raster(scene);
         let size = surfaces.size();

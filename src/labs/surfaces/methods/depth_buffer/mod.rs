@@ -27,6 +27,10 @@ impl AnswerAsItIs for DepthBufferOutput {}
 impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
+        Some(step.held.so_far.picture.ids())
+    }
+
     fn input(scene: &Scene) -> DepthBufferInput {
         let surfaces = surfaces_on_raster(scene);
         let plan = &scene.raster;

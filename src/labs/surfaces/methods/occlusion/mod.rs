@@ -25,6 +25,10 @@ impl AnswerAsItIs for OcclusionOutput {}
 impl SpaceTelling for Occlusion {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
+        Some(step.held.drawing.so_far.picture.ids())
+    }
+
     fn input(scene: &Scene) -> OcclusionInput {
         let surfaces = surfaces_on_raster(scene);
         let objects = occluders::objects_of(scene, &surfaces);

@@ -19,6 +19,10 @@ impl AnswerAsItIs for PainterOutput {}
 impl<L: Variant> SpaceTelling for Painter<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
+    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
+        Some(step.held.picture.ids())
+    }
+
     fn input(scene: &Scene) -> Surfaces {
         /// Pairs grow with the square: a longer run cannot be followed.
         const MOST_FACES: usize = 300;
