@@ -25,6 +25,11 @@ planes-from-matrix = Taken from the rows of the matrix they are the same, to { $
 plane-from-matrix = Rows of the matrix: { $sum }. Divided by the length of its normal, { $length }, it is the { $plane } plane, to { $decimals } decimals.
 column-plane = plane
 column-outside = out
+column-vertex = vertex
+column-code = code
+column-beyond = beyond
+no-side = no side in common
+codes-left = Vertices inside: { $inside } of 3. Triangles left of it: { $pieces }.
 column-least = least
 column-most = most
 

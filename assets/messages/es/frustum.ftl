@@ -25,6 +25,11 @@ planes-from-matrix = Tomados de las filas de la matriz son los mismos, con { $de
 plane-from-matrix = De las filas de la matriz: { $sum }. Dividido por la longitud de su normal, { $length }, es el plano { $plane }, con { $decimals } decimales.
 column-plane = plano
 column-outside = fuera
+column-vertex = vértice
+column-code = código
+column-beyond = más allá de
+no-side = ningún lado en común
+codes-left = Vértices dentro: { $inside } de 3. Triángulos que quedan de él: { $pieces }.
 column-least = mínimo
 column-most = máximo
 

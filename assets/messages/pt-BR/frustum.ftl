@@ -25,6 +25,11 @@ planes-from-matrix = Tirados das linhas da matriz, são os mesmos, com { $decima
 plane-from-matrix = Das linhas da matriz: { $sum }. Dividido pelo comprimento da normal, { $length }, é o plano { $plane }, com { $decimals } casas decimais.
 column-plane = plano
 column-outside = fora
+column-vertex = vértice
+column-code = código
+column-beyond = além de
+no-side = nenhum lado em comum
+codes-left = Vértices dentro: { $inside } de 3. Triângulos que sobram dele: { $pieces }.
 column-least = mínimo
 column-most = máximo
 

@@ -25,6 +25,11 @@ planes-from-matrix = 从矩阵各行取出的平面与此相同，精确到 { $d
 plane-from-matrix = 由矩阵的行：{ $sum }。除以法向量的长度 { $length }，即为{ $plane }平面，精确到 { $decimals } 位小数。
 column-plane = 平面
 column-outside = 外
+column-vertex = 顶点
+column-code = 区域码
+column-beyond = 在其外侧
+no-side = 没有共同的平面
+codes-left = 在内部的顶点：3 个中有 { $inside } 个。裁剪后剩下 { $pieces } 个三角形。
 column-least = 最小
 column-most = 最大
 
