@@ -128,6 +128,7 @@ box-in-vain = It straddles { $cut ->
 box-done-inside = All { $planes } planes have it inside.
 box-done-straddles = No plane of { $planes } rejects it: its triangles are asked in turn.
 box-done-in-vain = The { $planes } planes keep it, and it would be drawn in vain: conservative, not wrong.
+box-note-in-vain = Drawn all the same, its { $triangles } triangles cost time. Not one pixel changes: the picture is right.
 option-box-inside = All eight corners are inside the { $plane } plane.
 option-box-straddles = Only some corners are inside the { $plane } plane: the box straddles it.
 option-box-outside = All eight corners are outside the { $plane } plane: the box is culled.

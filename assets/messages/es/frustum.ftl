@@ -131,6 +131,7 @@ box-in-vain = Cruza { $cut ->
 box-done-inside = Los { $planes } planos la tienen dentro.
 box-done-straddles = Ninguno de los { $planes } planos la rechaza: se prueban sus triángulos.
 box-done-in-vain = Los { $planes } planos la conservan y se dibujaría en vano: es conservador, no erróneo.
+box-note-in-vain = Dibujados de todos modos, sus { $triangles } triángulos cuestan tiempo. No cambia ni un píxel: la imagen es correcta.
 option-box-inside = Los ocho vértices están por dentro del plano { $plane }.
 option-box-straddles = Solo algunos vértices están por dentro del plano { $plane }: la caja lo cruza.
 option-box-outside = Los ocho vértices están por fuera del plano { $plane }: la caja se descarta.

@@ -128,6 +128,7 @@ box-in-vain = Cruza { $cut ->
 box-done-inside = Está dentro dos { $planes } planos.
 box-done-straddles = Nenhum dos { $planes } planos a rejeita: seus triângulos são testados.
 box-done-in-vain = Os { $planes } planos a mantêm e ela seria desenhada em vão: é conservador, não errado.
+box-note-in-vain = Desenhados mesmo assim, seus { $triangles } triângulos custam tempo. Nenhum pixel muda: a imagem está certa.
 option-box-inside = Os oito cantos estão do lado de dentro do plano { $plane }.
 option-box-straddles = Só alguns cantos estão do lado de dentro do plano { $plane }: a caixa o cruza.
 option-box-outside = Os oito cantos estão do lado de fora do plano { $plane }: a caixa é descartada.

@@ -110,6 +110,7 @@ box-in-vain = 它跨在 { $cut } 个平面上，却没有任何一点同时在�
 box-done-inside = { $planes } 个平面都判为内侧。
 box-done-straddles = { $planes } 个平面都没有拒绝它：接着逐个测三角形。
 box-done-in-vain = { $planes } 个平面都保留它，画了也是白画：保守，但没有错。
+box-note-in-vain = 照样绘制，它的 { $triangles } 个三角形只费时间。没有一个像素改变：画面是对的。
 option-box-inside = 八个角都在{ $plane }平面内侧。
 option-box-straddles = 只有部分角在{ $plane }平面内侧：盒子跨界。
 option-box-outside = 八个角都在{ $plane }平面外侧：盒子被剔除。
