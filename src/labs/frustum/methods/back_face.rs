@@ -210,17 +210,17 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     marks
 }
 
-/// e from a corner: to the eye, or a part of the one direction.
-pub fn to_viewer(from: [f64; 3], viewer: Viewer) -> Mark3 {
-    let arrow = Shape3::Arrow([from, tip(from, viewer).into()]);
-    Mark3::new(Role::Ink, arrow).labelled(name("e")).strong()
-}
-
-fn tip(from: [f64; 3], viewer: Viewer) -> DVec3 {
-    match viewer {
+/// e from a corner, and where it ends: at the eye, or a part along the one direction.
+pub fn to_viewer(from: DVec3, viewer: Viewer) -> (DVec3, Mark3) {
+    let tip = match viewer {
         Viewer::Eye(eye) => eye.into(),
-        Viewer::Direction(view) => DVec3::from(from) - DVec3::from(view) * 2.0,
-    }
+        Viewer::Direction(view) => from - DVec3::from(view) * 2.0,
+    };
+    let arrow = Shape3::Arrow([from, tip].map(Into::into));
+    (
+        tip,
+        Mark3::new(Role::Ink, arrow).labelled(name("e")).strong(),
+    )
 }
 
 /// n and e, from V₀, as they have been computed.
@@ -236,9 +236,9 @@ pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
         normal_tip = Some(tip);
     }
     if known.to_viewer.is_some() {
-        marks.push(to_viewer(a.into(), input.viewer));
+        let (tip, arrow) = to_viewer(a, input.viewer);
+        marks.push(arrow);
         if let Some(normal) = normal_tip {
-            let tip = tip(a.into(), input.viewer);
             let degrees = (normal - a).angle_between(tip - a).to_degrees();
             let angle = Shape3::Angle([a, normal, tip].map(Into::into));
             let angle = Mark3::new(Role::Signal, angle);

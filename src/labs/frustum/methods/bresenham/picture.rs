@@ -98,8 +98,7 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
 fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
     let at = drawn.ends[end.idx()];
     let image = image(drawn, at);
-    let wrong = divided(drawn, at).filter(|_| image.is_none());
-    if let Some(wrong) = wrong {
+    if let (None, Some(wrong)) = (image, divided(drawn, at)) {
         let divided = sym(["P₁ / w₁", "P₂ / w₂"][end.idx()]);
         let not_so = Message::new("not-so").with("what", Value::Formula(divided));
         return vec![
@@ -137,7 +136,8 @@ fn divided(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
         Sight::Perspective => near / -z,
         Sight::Parallel => 1.0,
     };
-    (part.is_finite()).then(|| camera.world_from_view([x * part, y * part, -near]))
+    part.is_finite()
+        .then(|| camera.world_from_view([x * part, y * part, -near]))
 }
 
 /// The ends of what is left, in the world: they lie on the segment as they do in clip space.

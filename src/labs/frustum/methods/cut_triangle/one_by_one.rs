@@ -199,6 +199,7 @@ fn marks<L: Variant<OneByOne>>(
         marks.extend(list.iter().filter_map(|triangle| lost(triangle, plane)));
     }
     let asked = now.asked.last().filter(|_| plane.is_some() && !has_passed);
+    let is_measured = has_passed && !is_alone(scenery);
     for (i, triangle) in now.list.iter().enumerate() {
         let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
         if plane.is_none() || has_passed || is_asked {
@@ -208,12 +209,10 @@ fn marks<L: Variant<OneByOne>>(
             let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
             marks.push(outline.fine().linked(triangle_link(i)));
         }
-        if now.list.len() > MOST_NAMED && !is_asked {
-            continue;
-        }
-        marks.push(triangle_label(i, triangle));
+        let has_room = now.list.len() <= MOST_NAMED && !is_measured;
+        marks.extend((has_room || is_asked).then(|| triangle_label(i, triangle)));
     }
-    if let ([asked], true) = (&now.asked[..], has_passed && !is_alone(scenery)) {
+    if let ([asked], true) = (&now.asked[..], is_measured) {
         marks.extend(products::<L>(asked, &now.passed[asked.triangle_idx]));
         marks.extend(parts.cuts_of(&asked.crossings));
     }

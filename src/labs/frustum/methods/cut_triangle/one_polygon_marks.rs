@@ -72,7 +72,7 @@ pub fn marks<L: Variant<OnePolygon>>(
     for (i, triangle) in step.held.left.triangles.iter().enumerate() {
         let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
         if is_fan_shown {
-            let washes = (0..1 + 2 * (i % 2)).map(|_| wash(places(triangle)));
+            let washes = (0..=2 * (i % 2)).map(|_| wash(places(triangle)));
             let label = (list.len() <= MOST_NAMED).then(|| triangle_label(i, triangle));
             marks.extend(washes.chain([outline]).chain(label));
         } else {

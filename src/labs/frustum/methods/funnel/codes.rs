@@ -5,7 +5,7 @@ use crate::{
     labs::{frustum::prelude::*, space::stage::side_key},
 };
 
-use super::super::cut_triangle::{vertex, vertex_symbol};
+use super::{super::cut_triangle::vertex_symbol, n_inside};
 
 pub fn table(event: Option<Event>) -> Option<Table> {
     let Some(Event::Triangle {
@@ -36,9 +36,8 @@ pub fn table(event: Option<Event>) -> Option<Table> {
     let vertices = codes.into_iter().enumerate().map(vertex);
     let [a, b, c] = codes;
     let all = row(name("AND"), a.and(b).and(c), "no-side", Role::Signal);
-    let n_inside = codes.iter().filter(|code| code.is_inside()).count();
     let text = Message::new("codes-left")
-        .with("inside", n_inside)
+        .with("inside", n_inside(codes))
         .with("pieces", n_pieces);
     let applies = true;
     Some(Table {
@@ -48,11 +47,4 @@ pub fn table(event: Option<Event>) -> Option<Table> {
         rows: vertices.chain([all]).collect(),
         notes: vec![TableNote { text, applies }],
     })
-}
-
-/// The vertices: hollow where they are outside.
-pub fn corners(face: &[[f64; 3]; 3], codes: [SideCode; 3]) -> impl Iterator<Item = Mark3> {
-    let corners = face.iter().zip(codes).enumerate();
-    corners
-        .map(|(i, (&at, code))| vertex(i, &SpaceVertex::new(at), Some(code.is_inside())).strong())
 }

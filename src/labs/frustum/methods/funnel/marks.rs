@@ -6,8 +6,8 @@ use crate::{
 };
 
 use super::{
-    super::{asked::fate_of, back_face},
-    Now, codes, sphere,
+    super::{asked::fate_of, back_face, cut_triangle::vertex},
+    Now, is_compared, n_inside, sphere,
     variant::Variant,
 };
 
@@ -111,23 +111,28 @@ fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3
     let now = Now::of(at);
     let camera = &at.step.input.camera;
     match at.step.event() {
-        Some(Event::Triangle { codes, fate, .. }) => {
-            let corners = codes::corners(&face, codes);
-            if fate != TriangleFate::Cut {
-                return corners.collect();
-            }
+        Some(Event::Triangle {
+            codes,
+            fate: TriangleFate::Cut,
+            ..
+        }) => {
             let cut = silent::<IntersectionPolygon>(&TrianglePlanes {
                 planes: camera.planes_in_world().to_vec(),
                 triangle: face.map(SpaceVertex::new),
             });
+            // What is seen of a triangle without a vertex inside stands out.
+            let is_across = n_inside(codes) == 0 && !is_compared(at);
             let marks = |(i, piece): (usize, &[SpaceVertex; 3])| {
                 let piece = piece.map(|vertex| vertex.at).to_vec();
-                let outline = Mark3::new(Role::Accent, Shape3::Outline(piece.clone()));
-                let wash = Mark3::new(Role::Accent, Shape3::Wash(piece));
-                [wash, outline.labelled(name(numbered('T', i)))]
+                let wash = Mark3::new(Role::Accent, Shape3::Wash(piece.clone()));
+                let outline = Mark3::new(Role::Accent, Shape3::Outline(piece));
+                let outline = outline.labelled(name(numbered('T', i)));
+                std::iter::once(outline).chain(is_across.then_some(wash))
             };
+            let corners = face.iter().enumerate().filter(|_| is_across);
+            let corners = corners.map(|(i, &at)| vertex(i, &SpaceVertex::new(at), Some(false)));
             let pieces = cut.triangles.iter().enumerate().flat_map(marks);
-            pieces.chain(corners).collect()
+            pieces.chain(corners.map(Mark3::strong)).collect()
         }
         Some(Event::Face { .. }) => {
             let (triangle, viewer) = (face, asked_viewer::<L>(camera));
@@ -138,11 +143,17 @@ fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3
                 let others = others.filter_map(|it| Some(it.triangles.get(now.face_idx?)?[0]));
                 let others = others.filter(|&corner| corner != face[0]);
                 let others = others.chain([camera.position()]);
-                marks.extend(others.map(|corner| back_face::to_viewer(corner, viewer)));
+                marks.extend(others.map(|corner| back_face::to_viewer(corner.into(), viewer).1));
             }
             marks
         }
-        Some(Event::Object { .. } | Event::Plane { .. } | Event::Sphere { .. } | Event::Done)
+        Some(
+            Event::Object { .. }
+            | Event::Plane { .. }
+            | Event::Sphere { .. }
+            | Event::Triangle { .. }
+            | Event::Done,
+        )
         | None => Vec::new(),
     }
 }
