@@ -153,6 +153,13 @@ fn corners(marks: &[Mark]) -> Vec<[f64; 2]> {
 }
 
 fn solids(space: &mut Space, right: &Space) {
+    for mark in &mut space.marks {
+        if let Shape3::Ring(at) = mark.shape
+            && right.marks.iter().any(|it| it.shape == Shape3::Dot(at))
+        {
+            *mark = Mark3::new(Role::Signal, Shape3::Ring(at)).labelled(Value::Term("sh-outside"));
+        }
+    }
     let missing = crossed(&mut space.marks, &right.marks);
     space.marks.extend(missing);
     let facet = |it: &Facet| (it.role != Role::Discarded).then(|| bits(&it.corners));

@@ -20,6 +20,13 @@ tri-list-in = List in
 tri-list-out = List out
 tri-list-given = Triangle
 tri-list-left = What is left
+tri-corners = corners
+tri-none = no triangle
+tri-not-asked = not asked
+tri-list-fan = Fan from V₀: { $vertices } − 2 = { $triangles ->
+        [one] { $triangles } triangle
+       *[other] { $triangles } triangles
+    }
 tally-triangles = triangles
 tally-crossings = crossings
 tally-one-polygon = one polygon

@@ -20,6 +20,13 @@ tri-list-in = Lista de entrada
 tri-list-out = Lista de salida
 tri-list-given = Triángulo
 tri-list-left = Lo que queda
+tri-corners = vértices
+tri-none = no hay triángulo
+tri-not-asked = no se mira
+tri-list-fan = Abanico desde V₀: { $vertices } − 2 = { $triangles ->
+        [one] { $triangles } triángulo
+       *[other] { $triangles } triángulos
+    }
 tally-triangles = triángulos
 tally-crossings = cortes
 tally-one-polygon = un solo polígono

@@ -20,6 +20,13 @@ tri-list-in = Lista de entrada
 tri-list-out = Lista de saída
 tri-list-given = Triângulo
 tri-list-left = O que sobra
+tri-corners = vértices
+tri-none = não há triângulo
+tri-not-asked = não é visto
+tri-list-fan = Leque a partir de V₀: { $vertices } − 2 = { $triangles ->
+        [one] { $triangles } triângulo
+       *[other] { $triangles } triângulos
+    }
 tally-triangles = triângulos
 tally-crossings = cortes
 tally-one-polygon = um só polígono

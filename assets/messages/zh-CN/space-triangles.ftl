@@ -20,6 +20,10 @@ tri-list-in = 输入表
 tri-list-out = 输出表
 tri-list-given = 三角形
 tri-list-left = 剩下的部分
+tri-corners = 顶点
+tri-none = 不成三角形
+tri-not-asked = 没有检查
+tri-list-fan = 从 V₀ 出发的扇形：{ $vertices } − 2 = { $triangles } 个三角形
 tally-triangles = 三角形
 tally-crossings = 交点
 tally-one-polygon = 整个多边形

@@ -210,6 +210,19 @@ fn corner_marks(triangle: &[[f64; 3]; 3]) -> Vec<Mark3> {
     marks
 }
 
+/// e from a corner, and where it ends: at the eye, or a part along the one direction.
+pub fn to_viewer(from: DVec3, viewer: Viewer) -> (DVec3, Mark3) {
+    let tip = match viewer {
+        Viewer::Eye(eye) => eye.into(),
+        Viewer::Direction(view) => from - DVec3::from(view) * 2.0,
+    };
+    let arrow = Shape3::Arrow([from, tip].map(Into::into));
+    (
+        tip,
+        Mark3::new(Role::Ink, arrow).labelled(name("e")).strong(),
+    )
+}
+
 /// n and e, from V₀, as they have been computed.
 pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
     let (known, mut marks) = (Known::of(past), Vec::new());
@@ -223,12 +236,8 @@ pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
         normal_tip = Some(tip);
     }
     if known.to_viewer.is_some() {
-        let tip = match input.viewer {
-            Viewer::Eye(eye) => DVec3::from(eye),
-            Viewer::Direction(view) => a - DVec3::from(view) * 2.0,
-        };
-        let arrow = Shape3::Arrow([a.into(), tip.into()]);
-        marks.push(Mark3::new(Role::Ink, arrow).labelled(name("e")).strong());
+        let (tip, arrow) = to_viewer(a, input.viewer);
+        marks.push(arrow);
         if let Some(normal) = normal_tip {
             let degrees = (normal - a).angle_between(tip - a).to_degrees();
             let angle = Shape3::Angle([a, normal, tip].map(Into::into));

@@ -92,10 +92,23 @@ impl Telling for BoxCull {
             let fate = in_vain.unwrap_or(fate_of(asked.class));
             views.extend(both(scenery, fate, |_| Fate::ToCome, marks));
         }
-        let table = corner_table(at, &asked);
+        let mut table = corner_table(at, &asked);
+        table.notes.extend(in_vain_note(at));
         views.push(View::new(CORNERS_VIEW, Body::Table(table)));
         views
     }
+}
+
+/// What it comes to that the box is kept although nothing of it is to be seen.
+fn in_vain_note(at: &At<'_, BoxCull>) -> Option<TableNote> {
+    let (Some(Event::Done { .. }), true) = (at.step.event(), at.step.held.false_positive) else {
+        return None;
+    };
+    let scenery = at.scenery?;
+    let n_faces = scenery.scene().focused().model().mesh().faces().len();
+    let text = Message::new("box-note-in-vain").with("triangles", n_faces);
+    let applies = true;
+    Some(TableNote { text, applies })
 }
 
 fn asked<'a>(at: &At<'a, BoxCull>) -> Asked<'a> {

@@ -53,11 +53,14 @@ const END: f64 = 0.4;
 
 pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<Mark3> {
     let ends = drawn.ends;
-    let mut marks: Vec<Mark3> = ["P₁", "P₂"]
-        .into_iter()
-        .zip(ends)
-        .map(|(symbol, at)| Mark3::new(Role::Ink, Shape3::Dot(at)).labelled(name(symbol)))
-        .collect();
+    let is_projecting = matches!(event, Some(Event::Project { .. }));
+    let end = |(i, at): (usize, [f64; 3])| {
+        let clip = known.projected[i].filter(|_| is_projecting);
+        let label = sym(["P₁", "P₂"][i]);
+        let label = clip.map_or(label.clone(), |[.., w]| label.sym(": w").equals(w));
+        Mark3::new(Role::Ink, Shape3::Dot(at)).labelled(label)
+    };
+    let mut marks: Vec<Mark3> = ends.into_iter().enumerate().map(end).collect();
     let Some(kept) = kept(drawn, known) else {
         let is_lost = known.is_rejected;
         let role = if is_lost { Role::Discarded } else { Role::Ink };
@@ -95,6 +98,14 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
 fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
     let at = drawn.ends[end.idx()];
     let image = image(drawn, at);
+    if let (None, Some(wrong)) = (image, divided(drawn, at)) {
+        let divided = sym(["P₁ / w₁", "P₂ / w₂"][end.idx()]);
+        let not_so = Message::new("not-so").with("what", Value::Formula(divided));
+        return vec![
+            Mark3::new(Role::Signal, Shape3::Segment([at, wrong])).dashed(),
+            Mark3::new(Role::Signal, Shape3::Ring(wrong)).labelled(not_so),
+        ];
+    }
     let from = seen_from(drawn, image).unwrap_or(at);
     let sight = Mark3::new(Role::Signal, Shape3::Segment([from, at])).fine();
     let image = image.map(|at| Mark3::new(Role::Signal, Shape3::Dot(at)));
@@ -111,14 +122,22 @@ fn seen_from(drawn: &DrawnSegment, image: Option<[f64; 3]>) -> Option<[f64; 3]> 
 
 fn image(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
     let camera = &drawn.camera;
+    let is_before = camera.view_from_world().point(at)[2] < 0.0;
+    let has_image = is_before || camera.volume().sight() == Sight::Parallel;
+    divided(drawn, at).filter(|_| has_image)
+}
+
+/// Where the divide puts it: of what lies behind the eye through the eye, on the wrong side.
+fn divided(drawn: &DrawnSegment, at: [f64; 3]) -> Option<[f64; 3]> {
+    let camera = &drawn.camera;
     let near = camera.volume().near();
     let [x, y, z] = camera.view_from_world().point(at);
     let part = match camera.volume().sight() {
         Sight::Perspective => near / -z,
         Sight::Parallel => 1.0,
     };
-    let is_before = camera.volume().sight() == Sight::Parallel || z < 0.0;
-    is_before.then(|| camera.world_from_view([x * part, y * part, -near]))
+    part.is_finite()
+        .then(|| camera.world_from_view([x * part, y * part, -near]))
 }
 
 /// The ends of what is left, in the world: they lie on the segment as they do in clip space.

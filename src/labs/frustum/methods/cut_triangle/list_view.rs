@@ -12,7 +12,7 @@ pub fn lists(
     own: &TrianglePlanes,
     parts: &Parts<SpaceVertex>,
     rings: &RingStep<'_, SpaceVertex>,
-    (event, at_work): (Option<Event>, bool),
+    (event, at_work, is_compared): (Option<Event>, bool, bool),
 ) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let is_over = matches!(event, Some(Event::Fan { .. } | Event::Done { .. }));
@@ -56,7 +56,16 @@ pub fn lists(
         ..ListColumn::new(title, input.iter().enumerate().map(entry).collect())
     };
     let origins = origins(input, output, rings);
-    let out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
+    let mut out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
+    if is_compared && has_passed {
+        out_list.columns.push(name("d"));
+        for (entry, origin) in out_list.entries.iter_mut().zip(&origins) {
+            let kept = origin.filter(|(_, cut)| cut.is_none());
+            let side = kept.and_then(|([from, _], _)| rings.turn.sides.get(from));
+            let distance = side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d)));
+            entry.details.push(distance);
+        }
+    }
     let links = links(&origins, rings, (event, at_work));
     let sides = [(true, "sh-inside"), (false, "sh-outside")];
     let legend = sides.map(|(inside, key)| (marker(inside), Value::Term(key)));
@@ -64,6 +73,34 @@ pub fn lists(
         lists: vec![in_list, out_list],
         links,
         legend: legend.to_vec(),
+    }
+}
+
+/// At the end: the polygon's vertices, and the triangles that its fan has come to.
+pub fn fan_lists(
+    parts: &Parts<SpaceVertex>,
+    ring: &[SpaceVertex],
+    fan: &[[SpaceVertex; 3]],
+) -> Lists {
+    let left = out_list(ring, parts, &vec![None; ring.len()], (true, false, false));
+    let corner = |v: &SpaceVertex| ring.iter().position(|other| other == v);
+    let entry = |(i, triangle): (usize, &[SpaceVertex; 3])| {
+        let corners = triangle.iter().filter_map(corner).map(vertex_symbol);
+        ListRow {
+            details: vec![Some(name(corners.collect::<Vec<_>>().join(" ")))],
+            role: Role::Accent,
+            link: Some(triangle_link(i)),
+            ..ListRow::new(name(triangle_symbol(i)))
+        }
+    };
+    let title = Message::new("tri-list-fan")
+        .with("vertices", ring.len())
+        .with("triangles", ring.len().saturating_sub(2));
+    let fan = ListColumn::new(title.into(), fan.iter().enumerate().map(entry).collect());
+    Lists {
+        lists: vec![left, fan],
+        links: Vec::new(),
+        legend: Vec::new(),
     }
 }
 

@@ -96,6 +96,20 @@ pub const fn edge_link(idx: usize) -> Link {
     Link::nth("edge", idx)
 }
 
+pub const fn triangle_link(idx: usize) -> Link {
+    Link::nth("triangle", idx)
+}
+
+/// A triangle's name, in its middle.
+pub fn triangle_label(idx: usize, triangle: &[SpaceVertex; 3]) -> Mark3 {
+    label_amid(triangle, name(triangle_symbol(idx))).linked(triangle_link(idx))
+}
+
+pub fn label_amid(corners: &[SpaceVertex], text: impl Into<Value>) -> Mark3 {
+    let middle = |i: usize| corners.iter().map(|v| v.at[i]).sum::<f64>() / corners.len() as f64;
+    Mark3::new(Role::Ink, Shape3::Label([0, 1, 2].map(middle))).labelled(text)
+}
+
 pub fn given(corners: &[[f64; 3]; 3]) -> Vec<Mark3> {
     let edge = |i: usize| {
         let ends = [corners[i], corners[(i + 1) % 3]];
@@ -132,6 +146,11 @@ pub fn vertex(idx: usize, v: &SpaceVertex, inside: Option<bool>) -> Mark3 {
         None => (Role::Soft, Shape3::Dot(v.at)),
     };
     Mark3::new(role, shape).labelled(label(vertex_symbol(idx), v.uv))
+}
+
+/// `V₀: d₀ = 0`
+pub fn measured(idx: usize, d: f64) -> Formula {
+    sym(format!("{}: d{}", vertex_symbol(idx), subscript(idx))).equals(d)
 }
 
 pub fn cut(idx: usize, v: &SpaceVertex) -> Mark3 {

@@ -17,6 +17,7 @@ mod variant;
 
 use serde::Serialize;
 
+pub use marks::{vertex, vertex_symbol};
 pub use variant::{EvenOnScreen, WithTexture};
 
 const LISTS_VIEW: &str = "lists";

@@ -3,7 +3,7 @@
 use crate::algo::volume::PlaneAtATimeEvent as Event;
 
 use super::{
-    pieces_view::{Pieces, pieces, triangle_link},
+    pieces_view::{AskedTriangle, Pieces, pieces},
     prelude::*,
     variant::one_by_one,
 };
@@ -115,7 +115,8 @@ impl<L: Variant<OneByOne>> Telling for Shown<L> {
         if let Some(scenery) = scenery {
             views.push(scenery.observer(|_| Fate::ToCome, marks(&step, &now, scenery)));
         }
-        let lists = Body::Lists(pieces(&now, step.event()));
+        let is_compared = !scenery.is_none_or(is_alone);
+        let lists = Body::Lists(pieces(&now, step.event(), is_compared));
         views.push(View::new(LISTS_VIEW, lists));
         if let Some(scenery) = scenery.filter(|scenery| is_alone(scenery)) {
             views.push(small_view::<Self>(own, progress(&step, &now), scenery));
@@ -160,21 +161,15 @@ fn of_triangle(now: &Pieces<'_>, event: Event, name_of: &str) -> Option<Named> {
         ("inside", _) => count(asked?.inside).into(),
         ("on", _) => count_on(asked?.inside, asked?.distances).into(),
         ("t", _) => {
-            let (num, den) = now.crossings.last().map(|(_, c)| (c.t.num, c.t.den))?;
+            let (num, den) = now.crossings().last().map(|(_, c)| (c.t.num, c.t.den))?;
             Value::Ratio { num, den }.into()
         }
-        // By the names of its corners: vertices of the triangle that was asked, and cuts.
         ("corners", Event::Piece { triangle }) => {
-            let corners = now.list.get(asked?.triangle_idx)?;
-            let symbol = |v: &SpaceVertex| {
-                let cut = now.crossings.iter().position(|(_, cut)| cut.at == *v);
-                let corner = || corners.iter().position(|other| other == v);
-                cut.map(cut_symbol).or_else(|| corner().map(vertex_symbol))
-            };
-            names(triangle.iter().filter_map(symbol)).into()
+            let given = now.list.get(asked?.triangle_idx)?;
+            names(asked?.corners(given, &triangle)).into()
         }
         (_, Event::Cross { idx, at, .. }) => {
-            let nth = now.crossings.len().checked_sub(1)?;
+            let nth = now.crossings().len().checked_sub(1)?;
             let distances = idx.map(|i| asked.map_or(0.0, |asked| asked.distances[i]));
             named_cut(name_of, nth, (idx, distances), &at)?
         }
@@ -204,6 +199,7 @@ fn marks<L: Variant<OneByOne>>(
         marks.extend(list.iter().filter_map(|triangle| lost(triangle, plane)));
     }
     let asked = now.asked.last().filter(|_| plane.is_some() && !has_passed);
+    let is_measured = has_passed && !is_alone(scenery);
     for (i, triangle) in now.list.iter().enumerate() {
         let is_asked = asked.is_some_and(|asked| asked.triangle_idx == i);
         if plane.is_none() || has_passed || is_asked {
@@ -213,12 +209,12 @@ fn marks<L: Variant<OneByOne>>(
             let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
             marks.push(outline.fine().linked(triangle_link(i)));
         }
-        if now.list.len() > MOST_NAMED && !is_asked {
-            continue;
-        }
-        let label = Mark3::new(Role::Ink, Shape3::Label(middle(triangle)));
-        let symbol = name(triangle_symbol(i));
-        marks.push(label.labelled(symbol).linked(triangle_link(i)));
+        let has_room = now.list.len() <= MOST_NAMED && !is_measured;
+        marks.extend((has_room || is_asked).then(|| triangle_label(i, triangle)));
+    }
+    if let ([asked], true) = (&now.asked[..], is_measured) {
+        marks.extend(products::<L>(asked, &now.passed[asked.triangle_idx]));
+        marks.extend(parts.cuts_of(&asked.crossings));
     }
     if let Some(asked) = asked {
         let triangle = &now.list[asked.triangle_idx];
@@ -229,11 +225,28 @@ fn marks<L: Variant<OneByOne>>(
         let new = new.filter(|(origin, _)| **origin == asked.triangle_idx);
         let outline = |piece| Mark3::new(Role::Accent, Shape3::Outline(places(piece)));
         marks.extend(new.map(|(_, piece)| outline(piece)));
-        marks.extend(parts.cuts_of(&now.crossings));
+        marks.extend(parts.cuts_of(now.crossings()));
     }
     marks
 }
 
-fn middle(triangle: &[SpaceVertex; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| triangle.iter().map(|v| v.at[i]).sum::<f64>() / 3.0)
+/// The corners with their distances, and at each edge what they say of it: a cut where their product is negative.
+fn products<L: Variant<OneByOne>>(
+    asked: &AskedTriangle,
+    triangle: &[SpaceVertex; 3],
+) -> Vec<Mark3> {
+    let d = asked.distances;
+    let corners = triangle.iter().zip(asked.inside).enumerate();
+    let corner = |(i, (v, inside))| vertex(i, v, Some(inside)).labelled(measured(i, d[i]));
+    let edges = [[0, 1], [0, 2], [1, 2]].map(|[a, b]| {
+        let product = sym(format!("d{}·d{}", subscript(a), subscript(b)));
+        let said = if a == 0 || L::CUTS_FROM_PLANE {
+            let relation = if d[a] * d[b] < 0.0 { " < 0" } else { "" };
+            product.equals(d[a] * d[b]).sym(relation)
+        } else {
+            product.sym(" ").term("tri-not-asked")
+        };
+        label_amid(&[triangle[a], triangle[b]], said)
+    });
+    corners.map(corner).chain(edges).collect()
 }

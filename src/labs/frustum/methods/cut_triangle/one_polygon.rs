@@ -9,9 +9,9 @@ use crate::{
 };
 
 use super::{
-    list_view::lists,
+    list_view::{fan_lists, lists},
     one_polygon_marks::{
-        checkered, checkered_on_screen, compared, fan, marks, parts, plane_idx, rings,
+        checkered, checkered_on_screen, compared, fan, is_fan_shown, marks, parts, plane_idx, rings,
     },
     prelude::*,
     variant::polygon,
@@ -158,8 +158,14 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
             }
         }
         if !is_about_pictures(scenery) {
-            let plane = plane_idx(&step).is_some();
-            let lists = lists(own, &parts(&step), &rings(&step), (step.event(), plane));
+            let fan = &step.held.left.triangles;
+            let lists = if is_fan_shown(&step, scenery) {
+                fan_lists(&parts(&step), step.held.lists.list(), fan)
+            } else {
+                let plane = plane_idx(&step).is_some();
+                let now = (step.event(), plane, !scenery.is_none_or(is_alone));
+                lists(own, &parts(&step), &rings(&step), now)
+            };
             views.push(View::new(LISTS_VIEW, Body::Lists(lists)));
         }
         let has_more = |scenery: &&Scenery| !L::IS_TEXTURED && is_alone(scenery);

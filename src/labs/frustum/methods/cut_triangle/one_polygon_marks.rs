@@ -37,6 +37,18 @@ pub fn fan<L: Variant<OnePolygon>>(
         .collect()
 }
 
+/// In the fan of more vertices the triangles are too narrow for names.
+const MOST_NAMED: usize = 7;
+
+/// Is the fan what is shown: once it has begun, of one method and without a texture?
+pub fn is_fan_shown<L: Variant<OnePolygon>>(
+    step: &Step<'_, IntersectionPolygon<L>>,
+    scenery: Option<&Scenery>,
+) -> bool {
+    let has_begun = !step.held.left.triangles.is_empty();
+    has_begun && !L::IS_TEXTURED && scenery.is_none_or(is_alone)
+}
+
 pub fn marks<L: Variant<OnePolygon>>(
     step: &Step<'_, IntersectionPolygon<L>>,
     scenery: &Scenery,
@@ -56,9 +68,18 @@ pub fn marks<L: Variant<OnePolygon>>(
     if own.triangle[0].uv.is_some() {
         marks.extend(checkered(&fan(step)));
     }
-    for triangle in &step.held.left.triangles {
-        marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(triangle))).fine());
+    let is_fan_shown = is_fan_shown(step, Some(scenery));
+    for (i, triangle) in step.held.left.triangles.iter().enumerate() {
+        let outline = Mark3::new(Role::Accent, Shape3::Outline(places(triangle)));
+        if is_fan_shown {
+            let washes = (0..=2 * (i % 2)).map(|_| wash(places(triangle)));
+            let label = (list.len() <= MOST_NAMED).then(|| triangle_label(i, triangle));
+            marks.extend(washes.chain([outline]).chain(label));
+        } else {
+            marks.push(outline.fine());
+        }
     }
+    let is_measured = has_passed && !is_alone(scenery);
     if plane_idx.is_some() {
         marks.extend(parts.cuts_of(&rings.turn.crossings));
     }
@@ -67,7 +88,11 @@ pub fn marks<L: Variant<OnePolygon>>(
             Some(_) => rings.turn.sides.get(i).map(|&(_, inside)| inside),
             None => Some(true),
         };
-        marks.push(parts.linked(vertex(i, v, inside), v));
+        let mut mark = vertex(i, v, inside);
+        if let Some((d, _)) = rings.turn.sides.get(i).filter(|_| is_measured) {
+            mark = mark.labelled(measured(i, *d));
+        }
+        marks.push(parts.linked(mark, v));
     }
     marks
 }
@@ -79,7 +104,11 @@ fn at_work_marks<L: Variant<OnePolygon>>(
 ) -> Vec<Mark3> {
     let mut marks: Vec<Mark3> = lost(list, plane).into_iter().collect();
     if matches!(step.event(), Some(Event::Pass { .. })) {
-        marks.extend(kept(places(step.held.lists.list()), Role::Accent));
+        let left = step.held.lists.list();
+        marks.extend(kept(places(left), Role::Accent));
+        if left.len() == 2 {
+            marks.push(label_amid(left, Value::Term("tri-none")));
+        }
     } else {
         marks.push(Mark3::new(Role::Accent, Shape3::Outline(places(list))));
     }

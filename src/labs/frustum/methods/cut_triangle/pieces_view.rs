@@ -11,6 +11,20 @@ pub struct AskedTriangle {
     pub triangle_idx: usize,
     pub distances: [f64; 3],
     pub inside: [bool; 3],
+    /// Where its edges cross, and between which corners.
+    pub crossings: Vec<([usize; 2], Crossing<SpaceVertex>)>,
+}
+
+impl AskedTriangle {
+    /// A piece of it by the names of its corners: vertices of the triangle, and cuts.
+    pub fn corners(&self, given: &[SpaceVertex; 3], piece: &[SpaceVertex; 3]) -> Vec<String> {
+        let symbol = |v: &SpaceVertex| {
+            let cut = self.crossings.iter().position(|(_, cut)| cut.at == *v);
+            let corner = || given.iter().position(|other| other == v);
+            cut.map(cut_symbol).or_else(|| corner().map(vertex_symbol))
+        };
+        piece.iter().filter_map(symbol).collect()
+    }
 }
 
 pub struct Pieces<'a> {
@@ -24,8 +38,6 @@ pub struct Pieces<'a> {
     pub asked: Vec<AskedTriangle>,
     /// Which triangle of the list each of the next list comes from.
     pub origins: Vec<usize>,
-    /// The crossings of the last of them, and between which corners they lie.
-    pub crossings: Vec<([usize; 2], Crossing<SpaceVertex>)>,
     pub is_done: bool,
 }
 
@@ -40,7 +52,6 @@ impl<'a> Pieces<'a> {
             plane_idx: None,
             asked: Vec::new(),
             origins: Vec::new(),
-            crossings: Vec::new(),
             is_done: false,
         };
         let is_turn = |event: &Event| matches!(event, Event::Plane { .. });
@@ -49,6 +60,12 @@ impl<'a> Pieces<'a> {
             now.hear(*event);
         }
         now
+    }
+
+    /// Of the triangle that is asked now.
+    pub fn crossings(&self) -> &[([usize; 2], Crossing<SpaceVertex>)] {
+        let asked = self.asked.last().filter(|_| self.passed.is_empty());
+        asked.map_or(&[], |asked| &asked.crossings)
     }
 
     fn hear(&mut self, event: Event) {
@@ -63,25 +80,26 @@ impl<'a> Pieces<'a> {
                     triangle_idx,
                     distances,
                     inside,
+                    crossings: Vec::new(),
                 });
-                self.crossings.clear();
             }
-            Event::Cross { idx, at, t } => self.crossings.push((idx, Crossing { at, t })),
+            Event::Cross { idx, at, t } => {
+                if let Some(asked) = self.asked.last_mut() {
+                    asked.crossings.push((idx, Crossing { at, t }));
+                }
+            }
             Event::Piece { .. } => {
                 let asked = self.asked.last();
                 self.origins.extend(asked.map(|asked| asked.triangle_idx));
             }
-            Event::Pass { .. } => self.crossings.clear(),
+            Event::Pass { .. } => {}
             Event::Done { .. } => (self.plane_idx, self.is_done) = (None, true),
         }
     }
 }
 
-pub const fn triangle_link(idx: usize) -> Link {
-    Link::nth("triangle", idx)
-}
-
-pub fn pieces(now: &Pieces<'_>, event: Option<Event>) -> Lists {
+/// The lists; of a method that is compared, the distances stand on the stage, and each new triangle has its corners' names.
+pub fn pieces(now: &Pieces<'_>, event: Option<Event>, is_compared: bool) -> Lists {
     let has_passed = matches!(event, Some(Event::Pass { .. }));
     let [list_in, list_out] = if has_passed {
         [now.passed, now.list]
@@ -119,10 +137,22 @@ pub fn pieces(now: &Pieces<'_>, event: Option<Event>) -> Lists {
         };
         // Once the plane is done with, the new triangles stand on the stage.
         let link = link(i).filter(|_| has_passed);
-        row(format!("{}′", triangle_symbol(i)), role, dot, link)
+        let origin = now.origins[i];
+        let mut asked = now.asked.iter().filter(|_| is_compared);
+        let asked = asked.find(|asked| asked.triangle_idx == origin);
+        let corners = asked.map(|asked| asked.corners(&list_in[origin], &list_out[i]));
+        let corners = corners.map(|corners| Some(name(corners.join(" "))));
+        ListRow {
+            details: corners.into_iter().collect(),
+            ..row(format!("{}′", triangle_symbol(i)), role, dot, link)
+        }
     };
-    let list_in = in_list(now, n_in, current, has_passed);
-    let lists = vec![list_in, ListColumn::about(title, n_out, last, out)];
+    let columns = is_compared.then_some(Value::Term("tri-corners"));
+    let out = ListColumn {
+        columns: columns.into_iter().collect(),
+        ..ListColumn::about(title, n_out, last, out)
+    };
+    let lists = vec![in_list(now, n_in, (current, has_passed, is_compared)), out];
     Lists {
         lists,
         links,
@@ -130,7 +160,12 @@ pub fn pieces(now: &Pieces<'_>, event: Option<Event>) -> Lists {
     }
 }
 
-fn in_list(now: &Pieces<'_>, n_in: usize, current: Option<usize>, has_passed: bool) -> ListColumn {
+fn in_list(
+    now: &Pieces<'_>,
+    n_in: usize,
+    (current, has_passed, is_compared): (Option<usize>, bool, bool),
+) -> ListColumn {
+    let n_columns = if is_compared { 0 } else { 3 };
     let entry = |i: usize| {
         let asked = now.asked.iter().find(|asked| asked.triangle_idx == i);
         let role = match asked {
@@ -141,14 +176,15 @@ fn in_list(now: &Pieces<'_>, n_in: usize, current: Option<usize>, has_passed: bo
         };
         let link = Some(triangle_link(i)).filter(|_| !has_passed);
         let distance = |d: f64| Value::Formula(Formula::decimals().num(d));
-        let details = (0..3).map(|corner| asked.map(|asked| distance(asked.distances[corner])));
-        let details = details.collect();
+        let detail = |corner: usize| asked.map(|asked| distance(asked.distances[corner]));
+        let details = (0..n_columns).map(detail).collect();
         ListRow {
             details,
             ..row(triangle_symbol(i), role, asked.map(marker), link)
         }
     };
-    let columns = (0..3).map(|i| name(format!("d{}", subscript(i)))).collect();
+    let symbol = |i| name(format!("d{}", subscript(i)));
+    let columns = (0..n_columns).map(symbol).collect();
     let list = ListColumn::about(Value::Term("tri-list-in"), n_in, current, entry);
     ListColumn { columns, ..list }
 }

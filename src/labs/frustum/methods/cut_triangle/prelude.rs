@@ -3,8 +3,9 @@
 pub(super) use super::super::asked::{perpendicular, place};
 pub(super) use super::agreement::{agreement_view, is_about_pictures, is_alone, vertex_rows};
 pub(super) use super::marks::{
-    cut_symbol, distance, given, kept, lost, named_cut, names, of_plane, parameter, places,
-    plane_mark, triangle_symbol, vertex, vertex_symbol,
+    cut_symbol, distance, given, kept, label_amid, lost, measured, named_cut, names, of_plane,
+    parameter, places, plane_mark, triangle_label, triangle_link, triangle_symbol, vertex,
+    vertex_symbol,
 };
 pub(super) use super::parts::{Parts, in_clip_space, of_polygon, of_triangles};
 pub(super) use super::stages::{Progress, small_view, tally};

@@ -1,13 +1,13 @@
 //! The funnel's two views: each object by its fate, and each of its triangles.
 
 use crate::{
-    algo::cull::{Funnel, FunnelEvent as Event, FunnelObject, TriangleFate, asked_camera},
+    algo::cull::{Funnel, FunnelEvent as Event, FunnelObject, TriangleFate, Viewer, asked_camera},
     labs::frustum::prelude::*,
 };
 
 use super::{
-    super::{asked::fate_of, back_face},
-    Now, sphere,
+    super::{asked::fate_of, back_face, cut_triangle::vertex},
+    Now, is_compared, n_inside, sphere,
     variant::Variant,
 };
 
@@ -108,9 +108,11 @@ fn asked_face<L: Variant>(at: &At<'_, Funnel<L>>) -> Option<[[f64; 3]; 3]> {
 
 /// Of the triangle that is asked: into what the clipper cuts it, and n and e as these rules compute them.
 fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3> {
+    let now = Now::of(at);
     let camera = &at.step.input.camera;
     match at.step.event() {
         Some(Event::Triangle {
+            codes,
             fate: TriangleFate::Cut,
             ..
         }) => {
@@ -118,16 +120,32 @@ fn of_face<L: Variant>(at: &At<'_, Funnel<L>>, face: [[f64; 3]; 3]) -> Vec<Mark3
                 planes: camera.planes_in_world().to_vec(),
                 triangle: face.map(SpaceVertex::new),
             });
-            let mark = |(i, piece): (usize, &[SpaceVertex; 3])| {
-                let outline = Shape3::Outline(piece.map(|vertex| vertex.at).to_vec());
-                Mark3::new(Role::Accent, outline).labelled(name(numbered('T', i)))
+            // What is seen of a triangle without a vertex inside stands out.
+            let is_across = n_inside(codes) == 0 && !is_compared(at);
+            let marks = |(i, piece): (usize, &[SpaceVertex; 3])| {
+                let piece = piece.map(|vertex| vertex.at).to_vec();
+                let wash = Mark3::new(Role::Accent, Shape3::Wash(piece.clone()));
+                let outline = Mark3::new(Role::Accent, Shape3::Outline(piece));
+                let outline = outline.labelled(name(numbered('T', i)));
+                std::iter::once(outline).chain(is_across.then_some(wash))
             };
-            cut.triangles.iter().enumerate().map(mark).collect()
+            let corners = face.iter().enumerate().filter(|_| is_across);
+            let corners = corners.map(|(i, &at)| vertex(i, &SpaceVertex::new(at), Some(false)));
+            let pieces = cut.triangles.iter().enumerate().flat_map(marks);
+            pieces.chain(corners.map(Mark3::strong)).collect()
         }
         Some(Event::Face { .. }) => {
             let (triangle, viewer) = (face, asked_viewer::<L>(camera));
             let asked = Recording::<BackFace<L>>::new(BackFaceInput { triangle, viewer });
-            back_face::arrows(asked.input(), asked.events())
+            let mut marks = back_face::arrows(asked.input(), asked.events());
+            if matches!(viewer, Viewer::Direction(_)) {
+                let others = at.step.input.objects.iter();
+                let others = others.filter_map(|it| Some(it.triangles.get(now.face_idx?)?[0]));
+                let others = others.filter(|&corner| corner != face[0]);
+                let others = others.chain([camera.position()]);
+                marks.extend(others.map(|corner| back_face::to_viewer(corner.into(), viewer).1));
+            }
+            marks
         }
         Some(
             Event::Object { .. }

@@ -1,5 +1,6 @@
 //! The funnel, shown: by the right rules and by those with a mistake.
 
+mod codes;
 mod marks;
 mod ribbon;
 mod variant;
@@ -125,10 +126,10 @@ impl<L: Variant> Telling for Funnel<L> {
         sphere.map_or(Vec::new(), |sphere| sphere.planes.listed(list))
     }
 
-    /// Beside another method there is no room for the axes: the distances stand in the watch table.
+    /// Beside another method there is no room for the axes, nor while triangles are asked: the distances stand in the watch table.
     fn watch(at: &At<'_, Self>) -> Watch {
         let mut watch: Watch = Self::WATCH.iter().map(|it| at.section(it)).collect();
-        if is_compared(at) {
+        if is_compared(at) || matches!(at.step.event(), Some(Event::Triangle { .. })) {
             watch[1].seen_in = None;
         }
         watch
@@ -141,8 +142,12 @@ impl<L: Variant> Telling for Funnel<L> {
         }
         if !is_compared(at) {
             let none = || sphere_gauges(&planes(at), 0.0, &[]);
-            let gauges = sphere(at).map_or_else(none, |sphere| sphere.gauges());
-            views.push(View::new(GAUGES_VIEW, Body::Gauges(gauges)));
+            // Where the sphere was measured stand the triangle's codes, once it is asked.
+            let body = match codes::table(at.step.event()) {
+                Some(table) => Body::Table(table),
+                None => Body::Gauges(sphere(at).map_or_else(none, |sphere| sphere.gauges())),
+            };
+            views.push(View::new(GAUGES_VIEW, body));
         }
         views.push(View::new(RIBBON_VIEW, Body::Ribbon(ribbon::ribbon(at))));
         views

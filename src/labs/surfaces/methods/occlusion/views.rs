@@ -1,5 +1,7 @@
 //! The scene by what becomes of its objects, the pixels that are asked over the picture so far, and the answers.
 
+use std::collections::BTreeSet;
+
 use crate::{
     algo::surface::{Occlusion, OcclusionEvent as Event},
     figure::Multiples,
@@ -104,14 +106,24 @@ fn raster(at: &At<'_, Occlusion>) -> Raster {
     } else {
         &at.step.held.asked
     };
-    over.extend(asked.iter().filter(|_| drawn.is_none()).map(answer_mark));
-    let names = lettered(&picture, |object| name_of(at.scenery, object as usize));
     let columns = input.surfaces.size()[0] as usize;
+    let id_at = |[x, y]: [u32; 2]| picture.ids()[y as usize * columns + x as usize];
+    let hidden = asked.iter().filter(|(_, passes)| !passes);
+    let hiding: BTreeSet<i32> = hidden.map(|&(pixel, _)| id_at(pixel)).collect();
+    // Of several that hide it each pixel says which one does so there.
+    let is_shared = drawn.is_none() && hiding.len() > 1;
+    let marked = asked.iter().filter(|(_, passes)| *passes || !is_shared);
+    over.extend(marked.filter(|_| drawn.is_none()).map(answer_mark));
+    let named = |id: i32| Some(name_of(at.scenery, usize::try_from(id).ok()?));
+    let names = lettered(&picture, |object| name_of(at.scenery, object as usize));
     // Where pixels are asked, their marks stand in place of letters.
     let pixels = pixels(&picture, drawn, |place| {
         let here = [place % columns, place / columns].map(|x| x as u32);
-        let is_asked = |_: &Value| asked.iter().any(|(pixel, _)| *pixel == here);
-        names(place).filter(|name| !is_asked(name))
+        match asked.iter().find(|(pixel, _)| *pixel == here) {
+            Some((_, false)) if is_shared => named(id_at(here)),
+            Some(_) => None,
+            None => names(place),
+        }
     });
     raster_so_far(&input.surfaces, pixels, over)
 }
