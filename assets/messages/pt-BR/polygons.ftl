@@ -140,6 +140,8 @@ rule-out-out = fora → fora
 sh-inside = dentro
 sh-outside = fora
 sh-bridge = ponte: { $length }, ida e volta
+sh-bridge-adds = ponte: área + 0, contorno + 2 · { $length }
+sh-area = área { $area }
 sh-list-input = Lista de entrada
 sh-list-output = Lista de saída
 sh-list-handed-on = Saída = entrada

@@ -73,7 +73,7 @@ pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
             let passed = names(now.rings.passed, vertex_symbol, Role::Discarded, sides, &[]);
             marks.extend(passed);
         }
-        marks.extend(bridges(list, &now.input.region));
+        marks.extend(bridges(list, &now.input.region, "sh-bridge"));
         return marks;
     }
     marks.push(Mark::new(Role::Ink, Shape::Outline(outline(list))).linked("input"));
