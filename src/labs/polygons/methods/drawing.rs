@@ -80,6 +80,8 @@ pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(now.rings.output))).linked("output"));
     let shown = now.rings.current();
     marks.extend(names(list, vertex_symbol, Role::Soft, sides, &shown));
+    let begins = matches!(now.event, Some(Event::Edge { .. } | Event::First { .. }));
+    marks.extend(now.edge.iter().flat_map(|edge| edge.others(begins)));
     marks.extend(moment(now));
     marks
 }
