@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = Which part of P₁P₂ lies in the window?
+line-not-on-it = { $point }: not on P₁P₂
 line-parallel = Parallel to the { $edge }: no crossing.
 line-reject-edge = Reject: both ends lie beyond the { $edge }.
 line-accept = Accept: visible from { $p1 } to { $p2 }.

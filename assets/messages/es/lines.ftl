@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = ¿Qué parte de P₁P₂ queda dentro de la ventana?
+line-not-on-it = { $point }: fuera de P₁P₂
 line-parallel = Paralelo al { $edge }: no hay intersección.
 line-reject-edge = Se rechaza: los dos extremos están más allá del { $edge }.
 line-accept = Se acepta: visible desde { $p1 } hasta { $p2 }.

@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = Que parte de P₁P₂ está na janela?
+line-not-on-it = { $point }: fora de P₁P₂
 line-parallel = Paralelo à { $edge }: não há interseção.
 line-reject-edge = Rejeitado: os dois extremos estão além da { $edge }.
 line-accept = Aceito: visível de { $p1 } a { $p2 }.

@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = P₁P₂ 的哪一部分在窗口内？
+line-not-on-it = { $point }：不在 P₁P₂ 上
 line-parallel = 与{ $edge }平行：没有交点。
 line-reject-edge = 舍弃：两端点都在{ $edge }外侧。
 line-accept = 接受：可见部分从 { $p1 } 到 { $p2 }。
