@@ -6,6 +6,7 @@ mod depth_buffer;
 mod occlusion;
 mod on_raster;
 mod painter;
+mod planes;
 mod prelude;
 mod ray_casting;
 
