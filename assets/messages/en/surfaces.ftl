@@ -98,6 +98,7 @@ curve-whole = Depth over distance
 curve-enlarged = Enlarged
 curve-forward = Not reversed
 curve-reversed = Reversed
+curve-near = Near plane at { $near }
 curve-step = one step: { $step }
 curve-distance = distance
 curve-depth = depth

@@ -98,6 +98,7 @@ curve-whole = Profundidad según la distancia
 curve-enlarged = Ampliado
 curve-forward = Sin invertir
 curve-reversed = Invertida
+curve-near = Plano cercano en { $near }
 curve-step = un paso: { $step }
 curve-distance = distancia
 curve-depth = profundidad

@@ -98,6 +98,7 @@ curve-whole = Profundidade pela distância
 curve-enlarged = Ampliado
 curve-forward = Sem inverter
 curve-reversed = Invertida
+curve-near = Plano próximo em { $near }
 curve-step = um passo: { $step }
 curve-distance = distância
 curve-depth = profundidade

@@ -80,6 +80,7 @@ curve-whole = 深度随距离的变化
 curve-enlarged = 放大
 curve-forward = 未反向
 curve-reversed = 反向
+curve-near = 近平面在 { $near }
 curve-step = 一级：{ $step }
 curve-distance = 距离
 curve-depth = 深度

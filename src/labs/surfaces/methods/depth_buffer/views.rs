@@ -29,7 +29,9 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         // Where steps of the format matter a curve tells what has come to a pixel.
         if format.number != DepthNumber::Double {
             let landed = pixel.map_or_else(Vec::new, |pixel| landed(at, pixel));
-            let curves = curves(&Rays::of(&input.surfaces), format, &landed);
+            let before = before(&input.surfaces, scene);
+            let rays = Rays::of(&input.surfaces);
+            let curves = curves(&rays, format, &landed, before.as_ref());
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
         } else if let Some(pixel) = pixel {
             let story = story(at, scenery, pixel);
@@ -37,6 +39,14 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         }
         views
     })
+}
+
+/// The lines of sight with the near plane where it was.
+fn before(surfaces: &Surfaces, scene: &Scene) -> Option<Rays> {
+    let near = scene.raster.near_before?;
+    let camera = scene.camera.with(|numbers| numbers.depths[0] = near).ok()?;
+    let volume = *camera.camera().volume();
+    Surfaces::new(surfaces.size(), volume, [], false).map(|none| Rays::of(&none))
 }
 
 fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark3> {
