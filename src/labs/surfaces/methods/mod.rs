@@ -1,5 +1,6 @@
 //! One file or folder a method: its sentences, its views, what is watched.
 
+mod asks;
 mod bars;
 mod bsp;
 mod depth_buffer;

@@ -5,7 +5,7 @@ use crate::{
     figure::{CellStage, Story, StoryCard, StoryFate},
 };
 
-use super::super::prelude::*;
+use super::super::{asks::asks, prelude::*};
 
 use super::{
     curve::{Landed, curves},
@@ -19,7 +19,7 @@ const CURVE_VIEW: &str = "curve";
 const STORY_VIEW: &str = "story";
 
 pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
-    on_raster::views(at, |scenery| {
+    let mut views = on_raster::views(at, |scenery| {
         let scene = scenery.scene();
         let look = faces([(current(at), Role::Accent)], scene);
         let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
@@ -38,7 +38,12 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
             views.push(View::new(STORY_VIEW, Body::Story(story)));
         }
         views
-    })
+    });
+    let all = || silent::<DepthBuffer<L>>(at.step.input).tally.fragments as usize;
+    let is_done = at.step.event() == Some(Event::Done);
+    let said = ["{triangle}: {at}", "watch-fragments"];
+    views.extend(asks(at, "asks-depth-buffer", said, is_done, all));
+    views
 }
 
 /// The lines of sight with the near plane where it was.

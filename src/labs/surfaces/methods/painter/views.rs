@@ -8,6 +8,7 @@ use crate::{
 };
 
 use super::super::{
+    asks::asks,
     bars::{Bar, bars},
     on_raster::seams,
     prelude::*,
@@ -52,6 +53,9 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
         views
     });
     let is_done = at.step.event() == Some(Event::Done);
+    let n = at.step.input.triangles().len();
+    let said = ["{triangle}, {other}", "watch-pairs"];
+    views.extend(asks(at, "asks-painter", said, is_done, || n * n - n));
     let role = if is_done { Role::Signal } else { Role::Ink };
     let cut = at
         .scenery
