@@ -63,7 +63,7 @@ impl Scene {
         let region = self.region(self.method);
         let of = |method: Method| (self.cost_by(method), method.card().name());
         let methods =
-            Method::all().filter(|&method| is_crowd && self.region(method) == region);
+            Method::all_right().filter(|&method| is_crowd && self.region(method) == region);
         let mut costs: Vec<_> = methods.map(of).collect();
         costs.sort_by_key(|(counts, _)| counts.total());
         let (counts, names) = costs.into_iter().unzip();
