@@ -12,7 +12,7 @@ use super::{
     run::Run,
     small_pictures::{Raster, RasterMark, RasterShape},
     space::Seer,
-    values::Costs,
+    values::{Costs, Table},
     view::{Body, View, ViewId},
 };
 use crate::{text::Value, trace::Counts};
@@ -166,6 +166,9 @@ impl Comparison {
             _ => return None,
         };
         let mut frame = together(first, others, names);
+        if let (false, Some(table), Some(costs)) = (at_end, asked(frames), frame.views.last_mut()) {
+            costs.body = Body::Table(table);
+        }
         if at_end {
             for view in &mut frame.views {
                 let bodies = frames.iter().filter_map(|frame| frame.body(view.id));
@@ -202,6 +205,19 @@ fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
         }
     }
     frame
+}
+
+/// What each asks on its way, where all say it.
+fn asked(frames: &[Frame]) -> Option<Table> {
+    let tables = frames.iter().map(|frame| match frame.body(ViewId::ASKED)? {
+        Body::Table(table) => Some(table.clone()),
+        _ => None,
+    });
+    let tables = tables.collect::<Option<Vec<_>>>()?.into_iter();
+    tables.reduce(|mut table, more| {
+        table.rows.extend(more.rows);
+        table
+    })
 }
 
 /// What some methods fill and others do not.

@@ -227,7 +227,7 @@ pub fn needs(
     ask(run, MOST_ASKED, |shown| {
         let views = shown.views();
         look(&views, &shown.caption());
-        for view in &views {
+        for view in views.iter().filter(|view| view.id != ViewId::ASKED) {
             let more = view.need();
             match needs.iter_mut().find(|need| need.id == more.id) {
                 Some(need) => need.widen(&more),

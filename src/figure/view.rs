@@ -19,6 +19,8 @@ impl ViewId {
     pub const PLANE: Self = Self("plane");
     /// What a method leaves and takes for it, where it is told that another one leaves the same.
     pub const AGREEMENT: Self = Self("agreement");
+    /// What a method asks, as a row of a table: seen only where several are one drawing.
+    pub const ASKED: Self = Self("asked-beside");
 }
 
 #[derive(Clone, PartialEq, Debug)]

@@ -34,6 +34,11 @@ impl<I: Listed> Method<I> {
         I::all().iter().map(Self)
     }
 
+    /// But for those that are wrong on purpose.
+    pub fn all_right() -> impl Iterator<Item = Self> {
+        Self::all().filter(|method| !method.card().is_faulty)
+    }
+
     pub fn by_id(id: &str) -> Option<Self> {
         Self::all().find(|method| method.card().id == id)
     }

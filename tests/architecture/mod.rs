@@ -182,6 +182,7 @@ fn what_is_wrong_on_purpose_stays_in_its_room() {
     };
     // Only the lab that shows the mistakes may know them.
     for (room, lab) in [
+        ("algo/line/faulty.rs", "labs/lines"),
         ("algo/polygon/faulty", "labs/polygons"),
         ("algo/volume/faulty.rs", "labs/frustum"),
         ("algo/cull/faulty.rs", "labs/frustum"),

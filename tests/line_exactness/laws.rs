@@ -3,7 +3,7 @@
 use clipscope::{
     algo::line::{
         BitOrder, BruteForce, CohenSutherland, CohenSutherlandInput, CyrusBeck, CyrusBeckInput,
-        LiangBarsky, NichollLeeNicholl, WindowInput,
+        LiangBarsky, NichollLeeNicholl, WindowInput, faulty::OutwardCyrusBeck,
     },
     geom::{ConvexPolygon, Segment, Window},
     trace::laws,
@@ -51,6 +51,11 @@ proptest! {
     #[test]
     fn cyrus_beck(clip in polygon(), input in input()) {
         laws::check::<CyrusBeck>(&CyrusBeckInput { clip, segment: input.segment });
+    }
+
+    #[test]
+    fn normals_outside(clip in polygon(), input in input()) {
+        laws::check::<OutwardCyrusBeck>(&CyrusBeckInput { clip, segment: input.segment });
     }
 
     #[test]

@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = Which part of P₁P₂ lies in the window?
+line-not-on-it = { $point }: not on P₁P₂
 line-parallel = Parallel to the { $edge }: no crossing.
 line-reject-edge = Reject: both ends lie beyond the { $edge }.
 line-accept = Accept: visible from { $p1 } to { $p2 }.
@@ -133,6 +134,8 @@ cb-sign-inside = { $product } > 0: { $end } is inside
 cb-sign-on = { $product } = 0: { $end } is on the edge
 cb-sign-outside = { $product } < 0: { $end } is outside
 cb-measured = Measured along { $normal }, from the edge
+alg-faulty-normals = Wrong: all normals point outside
+faulty-normals-differs = Step { $step } is the first that differs: the normal points outside, and what enters is taken for leaving.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = for each edge: n; w ← P₁ − E
 code-cb-parallel = if n·D = 0 and n·w < 0: reject
@@ -140,6 +143,7 @@ code-cb-enter = if n·D > 0: t_min ← max(t_min, −n·w / n·D)
 code-cb-leave = if n·D < 0: t_max ← min(t_max, −n·w / n·D)
 code-cb-empty = if t_min > t_max: reject
 code-cb-accept = accept P(t_min) P(t_max)
+words-faulty-normals = For each edge, turn it to the left for its normal, whichever way the corners run.
 words-cb-start = Start with the whole segment, t from 0 to 1.
 words-cb-each = For each edge, take its normal, which points inside.
 words-cb-parallel = n·D = 0: parallel to the edge; if it lies outside, reject.

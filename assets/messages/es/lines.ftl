@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = ¿Qué parte de P₁P₂ queda dentro de la ventana?
+line-not-on-it = { $point }: fuera de P₁P₂
 line-parallel = Paralelo al { $edge }: no hay intersección.
 line-reject-edge = Se rechaza: los dos extremos están más allá del { $edge }.
 line-accept = Se acepta: visible desde { $p1 } hasta { $p2 }.
@@ -133,6 +134,8 @@ cb-sign-inside = { $product } > 0: { $end } está dentro
 cb-sign-on = { $product } = 0: { $end } está en la arista
 cb-sign-outside = { $product } < 0: { $end } está fuera
 cb-measured = Medido a lo largo de { $normal }, desde la arista
+alg-faulty-normals = Erróneo: todas las normales apuntan hacia fuera
+faulty-normals-differs = El paso { $step } es el primero que difiere: la normal apunta hacia fuera, y lo que entra se toma por lo que sale.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada arista: n; w ← P₁ − E
 code-cb-parallel = si n·D = 0 y n·w < 0: rechazar
@@ -140,6 +143,7 @@ code-cb-enter = si n·D > 0: t_min ← max(t_min; −n·w/n·D)
 code-cb-leave = si n·D < 0: t_max ← min(t_max; −n·w/n·D)
 code-cb-empty = si t_min > t_max: rechazar
 code-cb-accept = aceptar P(t_min) P(t_max)
+words-faulty-normals = Para cada arista, gírala a la izquierda y tómala por normal, sea cual sea el sentido de los vértices.
 words-cb-start = Empieza con el segmento entero, t de 0 a 1.
 words-cb-each = Para cada arista, toma su normal, que apunta hacia dentro.
 words-cb-parallel = n·D = 0: paralelo a la arista; si está por fuera, recházalo.

@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = Que parte de P₁P₂ está na janela?
+line-not-on-it = { $point }: fora de P₁P₂
 line-parallel = Paralelo à { $edge }: não há interseção.
 line-reject-edge = Rejeitado: os dois extremos estão além da { $edge }.
 line-accept = Aceito: visível de { $p1 } a { $p2 }.
@@ -133,6 +134,8 @@ cb-sign-inside = { $product } > 0: { $end } está dentro
 cb-sign-on = { $product } = 0: { $end } está na aresta
 cb-sign-outside = { $product } < 0: { $end } está fora
 cb-measured = Medido ao longo de { $normal }, a partir da aresta
+alg-faulty-normals = Errado: todos os vetores normais apontam para fora
+faulty-normals-differs = O passo { $step } é o primeiro que difere: o vetor normal aponta para fora, e o que entra é tomado como o que sai.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada aresta: n; w ← P₁ − E
 code-cb-parallel = se n·D = 0 e n·w < 0: rejeite
@@ -140,6 +143,7 @@ code-cb-enter = se n·D > 0: t_min ← max(t_min; −n·w / n·D)
 code-cb-leave = se n·D < 0: t_max ← min(t_max; −n·w / n·D)
 code-cb-empty = se t_min > t_max: rejeite
 code-cb-accept = aceite P(t_min) P(t_max)
+words-faulty-normals = Para cada aresta, gire-a para a esquerda e tome-a como vetor normal, seja qual for o sentido dos vértices.
 words-cb-start = Comece com o segmento inteiro, t de 0 a 1.
 words-cb-each = Para cada aresta, tome o vetor normal que aponta para dentro.
 words-cb-parallel = n·D = 0: paralelo à aresta; se está do lado de fora, rejeite.

@@ -140,6 +140,9 @@ rule-out-out = fora → fora
 sh-inside = dentro
 sh-outside = fora
 sh-bridge = ponte: { $length }, ida e volta
+sh-bridge-adds = ponte: área + 0, contorno + 2 · { $length }
+sh-area = área { $area }
+sh-does-not-count = { $inside }: agora não conta
 sh-list-input = Lista de entrada
 sh-list-output = Lista de saída
 sh-list-handed-on = Saída = entrada

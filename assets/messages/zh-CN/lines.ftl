@@ -3,6 +3,7 @@
 ## Said by several methods
 
 line-opening = P₁P₂ 的哪一部分在窗口内？
+line-not-on-it = { $point }：不在 P₁P₂ 上
 line-parallel = 与{ $edge }平行：没有交点。
 line-reject-edge = 舍弃：两端点都在{ $edge }外侧。
 line-accept = 接受：可见部分从 { $p1 } 到 { $p2 }。
@@ -133,6 +134,8 @@ cb-sign-inside = { $product } > 0：{ $end } 在内侧
 cb-sign-on = { $product } = 0：{ $end } 在边所在直线上
 cb-sign-outside = { $product } < 0：{ $end } 在外侧
 cb-measured = 沿 { $normal } 从边量起
+alg-faulty-normals = 错误：法向量全部朝外
+faulty-normals-differs = 第 { $step } 步首次出现差别：法向量朝外，于是进入被当作离开。
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = 对每条边：取 n；w ← P₁ − E
 code-cb-parallel = 若 n·D = 0 且 n·w < 0，则舍弃
@@ -140,6 +143,7 @@ code-cb-enter = 若 n·D > 0，则 t_min ← max(t_min, −n·w/n·D)
 code-cb-leave = 若 n·D < 0，则 t_max ← min(t_max, −n·w/n·D)
 code-cb-empty = 若 t_min > t_max，则舍弃
 code-cb-accept = 接受 P(t_min) P(t_max)
+words-faulty-normals = 对每条边，把它左转作为法向量，不管顶点按什么方向排列。
 words-cb-start = 从整条线段开始，t 从 0 到 1。
 words-cb-each = 对每条边，取它指向内侧的法向量。
 words-cb-parallel = n·D = 0：线段与该边平行；若在外侧，则舍弃。

@@ -78,6 +78,17 @@ impl RowNumbers for CyrusBeckRow {
         [0.0 - self.slope, self.d1]
     }
 
+    fn turned(self) -> Self {
+        let [d1, d2, slope] = [self.d1, self.d2, self.slope].map(|x| 0.0 - x);
+        Self {
+            normal: self.normal.map(|x| 0.0 - x),
+            d1,
+            d2,
+            slope,
+            ..self
+        }
+    }
+
     fn with<S: Serializer>(&self, fields: Fields<S>) -> Result<Fields<S>, S::Error> {
         let fields = fields.with("normal", &self.normal)?;
         let fields = fields.with("origin", &self.origin)?.with("d1", &self.d1)?;

@@ -13,6 +13,7 @@ mod cohen_sutherland;
 pub(super) mod convex_border;
 pub(super) mod crossing;
 mod cyrus_beck;
+pub mod faulty;
 pub mod kernel;
 mod liang_barsky;
 mod nicholl_lee_nicholl;

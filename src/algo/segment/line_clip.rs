@@ -27,10 +27,13 @@ use super::{Ends, LineAnswer, LineEvent, RowNumbers, VisibleLine};
 /// An event of clipping against the bounds `B`.
 pub type EventOf<const N: usize, B> = LineEvent<<B as Bounds<N>>::Plane, N, <B as Bounds<N>>::Row>;
 
-/// What is easily got wrong. The value given here is right; [`crate::algo::volume::faulty`] has the other.
+/// What is easily got wrong. The values given here are right; [`crate::algo::volume::faulty`] and [`crate::algo::line::faulty`] have
+/// the others.
 pub trait LineRules: Copy + 'static {
     /// Are both ends divided by w before anything is clipped?
     const DIVIDES_FIRST: bool = false;
+    /// Is what lies outside of each plane taken for its inside?
+    const TURNS_NORMALS: bool = false;
 }
 
 impl LineRules for Right {}
@@ -169,9 +172,20 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
         let Some(delta) = delta else {
             return tell.tell(held, Event::Reject { plane: None });
         };
+        let distances = |plane| {
+            let inside = bounds.distances(plane, &ends);
+            if L::TURNS_NORMALS {
+                inside.map(|d| -d)
+            } else {
+                inside
+            }
+        };
         let mut interval = Interval::whole();
         for plane in bounds.planes() {
-            let ([p, q], row) = bounds.inequality(plane, &ends, &delta);
+            let ([mut p, mut q], mut row) = bounds.inequality(plane, &ends, &delta);
+            if L::TURNS_NORMALS {
+                ([p, q], row) = ([-p, -q], row.turned());
+            }
             tell.tell(held, Event::Row { plane, row })?;
             let visible = if p == R::new(0.0) {
                 let inside = q >= R::new(0.0);
@@ -184,7 +198,6 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
                     border: Some(plane),
                     leaving: B::is_leaving(p),
                 };
-                let distances = |plane| bounds.distances(plane, &ends);
                 let wins_tie = |first| bounds.wins_tie(plane, first);
                 let moves = interval.shrink(param, distances, wins_tie);
                 let ([u_min, u_max], r) = (interval.values(), param.u.get());

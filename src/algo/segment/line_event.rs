@@ -127,6 +127,10 @@ pub trait RowNumbers: Copy + PartialEq + Debug + 'static {
     /// p: how much the way to P₂ takes away. q: how far P₁ lies inside.
     fn p_and_q(&self) -> [f64; 2];
 
+    /// The same of the plane's other side.
+    #[must_use]
+    fn turned(self) -> Self;
+
     /// Its own fields.
     ///
     /// # Errors
@@ -185,6 +189,11 @@ impl RowNumbers for PlaneRow {
 
     fn p_and_q(&self) -> [f64; 2] {
         [self.p, self.q]
+    }
+
+    fn turned(self) -> Self {
+        let [p, q] = self.p_and_q().map(|x| 0.0 - x);
+        Self { p, q }
     }
 }
 

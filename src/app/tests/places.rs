@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::*;
-use crate::figure::{Body, CodeLinks, Need, View};
+use crate::figure::{Body, CodeLinks, Need, View, ViewId};
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
 const INSPECTOR: Vec2 = vec2(264.0, 600.0);
@@ -190,7 +190,9 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
             let said = |frame: &Frame| caption_text(Catalog::of(Lang::En), &frame.caption);
             let length = frames.clone().map(|frame| said(frame).len()).max();
             let length = length.unwrap_or(0);
-            let wanted = frames.map(|frame| frame.views.iter().map(View::need).collect());
+            let seen = |view: &&View| view.id != ViewId::ASKED;
+            let wanted =
+                frames.map(|frame| frame.views.iter().filter(seen).map(View::need).collect());
             let wanted: Vec<Vec<Need>> = wanted.collect();
             for (wanted, needs) in wanted.iter().zip(&bench.app.playback.needs) {
                 for need in wanted {

@@ -7,7 +7,7 @@ use crate::{
         batch::{ClippedSegments, Segments, clip_all},
     },
     figure::Costs,
-    geom::{Segment, extent},
+    geom::{Point, Segment, extent, orientation},
     labs::{Backdrop, prelude::*},
     trace::Counts,
 };
@@ -23,6 +23,7 @@ impl Backdrop for Scene {
         let outline = region.vertices().iter().map(|p| p.to_array()).collect();
         let mut marks = vec![Mark::new(Role::Ink, Shape::Area(vec![outline])).linked("window")];
         marks.extend(crowd(self, at_end));
+        marks.extend(mistaken(self));
         marks
     }
 
@@ -61,7 +62,8 @@ impl Scene {
         let is_crowd = (MAX_FITTED + 1..=MOST_COUNTED).contains(&self.segments().len());
         let region = self.region(self.method);
         let of = |method: Method| (self.cost_by(method), method.card().name());
-        let methods = Method::all().filter(|&method| is_crowd && self.region(method) == region);
+        let methods =
+            Method::all_right().filter(|&method| is_crowd && self.region(method) == region);
         let mut costs: Vec<_> = methods.map(of).collect();
         costs.sort_by_key(|(counts, _)| counts.total());
         let (counts, names) = costs.into_iter().unzip();
@@ -105,6 +107,32 @@ fn names(given: &[Segment]) -> Vec<Mark> {
         })
     };
     given.iter().zip(LETTERS).flat_map(ends).collect()
+}
+
+/// The piece of what was clipped by mistake, by what is wrong in it, and both of its ends.
+fn mistaken(scene: &Scene) -> Vec<Mark> {
+    let Some(taken) = scene.mistaken else {
+        return Vec::new();
+    };
+    let right = scene.focused();
+    let ends = |of: Segment| [of.p1, of.p2].map(Point::to_array);
+    let said = |of: Segment| sym("Δx = ").num(of.p2.x() - of.p1.x());
+    let not_so = |what: Value| Message::new("not-so").with("what", what);
+    let mut marks = Vec::new();
+    for piece in clip(scene, &[taken]) {
+        let wrong = Mark::new(Role::Signal, Shape::Segment(ends(piece))).dashed();
+        marks.push(wrong.labelled(not_so(said(taken).into())));
+        for (at, symbol) in [piece.p1, piece.p2].into_iter().zip(["Q₁", "Q₂"]) {
+            let cross = Mark::new(Role::Signal, Shape::Cross(at.to_array()));
+            let is_off = orientation(right.p1, right.p2, at).is_ne();
+            let off = Message::new("line-not-on-it").with("point", name(symbol));
+            marks.extend(is_off.then(|| cross.labelled(not_so(off.into()))));
+        }
+    }
+    let [[x1, y1], [x2, y2]] = ends(right);
+    let middle = Shape::Label([x1.midpoint(x2), y1.midpoint(y2)]);
+    marks.push(Mark::new(Role::Accent, middle).labelled(said(right)));
+    marks
 }
 
 fn clip(scene: &Scene, given: &[Segment]) -> Vec<Segment> {

@@ -1,4 +1,4 @@
-//! The lines lab: segments against a window, five methods.
+//! The lines lab: segments against a window, five methods and a mistake.
 
 mod backdrop;
 mod document;

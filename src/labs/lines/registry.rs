@@ -2,11 +2,11 @@
 //! others, one line below.
 
 use crate::{
-    algo::line,
+    algo::line::{self, faulty::OutwardCyrusBeck},
     figure::Body,
     geom::Segment,
     labs::{Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
-    trace::{Counted, Counts, held_after, silent},
+    trace::{self, Counted, Counts, held_after, silent},
 };
 
 use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
@@ -23,13 +23,21 @@ pub static LAB: &Lab = &Lab {
 };
 
 const fn info<M: LineTelling>() -> MethodEntry<MethodInfo> {
+    wrong::<M, M>()
+}
+
+/// Of one that is wrong on purpose a run knows where it first differs from that of `Right`.
+const fn wrong<M: LineTelling, Right>() -> MethodEntry<MethodInfo>
+where
+    Right: trace::Method<Input = M::Input, Event = M::Event>,
+{
     MethodEntry {
         card: MethodCard::of::<M>(),
         info: MethodInfo {
             takes_polygon: M::TAKES_POLYGON,
             writes_codes: M::WRITES_CODES,
             record: |scene, segment| {
-                let run = Recorded::<M>::new(M::input(scene, segment), None);
+                let run = Recorded::<M>::beside::<Right>(M::input(scene, segment), None);
                 Box::new(run.ending_in(scene.costs_of_all().map(Body::Costs)))
             },
             cost: |scene, segment| {
@@ -51,13 +59,14 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
     Box::new(move || inputs.iter().filter_map(silent::<M>).count())
 }
 
-/// Every method, in the order in which they are taught.
-pub static METHODS: [MethodEntry<MethodInfo>; 5] = [
+/// Every method, in the order in which they are taught; the mistake last.
+pub static METHODS: [MethodEntry<MethodInfo>; 6] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
     info::<line::CyrusBeck>(),
     info::<line::NichollLeeNicholl>(),
+    wrong::<OutwardCyrusBeck, line::CyrusBeck>(),
 ];
 
 impl Listed for MethodInfo {

@@ -46,6 +46,8 @@ pub struct Scene {
     /// A convex clip region that takes the window's place for methods that can use one.
     pub clip: Option<ConvexPolygon>,
     pub bit_order: BitOrder,
+    /// What someone clipped by mistake in place of the segment in focus: its piece is crossed.
+    pub mistaken: Option<Segment>,
     segments: Vec<Segment>,
     focus: usize,
 }
@@ -82,6 +84,7 @@ impl Scene {
             window,
             clip: None,
             bit_order: BitOrder::default(),
+            mistaken: None,
             focus: 0,
             segments,
         })

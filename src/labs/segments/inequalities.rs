@@ -16,7 +16,7 @@ use super::{
 const AXIS_VIEW: &str = "axis";
 
 pub const START: usize = 0;
-const EACH: usize = 1;
+pub const EACH: usize = 1;
 const PARALLEL: usize = 2;
 const ENTER: usize = 3;
 const LEAVE: usize = 4;

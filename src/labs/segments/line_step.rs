@@ -134,6 +134,7 @@ pub struct LineStep<'a, const N: usize, B: LineLook<N>> {
     past: &'a [EventOf<N, B>],
     pub event: Option<EventOf<N, B>>,
     pub is_divided: bool,
+    pub is_turned: bool,
     /// What is clipped: as given, but by wrong rules.
     pub ends: [[f64; N]; 2],
     pub delta: Option<[f64; N]>,
@@ -147,21 +148,26 @@ pub struct LineStep<'a, const N: usize, B: LineLook<N>> {
 
 impl<'a, const N: usize, B: LineLook<N>> LineStep<'a, N, B> {
     pub fn of<L: LineRules>(step: &Step<'a, LineClip<N, B, L>>) -> Self {
-        Self::after(step.input, step.past, L::DIVIDES_FIRST)
+        Self::after(step.input, step.past, [L::DIVIDES_FIRST, L::TURNS_NORMALS])
     }
 
     /// The step before this one.
     pub fn before(&self) -> Self {
         let past = self.past.split_last().map_or(&[][..], |(_, before)| before);
-        Self::after(self.input, past, self.is_divided)
+        Self::after(self.input, past, [self.is_divided, self.is_turned])
     }
 
-    fn after(input: &'a B::Input, past: &'a [EventOf<N, B>], is_divided: bool) -> Self {
+    fn after(
+        input: &'a B::Input,
+        past: &'a [EventOf<N, B>],
+        [is_divided, is_turned]: [bool; 2],
+    ) -> Self {
         let mut shown = Self {
             past,
             input,
             event: past.last().copied(),
             is_divided,
+            is_turned,
             ends: input.ends(),
             delta: None,
             rows: Vec::new(),

@@ -2,7 +2,7 @@
 
 use crate::algo::surface::{DepthFormat, DepthSteps};
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RasterPlan {
     rows: u32,
     pub format: DepthFormat,
@@ -14,6 +14,8 @@ pub struct RasterPlan {
     /// The pixel that is looked at, by column and row; one that the raster has not is none.
     pub pixel: Option<[u32; 2]>,
     pub tones: Tones,
+    /// Where the near plane was before it moved: depths over distances are drawn of both.
+    pub near_before: Option<f64>,
 }
 
 /// What the pixels of a depth buffer tell, by tone and in writing.
@@ -40,6 +42,7 @@ impl Default for RasterPlan {
             shuffle: None,
             pixel: None,
             tones: Tones::default(),
+            near_before: None,
         }
     }
 }

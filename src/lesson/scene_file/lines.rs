@@ -19,6 +19,11 @@ const SEGMENTS: Part<Vec<Segment>> = Part::new(
 )
 .expecting("expect-segments");
 
+const MISTAKEN: Part<Segment> = Part::new("mistaken", &Shape::Numbers(&[Dim::Exactly(4)]), |got| {
+    Ok(Segment::try_from(got.array())?)
+})
+.expecting("expect-segment");
+
 pub(super) static FORMAT: SceneFormat = SceneFormat {
     lab: LAB,
     fields: &[
@@ -28,6 +33,7 @@ pub(super) static FORMAT: SceneFormat = SceneFormat {
         "clip",
         "bit_order",
         "segments",
+        "mistaken",
         "random",
         "focus",
     ],
@@ -58,6 +64,7 @@ fn scene(fields: &TomlFields<'_>, segments_left: &mut usize) -> Option<labs::Sce
     let mut scene = Scene::new(method?, window?, segments).ok()?;
     (scene.compare, scene.clip) = (compare, clip);
     scene.bit_order = bit_order.unwrap_or_default();
+    scene.mistaken = fields.part(&MISTAKEN);
     scene.set_focus(focus.unwrap_or(0));
     (fields.sink.n_errors() == n_errors).then(|| scene.into())
 }
@@ -116,6 +123,7 @@ fn to_toml(scene: &Scene) -> String {
     let compare = scene.compare.map(|method| quoted(method.card().id));
     let clip = scene.clip.as_ref();
     let is_usual = scene.bit_order == BitOrder::default();
+    let mistaken = scene.mistaken.map(|segment| array(&segment.to_array()));
     let segments = rows(scene.segments().iter().map(|segment| segment.to_array()));
     lines([
         ("method", Some(quoted(scene.method.card().id))),
@@ -123,6 +131,7 @@ fn to_toml(scene: &Scene) -> String {
         ("window", Some(array(&scene.window.to_array()))),
         ("clip", clip.map(|clip| points(clip.vertices()))),
         ("bit_order", (!is_usual).then(|| quoted("lrbt"))),
+        ("mistaken", mistaken),
         ("focus", counted(scene.focus())),
         ("segments", Some(list(&segments, 1))),
     ])

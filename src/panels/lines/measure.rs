@@ -24,7 +24,7 @@ pub enum Subject {
 
 impl Subject {
     pub fn all() -> impl Iterator<Item = Self> {
-        Method::all().map(Self::Method).chain([Self::Batch])
+        Method::all_right().map(Self::Method).chain([Self::Batch])
     }
 
     pub fn name_key(self) -> &'static str {

@@ -146,10 +146,11 @@ pub fn edge_marks(shown: &Shown<'_>) -> Vec<Mark> {
     for (i, plane) in shown.input.clip.half_planes().enumerate() {
         let edge = [i, (i + 1) % vertices.len()].map(|i| vertices[i].to_array());
         if in_hand == Some(i) {
-            marks.extend(outside_marks(i, edge));
+            marks.extend(outside_marks(i, edge, shown.is_turned));
             continue;
         }
         let middle = DVec2::from(edge[0]).midpoint(DVec2::from(edge[1]));
+        let length = if shown.is_turned { -length } else { length };
         let tip = middle + DVec2::from(plane.normal()).normalize_or_zero() * length;
         marks.push(
             Mark::new(
@@ -168,10 +169,11 @@ pub fn edge_marks(shown: &Shown<'_>) -> Vec<Mark> {
     marks
 }
 
-fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2]) -> [Mark; 3] {
+fn outside_marks(edge_idx: usize, [a, b]: [[f64; 2]; 2], is_turned: bool) -> [Mark; 3] {
+    // The polygon lies to the left of a → b.
+    let wash = if is_turned { [a, b] } else { [b, a] };
     [
-        // The polygon lies to the left of a → b.
-        Mark::new(Role::Signal, Shape::Wash([b, a])),
+        Mark::new(Role::Signal, Shape::Wash(wash)),
         Mark::new(Role::Signal, Shape::Line([a, b])).dashed(),
         Mark::new(Role::Signal, Shape::Segment([a, b]))
             .labelled(polygon_edge_name(edge_idx))

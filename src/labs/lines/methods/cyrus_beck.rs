@@ -2,13 +2,17 @@
 
 use crate::{
     algo::{
-        line::{CyrusBeck, CyrusBeckInput, CyrusBeckRow},
+        line::{CyrusBeckInput, CyrusBeckRow, faulty::NormalsOutside},
         ring::Right,
+        segment::{LineClip, LineRules},
     },
     geom::ConvexPolygon,
     labs::{
         crossing_formulas::{dot_product, fixed, oblique, taken},
-        segments::{LineKeys, LineLook, LineVariant, SeenRow},
+        segments::{
+            LineKeys, LineLook, LineVariant, SeenRow,
+            inequalities::{EACH, N_LINES},
+        },
         words::{polygon_edge_link, polygon_edge_name},
     },
 };
@@ -19,7 +23,17 @@ use super::{
     shared::{SegmentInterval, point},
 };
 
-impl LineTelling for CyrusBeck {
+const LINES: [CodeLine; N_LINES] = [
+    code_line(0, "code-cb-start", "words-cb-start"),
+    code_line(0, "code-cb-each", "words-cb-each"),
+    code_line(1, "code-cb-parallel", "words-cb-parallel"),
+    code_line(1, "code-cb-enter", "words-cb-enter"),
+    code_line(1, "code-cb-leave", "words-cb-leave"),
+    code_line(1, "code-cb-empty", "words-cb-empty"),
+    code_line(0, "code-cb-accept", "words-cb-accept"),
+];
+
+impl<L: LineRules + LineVariant<2, ConvexPolygon>> LineTelling for LineClip<2, ConvexPolygon, L> {
     const TAKES_POLYGON: bool = true;
 
     fn input(scene: &Scene, segment: Segment) -> CyrusBeckInput {
@@ -33,15 +47,14 @@ impl LineTelling for CyrusBeck {
 impl LineVariant<2, ConvexPolygon> for Right {
     const ID: &'static str = "cyrus-beck";
     const NAME_KEY: &'static str = "alg-cyrus-beck";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-cb-start", "words-cb-start"),
-        code_line(0, "code-cb-each", "words-cb-each"),
-        code_line(1, "code-cb-parallel", "words-cb-parallel"),
-        code_line(1, "code-cb-enter", "words-cb-enter"),
-        code_line(1, "code-cb-leave", "words-cb-leave"),
-        code_line(1, "code-cb-empty", "words-cb-empty"),
-        code_line(0, "code-cb-accept", "words-cb-accept"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
+}
+
+mistakes! { LineVariant<2, ConvexPolygon>:
+    NormalsOutside {
+        "faulty-normals", "alg-faulty-normals", "faulty-normals-differs";
+        CODE = LINES but EACH: "code-cb-each" "words-faulty-normals";
+    }
 }
 
 impl LineLook<2> for ConvexPolygon {

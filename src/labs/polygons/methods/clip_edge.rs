@@ -2,6 +2,7 @@
 
 use crate::{
     algo::polygon::Rules,
+    figure::Weight,
     geom::{Axis, Edge, Segment, Window},
     labs::{
         crossing_formulas::{Weights, dot_product, fixed, oblique, upright},
@@ -217,6 +218,21 @@ impl<'a> ClipEdge<'a> {
             .labelled(label)
             .toward([a[1] - b[1], b[0] - a[0]])
             .linked(self.link())
+    }
+
+    /// The other edges, which do not count as long as this one is at work; is that said?
+    pub fn others(&self, is_said: bool) -> Vec<Mark> {
+        let others = (0..self.region.n_edges()).filter(|&idx| idx != self.idx && !self.is_flipped);
+        let mark = |idx| {
+            let other = Self { idx, ..*self };
+            let path = Shape::Path(other.ends().to_vec());
+            let mark = Mark::new(Role::Discarded, path).weighing(Weight::of(2.5));
+            if !is_said || other.side().is_none() {
+                return mark;
+            }
+            mark.labelled(Message::new("sh-does-not-count").with("inside", other.inside()))
+        };
+        others.map(mark).collect()
     }
 
     /// Does this edge of a ring run along it? Up to a rounding, where the clip edge is oblique.

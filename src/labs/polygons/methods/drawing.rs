@@ -73,13 +73,15 @@ pub fn marks<V: LabVertex>(now: &Picture<'_, V>) -> Vec<Mark> {
             let passed = names(now.rings.passed, vertex_symbol, Role::Discarded, sides, &[]);
             marks.extend(passed);
         }
-        marks.extend(bridges(list, &now.input.region));
+        marks.extend(bridges(list, &now.input.region, "sh-bridge"));
         return marks;
     }
     marks.push(Mark::new(Role::Ink, Shape::Outline(outline(list))).linked("input"));
     marks.push(Mark::new(Role::Accent, Shape::Path(outline(now.rings.output))).linked("output"));
     let shown = now.rings.current();
     marks.extend(names(list, vertex_symbol, Role::Soft, sides, &shown));
+    let begins = matches!(now.event, Some(Event::Edge { .. } | Event::First { .. }));
+    marks.extend(now.edge.iter().flat_map(|edge| edge.others(begins)));
     marks.extend(moment(now));
     marks
 }

@@ -1,10 +1,16 @@
 //! What the last list of Sutherland–Hodgman amounts to, and the bridges in it.
 
-use crate::{algo::polygon::ClippedRing, geom::Polygon};
+use crate::{
+    algo::polygon::{
+        ClippedRing,
+        weiler_atherton::{WeilerAtherton, WeilerAthertonInput},
+    },
+    geom::{Polygon, SimplePolygon, pairs_around},
+};
 
 use super::{
     clip_edge::ClipEdge,
-    lists::{NAMED, outline},
+    lists::{NAMED, middle, outline},
     prelude::*,
     skin::LabVertex,
 };
@@ -52,21 +58,24 @@ pub fn result<V: Vertex>(
         }
         RingOutcome::Whole | RingOutcome::Cut => {
             let mut marks = vec![shape(role, Shape::Area(vec![outline(ring)]))];
-            marks.extend(bridges(ring, region));
+            let bridges = bridges(ring, region, "sh-bridge-adds");
+            if !bridges.is_empty() && role == Role::Accepted {
+                marks.extend(areas(given, region));
+            }
+            marks.extend(bridges);
             marks
         }
     }
 }
 
 /// Edges along the region's border that run against the ring's own winding, over others that run with it: they
-/// are walked there and back, and have no area. Where they are many, the first few; the first has the name.
-pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
-    let n = ring.len();
-    let edges: Vec<[Point; 2]> = (0..n)
-        .map(|i| [i, (i + 1) % n].map(|k| ring[k].at()))
+/// are walked there and back, and have no area. Where they are many, the first few; the first says how long they are.
+pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion, key: &'static str) -> Vec<Mark> {
+    let ring: Vec<Point> = ring.iter().map(Vertex::at).collect();
+    let edges: Vec<[Point; 2]> = pairs_around(&ring)
         .filter(|ends| ends[0] != ends[1])
         .collect();
-    let is_counter_clockwise = edges.iter().map(|&e| cross(e, ring[0].at())).sum::<f64>() > 0.0;
+    let is_counter_clockwise = twice_area(&ring) > 0.0;
     let borders: Vec<_> = (0..region.n_edges())
         .map(|idx| ClipEdge::new::<Right>(region, idx))
         .collect();
@@ -82,17 +91,42 @@ pub fn bridges<V: Vertex>(ring: &[V], region: &ClipRegion) -> Vec<Mark> {
         })
     };
     let found = edges.iter().copied().filter(is_bridge).take(NAMED);
-    let mark = |(i, ends): (usize, [Point; 2])| {
-        let mark = Mark::new(Role::Signal, Shape::Segment(ends.map(Point::to_array)));
+    let found: Vec<_> = found.map(|ends| ends.map(Point::to_array)).collect();
+    let length = |[[x1, y1], [x2, y2]]: &[[f64; 2]; 2]| libm::hypot(x2 - x1, y2 - y1);
+    let said = Message::new(key).with("length", found.iter().map(length).sum::<f64>());
+    let mark = |(i, ends): (usize, &[[f64; 2]; 2])| {
+        let mark = Mark::new(Role::Signal, Shape::Segment(*ends));
         if i == 0 {
-            let [[x1, y1], [x2, y2]] = ends.map(Point::to_array);
-            let length = libm::hypot(x2 - x1, y2 - y1);
-            mark.labelled(Message::new("sh-bridge").with("length", length))
+            mark.labelled(said.clone())
         } else {
             mark
         }
     };
-    found.enumerate().map(mark).collect()
+    found.iter().enumerate().map(mark).collect()
+}
+
+/// Of the pieces, as Weiler–Atherton leaves them without bridges.
+fn areas<V: Vertex>(given: &[V], region: &ClipRegion) -> Vec<Mark> {
+    let clip = match region {
+        ClipRegion::Window(window) => (*window).into(),
+        ClipRegion::Convex(polygon) => polygon.into(),
+    };
+    let input = SimplePolygon::new(&outline(given)).map(|subject| WeilerAthertonInput {
+        subject: subject.into(),
+        clip,
+    });
+    let pieces = input.map_or_else(|_| Vec::new(), |it| silent::<WeilerAtherton>(&it).pieces);
+    let label = |ring: &[Point]| {
+        let area = Message::new("sh-area").with("area", twice_area(ring) / 2.0);
+        Mark::new(Role::Accepted, Shape::Label(middle(ring))).labelled(area)
+    };
+    let rings = pieces.iter().take(NAMED).map(|piece| &piece.outer);
+    rings.map(|ring| label(ring)).collect()
+}
+
+/// Positive where it runs counter-clockwise.
+fn twice_area(ring: &[Point]) -> f64 {
+    pairs_around(ring).map(|ends| cross(ends, ring[0])).sum()
 }
 
 fn overlap([a, b]: [Point; 2], other: [Point; 2]) -> bool {

@@ -9,7 +9,7 @@ use crate::{
     geom::Camera,
 };
 
-use super::prelude::*;
+use super::{planes::plane_marks, prelude::*};
 
 const TREE_VIEW: &str = "tree";
 
@@ -158,9 +158,7 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     let mut marks = Vec::new();
     let triangles = at.step.input.surfaces().triangles();
     if let Some(triangle) = own(at).and_then(|id| triangles.get(id as usize)) {
-        let sheet = world(&in_its_plane(triangle));
-        marks.push(Mark3::new(Role::Accent, Shape3::Wash(sheet.clone())));
-        marks.push(Mark3::new(Role::Accent, Shape3::Sheet(sheet)).fine());
+        marks.extend(plane_marks(triangle, camera, Role::Accent));
     }
     for piece in shown(at) {
         let piece = &at.step.held.pieces[piece as usize];
@@ -169,25 +167,6 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
         marks.push(Mark3::new(Role::Signal, outline).labelled(name));
     }
     marks
-}
-
-fn in_its_plane(triangle: &[[f64; 3]; 3]) -> [[f64; 3]; 4] {
-    const REACH: f64 = 1.6;
-    let [a, b, c] = triangle.map(glam::DVec3::from);
-    let middle = (a + b + c) / 3.0;
-    let along = (b - a).normalize_or_zero();
-    let up = along.cross(c - a).cross(along).normalize_or_zero();
-    let reach = [a, b, c]
-        .map(|at| at.distance(middle))
-        .into_iter()
-        .fold(0.0, f64::max);
-    let corner = |u: f64, v: f64| (middle + REACH * reach * (u * along + v * up)).into();
-    [
-        corner(-0.8, -0.8),
-        corner(0.8, -0.8),
-        corner(0.8, 0.8),
-        corner(-0.8, 0.8),
-    ]
 }
 
 fn raster(at: &At<'_, Bsp>) -> Raster {

@@ -1,11 +1,13 @@
 //! One file or folder a method: its sentences, its views, what is watched.
 
+mod asks;
 mod bars;
 mod bsp;
 mod depth_buffer;
 mod occlusion;
 mod on_raster;
 mod painter;
+mod planes;
 mod prelude;
 mod ray_casting;
 

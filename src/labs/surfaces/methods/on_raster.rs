@@ -11,7 +11,7 @@ use crate::{
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::Tick,
-    geom::{Camera, Plane, pairs_around},
+    geom::{Camera, pairs_around},
     labs::{
         Document,
         space::{
@@ -276,15 +276,6 @@ pub fn lettered_or_outlined(
     let outlined: BTreeMap<usize, Value> = outlined.collect();
     let painted = lettered(picture, name);
     move |place| painted(place).or_else(|| outlined.get(&place).cloned())
-}
-
-/// The plane of a triangle, inside where it shows its front.
-pub fn plane_of(surfaces: &Surfaces, id: u32) -> Option<Plane> {
-    let triangle = surfaces.triangles().get(id as usize)?;
-    let [a, b, c] = triangle.map(glam::DVec3::from);
-    let normal = (b - a).cross(c - a);
-    let [x, y, z] = normal.to_array();
-    Plane::new([x, y, z, -normal.dot(a)]).ok()
 }
 
 pub const fn mark(role: Role, shape: RasterShape) -> RasterMark {

@@ -58,6 +58,7 @@ pub(super) const RASTER: Part<RasterPlan> = Part::new(
             Field::optional("shuffle", &Shape::Whole(1, i64::MAX - 1)),
             Field::optional("pixel", &Shape::Wholes(&[Dim::Exactly(2)], 0, 4095)),
             Field::optional("tones", &Shape::Word(&TONE_NAMES)),
+            Field::optional("near_before", &Shape::Number),
         ],
         both_key: "",
     }),
@@ -72,6 +73,7 @@ pub(super) const RASTER: Part<RasterPlan> = Part::new(
         plan.shuffle = whole("shuffle").map(|seed| seed as u64);
         plan.pixel = got.get("pixel").map(|got| got.wholes().map(|x| x as u32));
         plan.tones = named(word("tones"), TONES).unwrap_or(plan.tones);
+        plan.near_before = got.get("near_before").map(Got::number);
         Ok(plan)
     },
 );
@@ -130,6 +132,7 @@ pub(super) fn raster_to_toml(plan: &RasterPlan) -> Option<String> {
         ("shuffle", plan.shuffle.map(|seed| seed.to_string())),
         ("pixel", plan.pixel.map(|pixel| format!("{pixel:?}"))),
         ("tones", name_of(plan.tones, usual.tones, TONES)),
+        ("near_before", plan.near_before.map(exact)),
     ];
     let is_usual = fields.iter().all(|(_, value)| value.is_none());
     (!is_usual).then(|| table(fields))

@@ -5,7 +5,7 @@ use crate::algo::{
     volume::signed_distance,
 };
 
-use super::super::prelude::*;
+use super::super::{planes::plane_of, prelude::*};
 
 pub fn named(at: &At<'_, Bsp>, name: &str) -> Option<Named> {
     let (surfaces, held, event) = (at.step.input.surfaces(), at.step.held, at.step.event());

@@ -32,27 +32,47 @@ pub fn step_in_view(rays: &Rays, format: &DepthFormat, depth: f64) -> Option<f64
     (next <= 1.0 && step.is_finite()).then_some(step)
 }
 
-/// The curve; what is about the fragments that have landed, where they are close to each other; of a reversed buffer beside
-/// what it would be otherwise.
-pub fn curves(rays: &Rays, format: &DepthFormat, landed: &[Landed]) -> Multiples {
+/// The curve; what is about the fragments that have landed, where they are close to each other; beside it that of another near
+/// plane, or, of a reversed buffer, what it would be otherwise.
+pub fn curves(
+    rays: &Rays,
+    format: &DepthFormat,
+    landed: &[Landed],
+    before: Option<&Rays>,
+) -> Multiples {
     let forward = DepthFormat {
         is_reversed: false,
         ..*format
     };
-    let curve = |format: &DepthFormat| Curve {
+    let curve = |format: &DepthFormat, rays: &Rays| Curve {
         rays: *rays,
         format: *format,
         shown: rays.ends(),
     };
-    let near = |key, format: &DepthFormat| curve(format).enlarged(key, landed);
-    let drawings = if format.is_reversed {
+    let near = |key, format: &DepthFormat| {
+        let curve = curve(format, rays);
+        curve.enlarged(Value::Term(key), landed, curve.about(landed)?)
+    };
+    let drawings = if let Some(before) = before {
+        let earlier: Vec<Landed> = landed.iter().map(|it| it.seen_by(rays, before)).collect();
+        // Both are drawn as far as the coarser one needs.
+        let reach = curve(format, before).about(&earlier);
+        let drawing = |rays: &Rays, landed: &[Landed]| {
+            let curve = curve(format, rays);
+            let title = Message::new("curve-near").with("near", rays.ends()[0]);
+            let title = Value::Message(title);
+            let enlarged = reach.and_then(|reach| curve.enlarged(title.clone(), landed, reach));
+            enlarged.unwrap_or_else(|| curve.drawing(title, landed))
+        };
+        vec![drawing(before, &earlier), drawing(rays, landed)]
+    } else if format.is_reversed {
         let both = [
             near("curve-forward", &forward),
             near("curve-reversed", format),
         ];
         both.into_iter().flatten().collect()
     } else {
-        let whole = || curve(format).drawing("curve-whole", landed);
+        let whole = || curve(format, rays).drawing(Value::Term("curve-whole"), landed);
         vec![near("curve-enlarged", format).unwrap_or_else(whole)]
     };
     Multiples {
@@ -81,25 +101,35 @@ impl Curve {
             .stored(self.rays.depth(self.rays.t_of(distance)))
     }
 
-    /// So much of it that the fragments are told apart, if the format can.
-    fn enlarged(self, key: &'static str, landed: &[Landed]) -> Option<SmallDrawing> {
+    /// From where to where the fragments are told apart, if the format can.
+    fn about(&self, landed: &[Landed]) -> Option<[f64; 2]> {
         let depth = landed.last()?.depth;
         let distances = || landed.iter().map(|it| self.distance(it.depth));
         let least = distances().fold(f64::INFINITY, f64::min);
         let most = distances().fold(0.0, f64::max);
         let step = step_in_view(&self.rays, &self.format, depth).unwrap_or_default();
         let reach = (BEYOND[0] * (most - least)).max(BEYOND[1] * step);
+        Some([least - reach, most + reach])
+    }
+
+    fn enlarged(
+        self,
+        title: Value,
+        landed: &[Landed],
+        [from, to]: [f64; 2],
+    ) -> Option<SmallDrawing> {
         let [near, far] = self.rays.ends();
-        let shown = [(least - reach).max(near), (most + reach).min(far)];
+        let shown = [from.max(near), to.min(far)];
         let is_closer = shown[1] - shown[0] < 0.5 * (far - near);
-        let drawing = Self { shown, ..self }.drawing(key, landed);
+        let drawing = Self { shown, ..self }.drawing(title, landed);
+        let step = step_in_view(&self.rays, &self.format, landed.last()?.depth).unwrap_or_default();
         let note = Message::new("curve-step").with("step", decimals(step));
         let note = (step > 0.0).then_some((Role::Ink, Value::Message(note)));
         is_closer.then_some(SmallDrawing { note, ..drawing })
     }
 
-    fn drawing(&self, key: &'static str, landed: &[Landed]) -> SmallDrawing {
-        SmallDrawing::new(Value::Term(key), None, self.marks(landed))
+    fn drawing(&self, title: Value, landed: &[Landed]) -> SmallDrawing {
+        SmallDrawing::new(title, None, self.marks(landed))
     }
 
     /// Distance to the right, what is stored upwards.
@@ -158,6 +188,15 @@ impl Curve {
 }
 
 impl Landed {
+    /// The same place, as deep as it is with another near plane.
+    fn seen_by(&self, rays: &Rays, other: &Rays) -> Self {
+        Self {
+            name: self.name.clone(),
+            depth: other.depth(other.t_of(rays.distance(rays.t_at(self.depth)))),
+            role: self.role,
+        }
+    }
+
     /// A dot there, and what is read under it and beside it.
     fn marks(&self, at: [f64; 2], [below, beside]: [Value; 2]) -> Vec<Mark> {
         let tick = |to, toward, text: Value| {

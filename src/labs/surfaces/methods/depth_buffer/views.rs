@@ -5,7 +5,7 @@ use crate::{
     figure::{CellStage, Story, StoryCard, StoryFate},
 };
 
-use super::super::prelude::*;
+use super::super::{asks::asks, prelude::*};
 
 use super::{
     curve::{Landed, curves},
@@ -19,7 +19,7 @@ const CURVE_VIEW: &str = "curve";
 const STORY_VIEW: &str = "story";
 
 pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
-    on_raster::views(at, |scenery| {
+    let mut views = on_raster::views(at, |scenery| {
         let scene = scenery.scene();
         let look = faces([(current(at), Role::Accent)], scene);
         let mut views = vec![scenery.observer_with(|_| Fate::ToCome, look, marks(at, scenery))];
@@ -29,14 +29,29 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
         // Where steps of the format matter a curve tells what has come to a pixel.
         if format.number != DepthNumber::Double {
             let landed = pixel.map_or_else(Vec::new, |pixel| landed(at, pixel));
-            let curves = curves(&Rays::of(&input.surfaces), format, &landed);
+            let before = before(&input.surfaces, scene);
+            let rays = Rays::of(&input.surfaces);
+            let curves = curves(&rays, format, &landed, before.as_ref());
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
         } else if let Some(pixel) = pixel {
             let story = story(at, scenery, pixel);
             views.push(View::new(STORY_VIEW, Body::Story(story)));
         }
         views
-    })
+    });
+    let all = || silent::<DepthBuffer<L>>(at.step.input).tally.fragments as usize;
+    let is_done = at.step.event() == Some(Event::Done);
+    let said = ["{triangle}: {at}", "watch-fragments"];
+    views.extend(asks(at, "asks-depth-buffer", said, is_done, all));
+    views
+}
+
+/// The lines of sight with the near plane where it was.
+fn before(surfaces: &Surfaces, scene: &Scene) -> Option<Rays> {
+    let near = scene.raster.near_before?;
+    let camera = scene.camera.with(|numbers| numbers.depths[0] = near).ok()?;
+    let volume = *camera.camera().volume();
+    Surfaces::new(surfaces.size(), volume, [], false).map(|none| Rays::of(&none))
 }
 
 fn marks<L: Variant>(at: &At<'_, DepthBuffer<L>>, scenery: &Scenery) -> Vec<Mark3> {

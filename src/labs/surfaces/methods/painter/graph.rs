@@ -78,7 +78,12 @@ fn arrows<L: Variant>(
             reason,
         })
     };
-    let found = held.constraints.iter().filter_map(|&ends| {
+    // What is asked now is an arrow of its own.
+    let is_asked = |ends: [u32; 2]| {
+        matches!(at.step.event(), Some(Event::Pair { .. })) && ends.map(Some) == now
+    };
+    let found = held.constraints.iter().filter(|&&ends| !is_asked(ends));
+    let found = found.filter_map(|&ends| {
         let (kind, role) = if is_in_ring(&held.cycle, ends) {
             (ArrowKind::Ring, Role::Signal)
         } else if ends.map(Some) == now {

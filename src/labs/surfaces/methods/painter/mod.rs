@@ -2,6 +2,7 @@
 
 mod graph;
 mod names;
+mod questions;
 mod variant;
 mod views;
 

@@ -9,7 +9,7 @@ use crate::algo::{
     volume::signed_distance,
 };
 
-use super::super::prelude::*;
+use super::super::{planes::plane_of, prelude::*};
 
 use super::variant::Variant;
 

@@ -1,4 +1,5 @@
-//! The scene, the picture so far, what must come before what, and how far each triangle reaches, in their order.
+//! The scene, the picture so far, what must come before what, and how far each triangle reaches, in their order, or what is asked of
+//! a pair.
 
 use crate::{
     algo::surface::{Painter, PainterEvent as Event},
@@ -7,6 +8,7 @@ use crate::{
 };
 
 use super::super::{
+    asks::asks,
     bars::{Bar, bars},
     on_raster::seams,
     prelude::*,
@@ -15,6 +17,7 @@ use super::super::{
 use super::{
     graph::{graph, overlaps},
     names::about,
+    questions::{plane_asked, questions},
     variant::Variant,
 };
 
@@ -32,7 +35,11 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
             raster(at)
         };
         let mut views = vec![
-            scenery.observer_with(|_| Fate::ToCome, faces(marked, scene), Vec::new()),
+            scenery.observer_with(
+                |_| Fate::ToCome,
+                faces(marked, scene),
+                plane_asked(at, scene),
+            ),
             View::new(RASTER_VIEW, Body::Raster(raster)),
         ];
         // Where nobody is asked nothing must come before anything.
@@ -40,11 +47,15 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
             let graph = graph(at, scene, now);
             views.push(View::new(GRAPH_VIEW, Body::Graph(graph)));
         }
-        let depths = extents(at).map(|it| View::new(DEPTHS_VIEW, Body::Multiples(it)));
-        views.extend(depths);
+        let depths = || extents(at).map(Body::Multiples);
+        let asked = questions(at).map(Body::Table).or_else(depths);
+        views.extend(asked.map(|body| View::new(DEPTHS_VIEW, body)));
         views
     });
     let is_done = at.step.event() == Some(Event::Done);
+    let n = at.step.input.triangles().len();
+    let said = ["{triangle}, {other}", "watch-pairs"];
+    views.extend(asks(at, "asks-painter", said, is_done, || n * n - n));
     let role = if is_done { Role::Signal } else { Role::Ink };
     let cut = at
         .scenery

@@ -6,7 +6,7 @@ use crate::{
     labs::space::Tones,
 };
 
-use super::super::prelude::*;
+use super::super::{asks::asks, prelude::*};
 
 use super::names::{asked, hits, quotient, turn};
 
@@ -17,7 +17,7 @@ const MOST_ROWS: usize = 12;
 
 pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
     let own = now(at).or(at.step.held.nearest.map(|hit| hit.id));
-    on_raster::views(at, |scenery| {
+    let mut views = on_raster::views(at, |scenery| {
         let scene = scenery.scene();
         let look = faces([(own, Role::Accent)], scene);
         let raster = if scene.raster.tones == Tones::Counts && scene.beside.len() == 1 {
@@ -31,7 +31,13 @@ pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
             View::new(ASKED_VIEW, Body::Table(table(at, scenery))),
             View::new(AXIS_VIEW, Body::NumberLine(axis(at, scenery))),
         ]
-    })
+    });
+    let surfaces = &at.step.input.surfaces;
+    let all = || surfaces.n_pixels() * surfaces.triangles().len();
+    let is_done = at.step.event() == Some(Event::Done);
+    let said = ["{at}: {triangle}", "watch-asked"];
+    views.extend(asks(at, "asks-ray-casting", said, is_done, all));
+    views
 }
 
 const fn meeting_key(meeting: Meeting) -> &'static str {
