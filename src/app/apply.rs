@@ -43,7 +43,7 @@ impl App {
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
             Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
-            Command::Typed => self.apply_typed(now),
+            Command::Typed => self.apply_typed(ctx, now),
             Command::DrawNth(nth) => {
                 if let Some(outline) = self.scene().document().lab().outlines.get(nth) {
                     self.draw(ctx, outline, now);

@@ -1,12 +1,8 @@
 //! What lies over the window: messages, the list of keys, where to save, measured costs.
 
-use egui::{
-    Area, Frame, Grid, KeyboardShortcut, Modal, Order, TextEdit,
-    text::{CCursor, CCursorRange},
-    text_edit::TextEditState,
-};
+use egui::{Area, Frame, Grid, KeyboardShortcut, Modal, Order, TextEdit};
 
-use crate::widgets::theme_key;
+use crate::widgets::{select, theme_key};
 
 use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice, prelude::*};
 
@@ -253,11 +249,8 @@ fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
 fn select_name(ctx: &Context, field: Id, path: &str) {
     let name = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
     let end = path[name..].rfind('.').map_or(path.len(), |at| name + at);
-    let [start, end] = [name, end].map(|byte| CCursor::new(path[..byte].chars().count()));
-    let mut state = TextEditState::load(ctx, field).unwrap_or_default();
-    let range = CCursorRange::two(start, end);
-    state.cursor.set_char_range(Some(range));
-    state.store(ctx, field);
+    let [start, end] = [name, end].map(|byte| path[..byte].chars().count());
+    select(ctx, field, start..end);
 }
 
 fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {

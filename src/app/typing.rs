@@ -2,7 +2,10 @@
 
 use egui::{Area, Frame, Order, TextEdit};
 
-use crate::labs::{place_of, written};
+use crate::{
+    labs::{typed_change, written},
+    widgets::select,
+};
 
 use super::{App, Command, prelude::*};
 
@@ -11,6 +14,8 @@ pub struct Typing {
     pub handle: Handle,
     pub at: Option<Pos2>,
     pub text: String,
+    /// What stood there first, all of it selected.
+    shown: String,
     pub problem: Option<String>,
 }
 
@@ -73,6 +78,7 @@ pub fn show(app: &App, ctx: &Context, (typing, at): (&mut Typing, Pos2)) {
                 app.push(Command::Type(None, None));
             } else if !field.has_focus() {
                 field.request_focus();
+                select(ui.ctx(), id, 0..typing.text.chars().count());
             }
         });
     });
@@ -82,28 +88,35 @@ impl App {
     pub(super) fn start_typing(&mut self, handle: Option<Handle>, at: Option<Pos2>) {
         let handle = handle.filter(|&handle| !is_held(self, handle));
         self.stage.typing = handle.and_then(|handle| {
-            let place = self.scene().document().position(handle)?;
+            let catalog = self.look_at_step().catalog;
+            let write = |x: f64| catalog.value(&x.into());
+            let document = self.scene().document();
+            let text = written(handle, document, self.stage.is_flat(), write)?;
             Some(Typing {
                 handle,
                 at,
-                text: written(handle, place, self.stage.is_flat()),
+                shown: text.clone(),
+                text,
                 problem: None,
             })
         });
     }
 
-    pub(super) fn apply_typed(&mut self, now: f64) {
+    pub(super) fn apply_typed(&mut self, ctx: &Context, now: f64) {
         let Some(mut typing) = self.stage.typing.take() else {
             return;
         };
-        let from = self.history.now().document().position(typing.handle);
-        let is_flat = self.stage.is_flat();
-        let placed = from.map(|from| place_of(typing.handle, from, is_flat, &typing.text));
-        let done = match placed {
-            Some(Ok(to)) => self.change(Edit::Drag(typing.handle, to), None, now),
-            Some(Err(problem)) => Err(problem),
-            None => Ok(()),
-        };
+        // The keys that come next are the handle's.
+        let handles = self.scene().document().handles().into_iter();
+        let handles = handles.zip(&self.stage.handle_ids);
+        let own = handles.filter(|(handle, _)| *handle == typing.handle);
+        if let Some((_, &id)) = own.last() {
+            ctx.memory_mut(|memory| memory.request_focus(id));
+        }
+        let (document, is_flat) = (self.history.now().document(), self.stage.is_flat());
+        let texts = [&*typing.shown, &*typing.text];
+        let done = typed_change(typing.handle, document, is_flat, texts)
+            .and_then(|edit| self.change(edit, None, now));
         if let Err(Diagnostic { message, .. }) = done {
             typing.problem = Some(self.catalog().message(&message));
             self.stage.typing = Some(typing);

@@ -11,6 +11,8 @@ pub enum Edit {
     Method(&'static str),
     Compare(Option<&'static str>),
     Drag(Handle, [f64; 3]),
+    /// Gives a handle the number that it stands for.
+    Measure(Handle, f64),
     /// One more of what the lab has many of, after this handle's.
     Add(Option<Handle>),
     /// One less: without this handle's.
@@ -31,6 +33,7 @@ impl Edit {
             Self::Method(_)
             | Self::Compare(_)
             | Self::Drag(..)
+            | Self::Measure(..)
             | Self::Add(_)
             | Self::Remove(_) => false,
         }
@@ -44,6 +47,7 @@ impl Edit {
             Self::Method(id) => document.set_method(id),
             Self::Compare(id) => document.set_compare(id),
             Self::Drag(handle, to) => document.drag(handle, to)?,
+            Self::Measure(handle, to) => document.set_measure(handle, to)?,
             Self::Add(after) => return document.add(after),
             Self::Remove(handle) => document.remove(handle)?,
             Self::Replace(other) => *scene = other,

@@ -96,6 +96,14 @@ pub trait Draggable {
     fn position(&self, handle: Handle) -> Option<[f64; 3]>;
     /// Moves a handle. Where the scene would not be valid it is left as it was.
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
+    /// The one number that a handle stands for, where that is no place: a plane's distance, say.
+    fn measure(&self, _: Handle) -> Option<f64> {
+        None
+    }
+    /// Gives it another. Where the scene would not be valid it is left as it was.
+    fn set_measure(&mut self, _: Handle, _to: f64) -> Result<(), Diagnostic> {
+        Ok(())
+    }
 }
 
 /// A run, and the step of it that is shown.

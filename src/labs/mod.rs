@@ -36,7 +36,7 @@ pub use lab::{
 pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
 pub use telling::Answer;
-pub use typed::{place_of, written};
+pub use typed::{typed_change, written};
 
 pub(crate) use words::{plane_symbol, vertex_symbol};
 

@@ -2,38 +2,65 @@
 
 use crate::text::{Diagnostic, Message, read_numbers};
 
-use super::{Handle, Motion};
+use super::{Document, Edit, Handle, Motion};
 
-/// How the place of a handle is written, so that [`place_of`] reads the very same one.
-pub fn written(handle: Handle, at: [f64; 3], is_flat: bool) -> String {
-    let numbers: Vec<String> = coordinates(handle, is_flat)
-        .iter()
-        .map(|&i| at[i].to_string().replace('-', "−"))
-        .collect();
-    numbers.join(", ")
+/// How the place of a handle is written: as `write` writes numbers, where [`read_numbers`] reads those.
+pub fn written(
+    handle: Handle,
+    document: &dyn Document,
+    is_flat: bool,
+    write: impl Fn(f64) -> String,
+) -> Option<String> {
+    let numbers = numbers(handle, document, is_flat)?.into_iter();
+    let written = numbers.map(|x| {
+        let short = write(x);
+        let is_read = read_numbers(&short).is_some_and(|read| read.len() == 1);
+        if is_read {
+            short
+        } else {
+            x.to_string().replace('-', "−")
+        }
+    });
+    Some(written.collect::<Vec<_>>().join(", "))
 }
 
-/// The place that was typed for a handle at `from`: of what may not move there is nothing to type. It is
-/// refused where it is not as many numbers as the handle has coordinates.
-pub fn place_of(
+/// The change that was typed for a handle, whose place had been written so. What has not been typed anew stays exactly as it
+/// is. It is refused where it is not as many numbers as the handle has.
+pub fn typed_change(
     handle: Handle,
-    from: [f64; 3],
+    document: &dyn Document,
     is_flat: bool,
-    typed: &str,
-) -> Result<[f64; 3], Diagnostic> {
-    let indices = coordinates(handle, is_flat);
-    let numbers = read_numbers(typed).filter(|numbers| numbers.len() == indices.len());
-    let Some(numbers) = numbers else {
+    [shown, typed]: [&str; 2],
+) -> Result<Edit, Diagnostic> {
+    let now = numbers(handle, document, is_flat).unwrap_or_default();
+    let Some(mut read) = read_numbers(typed).filter(|read| read.len() == now.len()) else {
         let message = Message::new("error-typed-place")
-            .with("count", indices.len())
+            .with("count", now.len())
             .with("typed", typed.to_owned());
         return Err(Diagnostic::new(message));
     };
-    let mut to = from;
-    for (&i, number) in indices.iter().zip(numbers) {
+    let shown = read_numbers(shown).unwrap_or_default();
+    for ((number, now), shown) in read.iter_mut().zip(&now).zip(shown) {
+        if *number == shown {
+            *number = *now;
+        }
+    }
+    if document.measure(handle).is_some() {
+        return Ok(Edit::Measure(handle, read[0]));
+    }
+    let mut to = document.position(handle).unwrap_or_default();
+    for (&i, number) in coordinates(handle, is_flat).iter().zip(read) {
         to[i] = number;
     }
-    Ok(to)
+    Ok(Edit::Drag(handle, to))
+}
+
+/// What can be typed of a handle: its measure, where one number is what it stands for, else its coordinates.
+fn numbers(handle: Handle, document: &dyn Document, is_flat: bool) -> Option<Vec<f64>> {
+    let place = document.position(handle)?;
+    let coordinates = || coordinates(handle, is_flat).into_iter().map(|i| place[i]);
+    let measure = document.measure(handle);
+    Some(measure.map_or_else(|| coordinates().collect(), |measure| vec![measure]))
 }
 
 /// The coordinates that a handle can be given.
@@ -48,35 +75,67 @@ fn coordinates(handle: Handle, is_flat: bool) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::HandleKind;
+    use crate::labs::{frustum, lines};
 
-    static POINT: HandleKind = HandleKind::new("p", "p", |_| Message::new("handle-window"));
-    static SIDE: HandleKind = HandleKind {
-        motion: Motion::Axis([0.0, 1.0, 0.0]),
-        ..HandleKind::new("s", "s", |_| Message::new("handle-window"))
-    };
+    /// As many digits as fit.
+    fn short(x: f64) -> String {
+        format!("{x:.3}")
+    }
 
-    #[test]
-    fn what_is_written_is_read_again() {
-        for at in [[-1.5, 0.1 + 0.2, 0.0], [5e-324, -1e300, 0.0]] {
-            let text = written(POINT.at([0; 2]), at, true);
-            assert_eq!(
-                place_of(POINT.at([0; 2]), [9.0, 9.0, 0.0], true, &text),
-                Ok(at)
-            );
+    fn place(document: &dyn Document, edit: &Edit) -> [f64; 3] {
+        match edit {
+            Edit::Drag(_, to) => *to,
+            other => panic!("{:?}: {other:?}", document.lab().id),
         }
     }
 
     #[test]
-    fn a_side_has_one_number_and_too_many_are_refused() {
-        let side = SIDE.at([0; 2]);
-        assert_eq!(
-            place_of(side, [1.0, 2.0, 0.0], true, "1/4"),
-            Ok([1.0, 0.25, 0.0])
-        );
-        for typed in ["1, 2", "", "top"] {
-            let refused = place_of(side, [1.0, 2.0, 0.0], true, typed);
+    fn what_is_not_typed_anew_stays_exactly_as_it_is() {
+        let mut scene = (lines::LAB.first_scene)();
+        let handle = scene.document().handles()[0];
+        let exact = [0.1 + 0.2, 1.0 / 3.0, 0.0];
+        let document = scene.document_mut();
+        document.drag(handle, exact).expect("it can lie there");
+        let shown = written(handle, document, true, short).expect("it has a place");
+        assert_eq!(shown, "0.300, 0.333");
+        for (typed, expected) in [
+            ("0.3, 1/3", [exact[0], 1.0 / 3.0, 0.0]),
+            ("0.300, 2", [exact[0], 2.0, 0.0]),
+            ("(−1, 0,333)", [0.0; 3]),
+        ] {
+            let read = typed_change(handle, document, true, [&shown, typed]);
+            match read {
+                Ok(edit) => assert_eq!(place(document, &edit), expected, "{typed}"),
+                Err(refused) => assert_eq!(refused.code, "typed-place", "{typed}"),
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_one_reads_is_written_in_full() {
+        let scene = (lines::LAB.first_scene)();
+        let document = scene.document();
+        let handle = document.handles()[0];
+        let [x, y, _] = document.position(handle).expect("it has a place");
+        let shown = written(handle, document, true, |_| "1.2×10⁻⁵".to_owned());
+        let in_full = format!("{x}, {y}").replace('-', "−");
+        assert_eq!(shown, Some(in_full));
+    }
+
+    #[test]
+    fn a_plane_has_one_number_and_too_many_are_refused() {
+        let mut scene = (frustum::LAB.first_scene)();
+        let document = scene.document();
+        let handles = document.handles();
+        let near = handles.iter().find(|handle| handle.kind().id == "near");
+        let near = *near.expect("a camera has one");
+        let shown = written(near, document, false, short).expect("it has a distance");
+        for typed in ["1, 2, 3", "", "near"] {
+            let refused = typed_change(near, document, false, [&shown, typed]);
             assert_eq!(refused.expect_err("not one number").code, "typed-place");
         }
+        let edit = typed_change(near, document, false, [&shown, "2/3"]).expect("one number");
+        edit.apply(&mut scene).expect("before the far plane");
+        assert_eq!(scene.document().measure(near), Some(2.0 / 3.0));
     }
 }

@@ -15,6 +15,7 @@ mod menu;
 mod pan_zoom;
 mod prelude;
 mod pseudocode;
+mod selecting;
 mod timeline;
 mod transport;
 mod views;
@@ -35,6 +36,7 @@ pub use lesson_text::{lesson_text, step_title};
 pub use menu::{form_button, language_menu, menu_button, menu_style, theme_key, theme_menu};
 pub use pan_zoom::PanZoom;
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
+pub use selecting::select;
 pub use timeline::Timeline;
 pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
 pub use views::{

@@ -216,3 +216,32 @@ fn what_the_lesson_locks_is_not_typed_either() {
         assert_eq!(bench.app.stage.typing.is_some(), is_typed, "{handle:?}");
     }
 }
+
+#[test]
+fn what_is_typed_first_replaces_the_place_and_the_keys_after_it_are_the_handles() {
+    let mut bench = Bench::new(ROOMY);
+    bench.focus(bench.app.stage.handle_ids[0]);
+    bench.settle();
+    bench.key(Key::F2);
+    bench.settle();
+    bench.frame(0.05, vec![Event::Text("1/4, 1/2".to_owned())]);
+    bench.key(Key::Enter);
+    bench.settle();
+    assert_eq!(ends(&bench)[0], [0.25, 0.5]);
+    let step = bench.app.position();
+    bench.key(Key::ArrowUp);
+    assert!(ends(&bench)[0][1] > 0.5, "the handle has the keys");
+    assert_eq!(bench.app.position(), step);
+}
+
+#[test]
+fn a_plane_takes_one_number() {
+    let mut bench = Bench::lab("frustum");
+    let handles = bench.document().handles();
+    let near = handles.iter().position(|handle| handle.kind().id == "near");
+    let near = handles[near.expect("a camera has one")];
+    bench.command(Command::Type(Some(near), Some(pos2(300.0, 300.0))));
+    type_place(&mut bench, "3/2");
+    assert_eq!(bench.document().measure(near), Some(1.5));
+    assert!(bench.app.stage.typing.is_none());
+}

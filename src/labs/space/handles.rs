@@ -114,6 +114,34 @@ impl Draggable for Scene {
         })
     }
 
+    /// The distance of a plane, the opening of the view volume.
+    fn measure(&self, handle: Handle) -> Option<f64> {
+        let [near, far] = self.camera.depths();
+        match handle.kind().id {
+            "near" => Some(near),
+            "far" => Some(far),
+            "top" => Some(match self.camera.opening() {
+                Opening::FovY(degrees) => degrees,
+                Opening::Height(height) => height,
+            }),
+            _ => None,
+        }
+    }
+
+    fn set_measure(&mut self, handle: Handle, to: f64) -> Result<(), Diagnostic> {
+        self.camera = self.camera.with(|it| match handle.kind().id {
+            "near" => it.depths[0] = to,
+            "far" => it.depths[1] = to,
+            _ => {
+                it.opening = match it.opening {
+                    Opening::FovY(_) => Opening::FovY(to),
+                    Opening::Height(_) => Opening::Height(to),
+                }
+            }
+        })?;
+        Ok(())
+    }
+
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic> {
         let (camera, places) = (self.camera, self.places());
         let [_, height, depth] = camera.camera().view_from_world().point(to);
