@@ -8,7 +8,7 @@ use egui::{
 
 use crate::widgets::{lesson_text, step_title};
 
-use super::{App, Command, prelude::*};
+use super::{App, Command, prelude::*, question::shown_answer};
 
 const GAP: f32 = 4.0;
 const CHANGED: f32 = 3.0;
@@ -51,6 +51,7 @@ pub fn show(app: &App, ui: &mut Ui) {
                     ui.set_opacity(ASIDE);
                 }
                 lesson_text(ui, look, id, &step.body, app.shown.is_answered);
+                shown_answer(app, ui);
                 if !lesson.speaks(app.settings.lang) {
                     ui.label(soft(look, "lesson-not-translated").small());
                 }

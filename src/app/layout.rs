@@ -5,6 +5,7 @@ use egui::{CentralPanel, Frame, Panel};
 use super::{
     App, bars, course_panel, free_panel, inspector, overlays,
     prelude::*,
+    question,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
     stage,
     stage_state::StageState,
@@ -58,6 +59,7 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState) {
     let bar = Panel::bottom("small transport").exact_size(40.0);
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
+    question::show(app, ui);
     centre(app, ui, state);
 }
 

@@ -39,6 +39,7 @@ mod pages;
 mod platform;
 mod playback;
 mod prelude;
+mod question;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod room;

@@ -133,13 +133,15 @@ impl App {
             }
             return;
         }
-        let is_read = match self.room() {
-            Room::Course => true,
-            Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
-            Room::Inspector => false,
-        };
-        let is_hidden = self.has_answer() && !self.shown.is_answered;
-        if forward && is_read && !self.is_presenting() && is_hidden {
+        let is_read = self.is_presenting()
+            || match self.room() {
+                Room::Course => true,
+                Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
+                Room::Inspector => false,
+            };
+        let is_asked = self.has_answer() && (!self.is_presenting() || self.is_untouched());
+        let is_hidden = is_asked && !self.shown.is_answered;
+        if forward && is_read && is_hidden {
             self.shown.is_answered = true;
         } else {
             self.turn_to(|bookmark| bookmark.go(forward));

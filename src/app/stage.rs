@@ -33,11 +33,17 @@ const SPACING: Spacing = Spacing {
     is_fixed: true,
 };
 
-/// The step's title, where nothing else on the screen says it.
-fn title(app: &App) -> Option<&str> {
+/// The step's title, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
+fn title(app: &App) -> Option<String> {
     let is_whole = app.course_part() == CoursePart::Whole;
     let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
     let title = app.bookmark.title(app.settings.lang)?;
+    let [lesson, step] = app.bookmark.at.map(|idx| idx + 1);
+    let title = if app.is_presenting() {
+        format!("{lesson}.{step}\u{2003}{title}")
+    } else {
+        title.to_owned()
+    };
     (!is_said && !app.is_low() && app.is_untouched()).then_some(title)
 }
 
@@ -135,7 +141,7 @@ fn lay_out(
     let mut layout = composition.lay_out(
         ui,
         rect,
-        title(app),
+        title(app).as_deref(),
         heights,
         &playback.needs,
         app.settings.board,
@@ -286,6 +292,7 @@ impl Column<'_> {
             spots: &spots,
             snap: app.settings.snap && is_flat,
             has_grid: is_flat,
+            reads_pointer: is_flat && !app.has_hidden_pointer(ui.ctx()),
             pointed: pointed.flatten(),
             marks: &marks,
             covered: &covered,

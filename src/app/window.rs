@@ -13,7 +13,17 @@ pub struct Before {
     is_fullscreen: bool,
 }
 
+/// Seconds until the pointer has rested enough to be hidden.
+fn rest(ctx: &Context) -> f32 {
+    IDLE_SECS - ctx.input(|input| input.pointer.time_since_last_movement())
+}
+
 impl App {
+    /// Is a pointer of no interest that rests while something is presented?
+    pub(super) fn has_hidden_pointer(&self, ctx: &Context) -> bool {
+        self.shown.presenting.is_some() && rest(ctx) <= 0.0
+    }
+
     pub(super) fn present(&mut self, ctx: &Context) {
         if self.leave_presentation(ctx) {
             return;
@@ -54,7 +64,7 @@ impl App {
         if self.shown.presenting.is_none() {
             return;
         }
-        let left = IDLE_SECS - ctx.input(|input| input.pointer.time_since_last_movement());
+        let left = rest(ctx);
         if left > 0.0 {
             ctx.request_repaint_after_secs(left);
         } else {

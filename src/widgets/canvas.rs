@@ -31,6 +31,8 @@ pub struct Canvas<'a> {
     pub spots: &'a [Spot],
     pub snap: bool,
     pub has_grid: bool,
+    /// Is it written where the pointer is?
+    pub reads_pointer: bool,
     pub pointed: Option<Mark>,
     pub marks: &'a [Mark],
     pub covered: &'a [Rect],
@@ -111,7 +113,7 @@ impl Canvas<'_> {
             ui.set_cursor_icon(CursorIcon::PointingHand);
         }
         handles.draw(ui, &painter, &response);
-        if self.has_grid
+        if self.reads_pointer
             && let Some(said) = handles.coordinates(ui, &response, step)
         {
             let spots = self.spots.iter().map(|spot| viewport.to_screen(spot.at));

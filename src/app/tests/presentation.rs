@@ -81,3 +81,26 @@ fn a_clicker_stays_in_the_free_scene_that_is_presented() {
     bench.key(Key::PageUp);
     assert_eq!((bench.app.bookmark.page(), bench.app.position()), (page, 0));
 }
+
+#[test]
+fn a_presented_step_says_its_number_and_its_question_and_then_the_answer() {
+    let mut bench = Bench::course(SIZE);
+    let asks = (0..8).find(|&step| {
+        bench.command(Command::Open([2, step]));
+        bench.app.has_answer()
+    });
+    let step = asks.expect("a step of the lesson asks");
+    bench.key(Key::F5);
+    bench.settle();
+    let number = format!("3.{}", step + 1);
+    let has =
+        |bench: &mut Bench, part: &str| bench.texts().iter().any(|(text, _)| text.contains(part));
+    assert!(has(&mut bench, &number), "{:?}", bench.texts());
+    assert!(has(&mut bench, "?"), "the question");
+    let before = bench.texts().len();
+    bench.key(Key::PageDown);
+    bench.settle();
+    assert!(bench.app.shown.is_answered && bench.texts().len() > before);
+    bench.key(Key::PageDown);
+    assert_ne!(bench.app.bookmark.at, [2, step]);
+}

@@ -1,0 +1,57 @@
+//! What the open step asks, under the stage of those who are presented it and see no lesson text; and its answer, once it is
+//! shown.
+
+use egui::{Frame, Panel};
+
+use crate::{lesson::Block, widgets::lesson_text};
+
+use super::{App, prelude::*};
+
+/// Of the window's height.
+const MOST: f32 = 0.34;
+
+/// From the paragraph that asks to the answer.
+fn asked(body: &[Block]) -> Option<&[Block]> {
+    let answer = body.iter().position(|it| matches!(it, Block::Answer(_)))?;
+    let asks = |block: &Block| matches!(block, Block::Paragraph(_));
+    let question = body[..answer].iter().rposition(asks)?;
+    Some(&body[question..=answer])
+}
+
+pub fn show(app: &App, ui: &mut Ui) {
+    let (look, [lesson_idx, step_idx]) = (app.look(), app.bookmark.at);
+    let lesson = app.bookmark.step().and(app.bookmark.lesson());
+    let Some(step) = lesson.and_then(|it| it.step_text(step_idx, app.settings.lang)) else {
+        return;
+    };
+    let Some(asked) = asked(&step.body).filter(|_| app.is_untouched()) else {
+        return;
+    };
+    let frame = Frame::new().fill(look.theme.panel);
+    let most = MOST * ui.max_rect().height();
+    Panel::bottom("question")
+        .frame(frame.inner_margin(Margin::symmetric(24, 12)))
+        .show(ui, |ui| {
+            let id = Id::unique(("question", lesson_idx, step_idx));
+            ScrollArea::vertical()
+                .id_salt(id)
+                .max_height(most)
+                .show(ui, |ui| {
+                    lesson_text(ui, look, id, asked, app.shown.is_answered);
+                    shown_answer(app, ui);
+                });
+        });
+}
+
+/// Scrolls to an answer that has just been shown, once what stands above this place has been drawn.
+pub fn shown_answer(app: &App, ui: &Ui) {
+    let id = Id::unique("an answer in sight");
+    let was = ui.data(|data| data.get_temp(id)).unwrap_or(false);
+    if was != app.shown.is_answered {
+        ui.data_mut(|data| data.insert_temp(id, app.shown.is_answered));
+        if app.shown.is_answered {
+            ui.scroll_to_cursor(Some(Align::Max));
+            ui.ctx().request_repaint();
+        }
+    }
+}
