@@ -79,6 +79,7 @@ impl App {
                 self.shown.room = Room::Stage;
             }
             Command::Contents(open) => shown.lists_lessons = open,
+            Command::OpenCourse(folder) => self.open_course(folder, ctx),
             Command::Answer(is_answered) => shown.is_answered = is_answered,
             Command::Free => self.toggle_free(),
             Command::Help if shown.dialog == Some(Dialog::Help) => shown.dialog = None,

@@ -21,6 +21,8 @@ pub enum Command {
     Lab(&'static str),
     Adopt(&'static str),
     Contents(bool),
+    /// The course that is built in, or that of a folder.
+    OpenCourse(Option<String>),
     Answer(bool),
     Free,
     Edit(Edit, Option<UndoGroup>),

@@ -161,6 +161,31 @@ fn lessons(app: &App, ui: &mut Ui) {
             app.push(Command::Open([i, 0]));
         }
     }
+    courses(app, ui);
+}
+
+/// Other courses, under the lessons of this one.
+fn courses(app: &App, ui: &mut Ui) {
+    let others = app.other_courses();
+    if others.is_empty() {
+        return;
+    }
+    let look = app.look();
+    ui.add_space(8.0);
+    padded(ui, |ui| ui.label(soft(look, "courses").small()));
+    for folder in others {
+        let title = match folder {
+            Some(path) => path.to_owned(),
+            None => look.say("course-built-in"),
+        };
+        let other = Row {
+            title: &title,
+            ..Row::default()
+        };
+        if row(ui, look, other).clicked() {
+            app.push(Command::OpenCourse(folder.map(str::to_owned)));
+        }
+    }
 }
 
 /// Scrolls to the open lesson when it has become another one, and leaves the list alone after that.

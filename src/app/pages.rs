@@ -82,6 +82,60 @@ impl App {
         }
     }
 
+    /// Opens another course, at the place where it was left: the one that is built in, or a folder's.
+    pub(super) fn change_course(&mut self, course: Course, folder: Option<String>) {
+        let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
+        self.settings = self.settings();
+        self.settings.folder = folder;
+        self.desk.places = self.settings.places();
+        let Places {
+            page: last, steps, ..
+        } = &self.desk.places;
+        let mut opened = Bookmark {
+            course,
+            ..Bookmark::default()
+        };
+        if let Some(last) = last {
+            opened.open_page(last, |id| self.kit.lab(id), steps);
+        }
+        self.turn_to(|bookmark| {
+            *bookmark = opened;
+            true
+        });
+        if self.bookmark.page() == page && was_untouched {
+            self.enter();
+        }
+    }
+
+    /// The courses that can be opened in place of this one: the built-in one is no folder's.
+    pub(super) fn other_courses(&self) -> Vec<Option<&str>> {
+        let open = self.settings.folder.as_deref();
+        let lately = self
+            .settings
+            .folders
+            .iter()
+            .map(|(folder, _)| Some(&**folder));
+        let all = std::iter::once(None).chain(lately);
+        all.filter(|folder| *folder != open).collect()
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn open_course(&mut self, folder: Option<String>, ctx: &Context) {
+        match folder {
+            Some(folder) => self.open_folder(std::path::Path::new(&folder), ctx),
+            None => {
+                self.reload = None;
+                self.notices.clear();
+                self.change_course(Course::embedded(), None);
+            }
+        }
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn open_course(&mut self, _: Option<String>, _: &Context) {
+        self.change_course(Course::embedded(), None);
+    }
+
     /// Records the scenes of the open lesson, when one of its steps is opened.
     pub(super) fn take_up_lesson(&mut self) {
         if !self.playback.needs.is_empty() {

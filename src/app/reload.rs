@@ -10,7 +10,7 @@ use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
 use crate::lesson::{Folder, Loaded, Severity};
 
-use super::{App, bookmark::Bookmark, desk::Places, prelude::*};
+use super::{App, prelude::*};
 
 /// Editors write a file in several strokes: wait until they are done.
 const SETTLE: Duration = Duration::from_millis(150);
@@ -74,28 +74,7 @@ impl App {
             self.report_unfit(&problems);
             return;
         }
-        let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
-        self.settings = self.settings();
-        self.settings.folder = Some(folder.full_path());
-        self.desk.places = self.settings.places();
-        let Places {
-            page: last, steps, ..
-        } = self.desk.places.clone();
-        let kit = &self.kit;
-        let mut opened = Bookmark {
-            course,
-            ..Bookmark::default()
-        };
-        if let Some(last) = last {
-            opened.open_page(&last, |id| kit.lab(id), &steps);
-        }
-        self.turn_to(|bookmark| {
-            *bookmark = opened;
-            true
-        });
-        if self.bookmark.page() == page && was_untouched {
-            self.enter();
-        }
+        self.change_course(course, Some(folder.full_path()));
         self.report_errors(problems);
         self.watch(folder, ctx.clone());
     }

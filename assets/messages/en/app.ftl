@@ -74,6 +74,8 @@ settings-snap = Snap to grid
 
 action-present = Present
 action-present-leave = Leave presentation
+courses = Other courses
+course-built-in = The built-in course
 action-free = Free scene
 action-course = Back to the course
 free-title = Free scene

@@ -74,6 +74,8 @@ settings-snap = Ajustar a la cuadrícula
 
 action-present = Presentar
 action-present-leave = Salir de la presentación
+courses = Otros cursos
+course-built-in = El curso incluido
 action-free = Escena libre
 action-course = Volver al curso
 free-title = Escena libre

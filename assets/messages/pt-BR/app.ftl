@@ -74,6 +74,8 @@ settings-snap = Ajustar à grade
 
 action-present = Apresentar
 action-present-leave = Sair da apresentação
+courses = Outros cursos
+course-built-in = O curso incluído
 action-free = Cena livre
 action-course = Voltar ao curso
 free-title = Cena livre

@@ -219,3 +219,33 @@ polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
     bench.edit(Edit::Replace(own));
     assert_eq!(bench.app.position(), 3);
 }
+
+/// From a folder's course one comes back to the built-in one, and again, each at its own place.
+#[test]
+fn each_course_is_left_and_found_at_its_place() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let lesson = folder.path().join("01-mine");
+    std::fs::create_dir_all(&lesson).expect("writable");
+    let toml = "lab = \"lines\"\nsource = \"me\"\n[scenes.a]\nmethod = \"liang-barsky\"
+window = [0, 0, 4, 4]\nsegments = [[-1, 1, 5, 2]]
+[[step]]\nid = \"one\"\nscene = \"a\"\n[[step]]\nid = \"two\"\n";
+    std::fs::write(lesson.join("lesson.toml"), toml).expect("writable");
+    let text = "# Mine\n\n## one: First\n\nText.\n\n## two: Second\n\nText.\n";
+    std::fs::write(lesson.join("en.md"), text).expect("writable");
+    let mine = Some(folder.path().display().to_string());
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([4, 2]));
+    bench.command(Command::OpenCourse(mine.clone()));
+    assert_eq!(bench.app.bookmark.course.lessons.len(), 1);
+    bench.command(Command::Open([0, 1]));
+    assert_eq!(bench.app.other_courses(), [None]);
+    bench.command(Command::Contents(true));
+    let built_in = Catalog::of(Lang::En).term("course-built-in");
+    let texts = bench.texts();
+    let row = texts.iter().find(|(text, _)| *text == built_in);
+    let at = row.expect("it is in the list").1.center();
+    bench.press_at(at);
+    assert_eq!(bench.app.bookmark.at, [4, 2]);
+    bench.command(Command::OpenCourse(mine));
+    assert_eq!(bench.app.bookmark.at, [0, 1]);
+}
