@@ -134,7 +134,7 @@ impl App {
         now: f64,
     ) -> Result<(), Diagnostic> {
         let size = self.history.now().document().size();
-        let is_drag = matches!(edit, Edit::Drag(..));
+        let is_drag = matches!(edit, Edit::Drag(..) | Edit::Measure(..));
         let fits = edit.brings_another();
         if fits {
             self.history.leave(self.playback.transport.position());
@@ -161,7 +161,7 @@ impl App {
 
     /// The same; what is wrong is shown. A handle that cannot go there stays where it is: that is answer enough.
     pub(super) fn edit(&mut self, edit: Edit, gesture: Option<UndoGroup>, now: f64) {
-        let is_drag = matches!(edit, Edit::Drag(..));
+        let is_drag = matches!(edit, Edit::Drag(..) | Edit::Measure(..));
         if let Err(Diagnostic { message, .. }) = self.change(edit, gesture, now)
             && !is_drag
         {

@@ -3,8 +3,9 @@
 use egui::Shape;
 
 use crate::{
+    paint::round_step,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, Moved, place_at},
+    widgets::{CanvasShown, Gesture, Moved, gripped, place_at, snapped},
 };
 
 use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
@@ -13,6 +14,10 @@ use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageStat
 const CLICK_REACH: f64 = 8.0;
 /// An eye goes round by so many degrees while the pointer crosses half the height of the picture.
 const TURN_DEG: f64 = 90.0;
+/// In space a drag goes by round steps of at least so many points: three coordinates are rounded, and it is not to leave the pointer.
+const STEP_PTS: f64 = 12.0;
+/// A measure goes by round steps of at least this part of it: to two digits.
+const STEP_OF_MEASURE: f64 = 0.05;
 
 pub fn ask(
     app: &App,
@@ -31,8 +36,18 @@ pub fn ask(
         // It is part of the scene.
         Lens::Camera(_) => None,
     }));
+    let hold = hold(app, ui, shown.response.id, handles);
     if let Some(moved) = shown.moved {
-        move_handle(app, ui, (handles[moved.spot], &moved), lens, state);
+        let handle = handles[moved.spot];
+        if handle.kind().is_vertex && state.selected != Some(handle) {
+            app.push(Command::Select(handle));
+        }
+        let hold = hold.filter(|_| moved.by == Gesture::Drag);
+        let hold = hold.or_else(|| Hold::new(app, ui, handle));
+        let moved = (handle, &moved);
+        app.push_all(
+            hold.and_then(|hold| moved_by(app.scene(), &shown.viewport, moved, lens, hold)),
+        );
     }
     if shown.released {
         app.push(Command::EndGesture);
@@ -64,39 +79,103 @@ pub fn ask(
     app.push(Command::Ask(document.asked(&click)));
 }
 
-fn move_handle(
-    app: &App,
-    ui: &Ui,
+/// What a handle goes on from that is moved: where it was when the button went down, or when an axis was taken.
+#[derive(Clone, Copy, Default)]
+struct Hold {
+    from: [f64; 3],
+    axis: Option<[f64; 3]>,
+}
+
+impl Hold {
+    fn new(app: &App, ui: &Ui, handle: Handle) -> Option<Self> {
+        let from = app.scene().document().position(handle)?;
+        let axis = held_axis(ui);
+        Some(Self { from, axis })
+    }
+}
+
+/// What is held of the handle that is being dragged: until the button is let go, whatever becomes of the keys, so that nothing jumps.
+fn hold(app: &App, ui: &Ui, canvas: Id, handles: &[Handle]) -> Option<Hold> {
+    let id = canvas.with("hold");
+    let Some(&handle) = gripped(ui, canvas).and_then(|i| handles.get(i)) else {
+        ui.data_mut(|data| data.remove_temp::<Hold>(id));
+        return None;
+    };
+    let axis = held_axis(ui);
+    let before: Option<Hold> = ui.data(|data| data.get_temp(id));
+    let before = before.filter(|before| axis.is_none() || axis == before.axis);
+    let now = before.or_else(|| Hold::new(app, ui, handle))?;
+    ui.data_mut(|data| data.insert_temp(id, now));
+    Some(now)
+}
+
+fn moved_by(
+    scene: &Scene,
+    viewport: &Viewport,
     (handle, moved): (Handle, &Moved),
     lens: Lens,
-    state: &StageState,
-) {
+    hold: Hold,
+) -> Option<Command> {
+    let is_flat = lens == Lens::Plane;
+    let motion = match scene.document().motion(handle) {
+        own @ Motion::Axis(_) => own,
+        own @ (Motion::Plane | Motion::FacingEye) => {
+            let axis = hold.axis.filter(|_| !is_flat);
+            axis.map_or(own, Motion::Axis)
+        }
+    };
+    let to = moved_to(&lens, motion, hold.from, moved.to);
+    let to = lens.deeper(to, moved.deeper);
     let gesture = match moved.by {
         Gesture::Drag => UndoGroup::Drag(moved.spot),
         Gesture::Nudge => UndoGroup::Nudge(moved.spot),
     };
-    if handle.kind().is_vertex && state.selected != Some(handle) {
-        app.push(Command::Select(handle));
-    }
-    let from = app.scene().document().position(handle);
-    let motion = held_axis(ui, lens).unwrap_or(handle.kind().motion);
-    let to = from.map(|from| {
-        let to = moved_to(&lens, motion, from, moved.to);
-        lens.deeper(to, moved.deeper)
-    });
-    app.push_all(to.map(|to| Command::Edit(Edit::Drag(handle, to), Some(gesture))));
+    let edit = if is_flat || moved.is_free {
+        Edit::Drag(handle, to)
+    } else {
+        let step = round_step(STEP_PTS * lens.unit_at(hold.from) / viewport.scale);
+        rounded(scene, handle, (motion, to), step)?
+    };
+    Some(Command::Edit(edit, Some(gesture)))
 }
 
-/// In space X, Y or Z held: along that axis only.
-fn held_axis(ui: &Ui, lens: Lens) -> Option<Motion> {
+/// The change that brings a handle to round numbers there, if it is one: to a round measure, where it has one.
+fn rounded(
+    scene: &Scene,
+    handle: Handle,
+    (motion, to): (Motion, [f64; 3]),
+    step: f64,
+) -> Option<Edit> {
+    if let Some(now) = scene.document().measure(handle) {
+        let mut there = scene.clone();
+        let document = there.document_mut();
+        document.drag(handle, to).ok()?;
+        let measure = document.measure(handle)?;
+        let measure = snapped(measure, round_step(STEP_OF_MEASURE * measure));
+        return (measure != now).then_some(Edit::Measure(handle, measure));
+    }
+    let is_kept = |i: usize| matches!(motion, Motion::Axis(axis) if axis[i] == 0.0);
+    let round = |i: usize| {
+        if is_kept(i) {
+            to[i]
+        } else {
+            snapped(to[i], step)
+        }
+    };
+    let to = std::array::from_fn(round);
+    (scene.document().position(handle) != Some(to)).then_some(Edit::Drag(handle, to))
+}
+
+/// The axis of space whose key, X, Y or Z, is down.
+fn held_axis(ui: &Ui) -> Option<[f64; 3]> {
     const AXES: [(Key, [f64; 3]); 3] = [
         (Key::X, [1.0, 0.0, 0.0]),
         (Key::Y, [0.0, 1.0, 0.0]),
         (Key::Z, [0.0, 0.0, 1.0]),
     ];
-    let mut axes = AXES.into_iter().filter(|_| lens != Lens::Plane);
+    let mut axes = AXES.into_iter();
     let held = axes.find(|&(key, _)| ui.input(|input| input.key_down(key)));
-    held.map(|(_, axis)| Motion::Axis(axis))
+    held.map(|(_, axis)| axis)
 }
 
 pub fn click_at<'a>(

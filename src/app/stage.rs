@@ -59,6 +59,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     };
     let step = app.bookmark.step();
     let locks = step.map_or(&[][..], |step| step.locks_in(app.scene(), &handles));
+    let asked = step.map_or(&[][..], |step| &step.drags);
     let focused = state.focused.take();
     state.canvas_ids.clear();
     state.handle_ids.clear();
@@ -84,6 +85,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
             composition: &composition,
             handles: &handles,
             locks,
+            asked,
             focused,
         };
         let inner = UiBuilder::new().max_rect(whole).id_salt(("column", i));
@@ -166,6 +168,8 @@ struct Column<'a> {
     composition: &'a Composition<'a>,
     handles: &'a [Handle],
     locks: &'a [Lock],
+    /// The kinds of handles that the lesson asks for.
+    asked: &'a [String],
     /// The handle that had the focus in the last frame.
     focused: Option<Handle>,
 }
@@ -234,10 +238,18 @@ impl Column<'_> {
             pointer: ui.input(|input| input.pointer.press_origin().or(input.pointer.latest_pos())),
             focused: self.focused,
             selected: state.selected,
+            asked: self.asked,
             gripped: gripped(ui, id),
         };
         let (look, scene) = (self.app.look(), self.app.scene());
         spots(look, scene, self.handles, self.locks, &reach)
+    }
+
+    fn seized(&self, link: Link) -> Option<usize> {
+        let seized = self.app.scene().document().seized(link)?;
+        let is_free = !Lock::any_holds(self.locks, seized);
+        let mut handles = self.handles.iter();
+        handles.position(|&handle| is_free && handle == seized)
     }
 
     /// What a click under the pointer would pick.
@@ -290,9 +302,10 @@ impl Column<'_> {
             name: format!("{panel}: {method}"),
             text: caption_text(look.catalog, said),
             spots: &spots,
-            snap: app.settings.snap && is_flat,
+            seized: &|link| self.seized(link),
+            snap: app.settings.snap,
             has_grid: is_flat,
-            reads_pointer: is_flat && !app.has_hidden_pointer(ui.ctx()),
+            reads_pointer: !app.has_hidden_pointer(ui.ctx()),
             pointed: pointed.flatten(),
             marks: &marks,
             covered: &covered,

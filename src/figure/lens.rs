@@ -43,6 +43,13 @@ impl Lens {
             .into()
     }
 
+    /// How long in the world is, at the depth of a place there, what is 1 long on the drawing.
+    pub fn unit_at(&self, at: [f64; 3]) -> f64 {
+        Optics::of(self).map_or(1.0, |optics| {
+            optics.half_height_at(optics.view_from_world(at.into()).z)
+        })
+    }
+
     /// Moved away from the eye on its sight line, as far as `by` is on the drawing at its depth.
     pub fn deeper(&self, at: [f64; 3], by: f64) -> [f64; 3] {
         let Some(optics) = Optics::of(self).filter(|_| by != 0.0) else {

@@ -9,7 +9,7 @@ use crate::{
     trace::Counts,
 };
 
-use super::{Handle, MethodCard};
+use super::{Handle, MethodCard, Motion};
 
 /// A kind of scene, and the methods that work on it.
 pub struct Lab {
@@ -96,6 +96,14 @@ pub trait Draggable {
     fn position(&self, handle: Handle) -> Option<[f64; 3]>;
     /// Moves a handle. Where the scene would not be valid it is left as it was.
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
+    /// How it may move: as its kind does, unless that depends on the scene.
+    fn motion(&self, handle: Handle) -> Motion {
+        handle.kind().motion
+    }
+    /// The handle of what is drawn with this link: a press there takes hold of it, too.
+    fn seized(&self, _: Link) -> Option<Handle> {
+        None
+    }
     /// The one number that a handle stands for, where that is no place: a plane's distance, say.
     fn measure(&self, _: Handle) -> Option<f64> {
         None

@@ -24,8 +24,8 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 8] = [
-    "id", "scene", "at", "figure", "drawn", "before", "lock", "code",
+const STEP_FIELDS: [&str; 9] = [
+    "id", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code",
 ];
 
 /// Nobody reads a longer lesson.
@@ -257,6 +257,8 @@ impl Steps {
         let figure = fields.get("figure");
         let figure = figure.and_then(|node| self.figures.take(node, is_figure_name, FIGURE));
         let locks = fields.get("lock").map(|node| locks(self.lab, node));
+        let drags = fields.get("drag").zip(stop.as_ref());
+        let drags = drags.map(|(node, stop)| drags_in(&stop.scene, node));
         let code = fields.get("code");
         let code = code.and_then(|node| node.value(CodeView::ALL, CodeView::id));
         let step = id.clone().zip(stop);
@@ -267,6 +269,7 @@ impl Steps {
             drawn,
             before,
             locks: locks.unwrap_or_default(),
+            drags: drags.unwrap_or_default(),
             code: code.unwrap_or_default(),
         });
         (id, step)
@@ -353,6 +356,20 @@ fn locks(lab: Option<&Lab>, node: Node<'_>) -> Vec<Lock> {
         node.one_of(known, "problem-unknown-lock", |name| Lock::of(lab, name))
     };
     nodes.filter_map(lock).collect()
+}
+
+/// Kinds of handles of the step's own scene.
+fn drags_in(scene: &Scene, node: Node<'_>) -> Vec<String> {
+    let handles = scene.document().handles().into_iter();
+    let mut known: Vec<&str> = handles.map(|handle| handle.kind().id).collect();
+    known.dedup();
+    let nodes = node.list("expect-drags").into_iter().flatten();
+    let kind = |node: Node<'_>| {
+        node.one_of(&known, "problem-unknown-lock", |name| {
+            known.contains(&name).then(|| name.to_owned())
+        })
+    };
+    nodes.filter_map(kind).collect()
 }
 
 fn is_kebab(id: &str) -> bool {

@@ -24,6 +24,8 @@ pub struct LessonStep {
     /// What the figure shows beside that: how it was before.
     pub before: Option<Stop>,
     pub locks: Vec<Lock>,
+    /// The kinds of handles that its text asks for.
+    pub drags: Vec<String>,
     pub code: CodeView,
 }
 

@@ -35,4 +35,4 @@ pub use parts::{Part, parts};
 pub use pen::{stroke_colour, text_colour};
 pub use theme::{Look, Theme, ThemeKind};
 pub use typeset::{Span, Typeset};
-pub use viewport::Viewport;
+pub use viewport::{Viewport, round_step};

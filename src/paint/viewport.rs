@@ -66,12 +66,16 @@ impl Viewport {
 
     /// Distance of grid lines in world units: 1, 2 or 5 times a power of ten, at least `min_pts` apart.
     pub fn grid_step(&self, min_pts: f64) -> f64 {
-        let wanted = min_pts / self.scale;
-        let power = libm::pow(10.0, libm::log10(wanted).floor());
-        [1.0, 2.0, 5.0, 10.0]
-            .map(|m| m * power)
-            .into_iter()
-            .find(|&step| step >= wanted)
-            .unwrap_or(10.0 * power)
+        round_step(min_pts / self.scale)
     }
+}
+
+/// The least of 1, 2 or 5 times a power of ten that is as large as this.
+pub fn round_step(least: f64) -> f64 {
+    let power = libm::pow(10.0, libm::log10(least).floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|m| m * power)
+        .into_iter()
+        .find(|&step| step >= least)
+        .unwrap_or(10.0 * power)
 }

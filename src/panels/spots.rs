@@ -6,6 +6,7 @@ use crate::{
     figure::Lens,
     labs::{Handle, Lock, Scene},
     paint::Viewport,
+    text::{Formula, Value},
     widgets::{Look, Snap, Spot},
 };
 
@@ -24,6 +25,8 @@ pub struct Reach<'a> {
     /// The handle that has the keyboard's focus: its neighbours are within reach of Tab.
     pub focused: Option<Handle>,
     pub selected: Option<Handle>,
+    /// The kinds of handles that the lesson asks for.
+    pub asked: &'a [String],
     /// The index of the handle that is being dragged.
     pub gripped: Option<usize>,
 }
@@ -44,7 +47,9 @@ pub fn spots(
             index,
             at: reach.at(scene, handle)?,
             name: look.catalog.message(&handle.name()),
+            place: reach.place(scene, handle)?,
             locked: Lock::any_holds(locks, handle),
+            asked: reach.asked.iter().any(|kind| kind == handle.kind().id),
             snap: if handle.kind().is_whole {
                 Snap::Offset
             } else {
@@ -66,6 +71,15 @@ impl Reach<'_> {
     fn at(&self, scene: &Scene, handle: Handle) -> Option<[f64; 2]> {
         let world = scene.document().position(handle)?;
         self.lens.drawing_from_world(world)
+    }
+
+    fn place(&self, scene: &Scene, handle: Handle) -> Option<Value> {
+        let at = scene.document().position(handle)?;
+        Some(match scene.document().measure(handle) {
+            Some(measure) => measure.into(),
+            None if self.lens == Lens::Plane => [at[0], at[1]].into(),
+            None => Formula::default().place(at).into(),
+        })
     }
 
     fn vertices(&self, scene: &Scene, handles: &[Handle]) -> Vec<usize> {

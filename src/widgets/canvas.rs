@@ -29,9 +29,11 @@ pub struct Canvas<'a> {
     pub name: String,
     pub text: String,
     pub spots: &'a [Spot],
+    /// The spot of what is drawn with a link, where that can be taken hold of.
+    pub seized: &'a dyn Fn(Link) -> Option<usize>,
     pub snap: bool,
     pub has_grid: bool,
-    /// Is it written where the pointer is?
+    /// Is it said what is under the pointer?
     pub reads_pointer: bool,
     pub pointed: Option<Mark>,
     pub marks: &'a [Mark],
@@ -83,15 +85,22 @@ impl Canvas<'_> {
             ..WidgetInfo::labeled(Role::Canvas, true, &self.name)
         });
         let step = viewport.grid_step(GRID_PTS);
+        let remembered = self.id.with("labels");
+        let before: Vec<Placed> = ui
+            .data(|data| data.get_temp(remembered))
+            .unwrap_or_default();
+        let [pointed, pressed] = self.under(ui, &response, &before);
         let handles = Handles {
             id: self.id,
             spots: self.spots,
             viewport: &viewport,
             grid: step,
             snap: self.snap,
+            is_space: !self.has_grid,
+            pointed: pointed.and_then(self.seized),
             look: self.look,
         };
-        let moved = handles.interact(ui, &response);
+        let moved = handles.interact(ui, &response, pressed.and_then(self.seized));
         let holds_handle = gripped(ui, self.id).is_some();
         let view = pan_and_zoom(ui, &response, &self, &handles);
 
@@ -102,7 +111,8 @@ impl Canvas<'_> {
             dots(&painter, &viewport, step, theme.hairline);
         }
         handles.draw_idle(ui, &painter, &response);
-        let labels = self.figure(ui, &painter);
+        let labels = self.figure(&painter, &before);
+        ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
         if self.has_grid {
             scale(&painter, &viewport, step, (self.look, &labels));
         }
@@ -113,13 +123,11 @@ impl Canvas<'_> {
             ui.set_cursor_icon(CursorIcon::PointingHand);
         }
         handles.draw(ui, &painter, &response);
-        if self.reads_pointer
-            && let Some(said) = handles.coordinates(ui, &response, step)
-        {
-            let spots = self.spots.iter().map(|spot| viewport.to_screen(spot.at));
-            let taken = spots.map(|at| Rect::from_center_size(at, Vec2::splat(TAKEN)));
-            let taken: Vec<Rect> = taken.chain(labels.iter().map(|label| label.rect)).collect();
-            coordinates(&painter, viewport.rect, self.look, (said, &taken));
+        if self.has_grid {
+            let said = handles.coordinates(ui, &response, step);
+            self.say_place(&painter, said, &labels);
+        } else {
+            handles.draw_names(ui, &painter, &response, self.reads_pointer);
         }
         focus_ring(
             &painter,
@@ -129,8 +137,6 @@ impl Canvas<'_> {
             2.0,
         );
         let focused = ui.memory(egui::Memory::focused);
-        let hover = response.hover_pos().filter(|_| !response.dragged());
-        let hover = hover.filter(|at| !self.is_covered(*at));
         let focused = focused.and_then(|id| {
             let mut indices = self.spots.iter().map(|spot| spot.index);
             indices.find(|&i| handles.id_of(i) == id)
@@ -143,7 +149,7 @@ impl Canvas<'_> {
             moved,
             released: holds_handle && response.drag_stopped(),
             clicked: click(ui, &response, &handles),
-            pointed: hover.and_then(|at| hit::link_at(&viewport, self.marks, at)),
+            pointed,
             focused,
             response,
             picture: None,
@@ -154,19 +160,46 @@ impl Canvas<'_> {
         self.covered.iter().any(|covered| covered.contains(at))
     }
 
+    /// What is drawn under the pointer, and where the button has gone down for a drag.
+    fn under(&self, ui: &Ui, response: &Response, labels: &[Placed]) -> [Option<Link>; 2] {
+        let hover = response.hover_pos().filter(|_| !response.dragged());
+        let starts = response.drag_started_by(PointerButton::Primary);
+        let origin = ui.input(|input| input.pointer.press_origin());
+        [hover, origin.filter(|_| starts)].map(|at| self.link_at(labels, at?))
+    }
+
+    fn say_place(&self, painter: &Painter, said: Option<String>, labels: &[Placed]) {
+        let Some(said) = said.filter(|_| self.reads_pointer) else {
+            return;
+        };
+        let spots = self
+            .spots
+            .iter()
+            .map(|spot| self.viewport.to_screen(spot.at));
+        let taken = spots.map(|at| Rect::from_center_size(at, Vec2::splat(TAKEN)));
+        let taken: Vec<Rect> = taken.chain(labels.iter().map(|label| label.rect)).collect();
+        coordinates(painter, self.viewport.rect, self.look, (said, &taken));
+    }
+
+    /// What is drawn there is about this: a name, or a mark.
+    fn link_at(&self, labels: &[Placed], at: Pos2) -> Option<Link> {
+        if self.is_covered(at) {
+            return None;
+        }
+        let label = labels.iter().find(|label| label.rect.contains(at));
+        let named = label.and_then(|label| label.link);
+        named.or_else(|| hit::link_at(&self.viewport, self.marks, at))
+    }
+
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
-    fn figure(&self, ui: &Ui, painter: &Painter) -> Vec<Placed> {
-        let remembered = self.id.with("labels");
-        let before = ui.data(|data| data.get_temp::<Vec<Placed>>(remembered));
+    fn figure(&self, painter: &Painter, before: &[Placed]) -> Vec<Placed> {
         let around = Around {
-            before: &before.unwrap_or_default(),
+            before,
             covered: self.covered,
             fades: !self.has_grid,
         };
         let look = self.look;
-        let labels = look.stage(painter, &self.viewport, self.marks, self.lit, around);
-        ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
-        labels
+        look.stage(painter, &self.viewport, self.marks, self.lit, around)
     }
 }
 
@@ -177,7 +210,7 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
         at,
         is_double: response.double_clicked(),
         has_ctrl: ui.input(|input| input.modifiers.command),
-        spot: handles.near(at),
+        spot: handles.clicked(ui, at, response.double_clicked()),
     })
 }
 
@@ -206,13 +239,16 @@ fn pan_and_zoom(
     let pans = canvas.id.with("pans");
     if response.drag_started_by(PointerButton::Primary) {
         let origin = ui.input(|input| input.pointer.press_origin());
-        let is_on_ground = origin.is_some_and(|at| !handles.is_about(at) && !canvas.is_covered(at));
+        let is_free = |at| !handles.is_about(at) && !canvas.is_covered(at);
+        let is_on_ground = origin.is_some_and(is_free) && gripped(ui, canvas.id).is_none();
         ui.data_mut(|data| data.insert_temp(pans, is_on_ground));
     }
     let is_on_ground = ui.data(|data| data.get_temp(pans)).unwrap_or(false);
     let drags_ground = response.dragged_by(PointerButton::Primary) && is_on_ground;
     let mut view = PanZoom::of(viewport);
-    if drags_ground || response.dragged_by(PointerButton::Middle) {
+    // A space turns under the right button wherever that goes down: solids may leave no ground.
+    let turns = !canvas.has_grid && response.dragged_by(PointerButton::Secondary);
+    if drags_ground || turns || response.dragged_by(PointerButton::Middle) {
         view = view.panned(response.drag_delta());
     }
     if let Some(at) = response.hover_pos() {

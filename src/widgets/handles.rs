@@ -4,10 +4,6 @@ use egui::{Event, EventFilter, Key, Role};
 
 use super::prelude::*;
 
-/// A finger or a shaky hand finds a handle within this distance, in points.
-const REACH: f32 = 14.0;
-/// A press this near to a handle was meant for it: the view does not move.
-const MISSED: f32 = 28.0;
 const LEAP: f64 = 10.0;
 const FINE: f64 = 0.1;
 
@@ -25,7 +21,11 @@ pub struct Spot {
     pub index: usize,
     pub at: [f64; 2],
     pub name: String,
+    /// Its coordinates in the world, or the one number that it stands for.
+    pub place: Value,
     pub locked: bool,
+    /// Does the lesson ask for it? It is shown then without the pointer, by its name.
+    pub asked: bool,
     pub snap: Snap,
     /// Has a mark of its own on the stage: nothing is drawn for it until it is touched.
     pub marked: bool,
@@ -47,6 +47,8 @@ pub struct Moved {
     /// Away from the eye, in the world's units; on the plane nothing is.
     pub deeper: f64,
     pub by: Gesture,
+    /// It leaves the grid.
+    pub is_free: bool,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -54,6 +56,8 @@ struct Grip {
     spot: usize,
     spot_at: [f64; 2],
     pointer_at: [f64; 2],
+    /// Has it left the grid? It stays off it, so that letting go of the key moves nothing.
+    is_free: bool,
 }
 
 pub(super) struct Handles<'a> {
@@ -62,40 +66,36 @@ pub(super) struct Handles<'a> {
     pub viewport: &'a Viewport,
     pub grid: f64,
     pub snap: bool,
+    /// It is a drawing of space: what a drag rounds is not the place on it, and handles are named.
+    pub is_space: bool,
+    /// The one whose drawing is under the pointer.
+    pub pointed: Option<usize>,
     pub look: Look<'a>,
 }
 
 impl Handles<'_> {
-    fn distance(&self, spot: &Spot, at: Pos2) -> f32 {
-        self.viewport.to_screen(spot.at).distance(at)
-    }
-
-    pub fn near(&self, at: Pos2) -> Option<usize> {
-        let spots = self.spots.iter();
-        let spots = spots.map(|spot| (spot.index, self.distance(spot, at)));
-        let reached = spots.filter(|&(_, distance)| distance <= REACH);
-        let nearest = reached.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(nearest.0)
-    }
-
-    pub fn is_about(&self, at: Pos2) -> bool {
-        let mut spots = self.spots.iter();
-        spots.any(|spot| self.distance(spot, at) <= MISSED)
-    }
-
-    fn spot(&self, index: usize) -> Option<&Spot> {
+    pub fn spot(&self, index: usize) -> Option<&Spot> {
         self.spots.iter().find(|spot| spot.index == index)
     }
 
-    pub fn interact(&self, ui: &mut Ui, canvas: &Response) -> Option<Moved> {
+    /// `pressed` is the one whose drawing the button went down on.
+    pub fn interact(
+        &self,
+        ui: &mut Ui,
+        canvas: &Response,
+        pressed: Option<usize>,
+    ) -> Option<Moved> {
         if canvas.drag_started_by(egui::PointerButton::Primary)
             && let Some(origin) = ui.input(|i| i.pointer.press_origin())
-            && let Some(spot) = self.near(origin).and_then(|i| self.spot(i))
+            && let near = self.near(ui, origin)
+            && let Some(spot) = near.or(pressed).and_then(|i| self.spot(i))
         {
+            self.take(ui, spot.index);
             let grip = Grip {
                 spot: spot.index,
                 spot_at: spot.at,
                 pointer_at: self.viewport.to_world(origin),
+                is_free: false,
             };
             ui.data_mut(|data| data.insert_temp(self.id, grip));
         }
@@ -108,14 +108,18 @@ impl Handles<'_> {
     }
 
     fn drag(&self, ui: &Ui, canvas: &Response) -> Option<Moved> {
-        let grip = grip(ui, self.id)?;
+        let mut grip = grip(ui, self.id)?;
         let spot = self.spot(grip.spot).filter(|spot| !spot.locked)?;
         let pointer = self.viewport.to_world(canvas.interact_pointer_pos()?);
-        let free = !self.snap || is_off_grid(ui);
+        if is_off_grid(ui) {
+            grip.is_free = true;
+            ui.data_mut(|data| data.insert_temp(self.id, grip));
+        }
+        let is_free = !self.snap || grip.is_free;
         let to = std::array::from_fn(|i| {
             let by = pointer[i] - grip.pointer_at[i];
             match spot.snap {
-                _ if free => grip.spot_at[i] + by,
+                _ if is_free || self.is_space => grip.spot_at[i] + by,
                 Snap::Place => snapped(grip.spot_at[i] + by, self.grid),
                 Snap::Offset => grip.spot_at[i] + snapped(by, self.grid),
             }
@@ -125,6 +129,7 @@ impl Handles<'_> {
             to,
             deeper: 0.0,
             by: Gesture::Drag,
+            is_free,
         })
     }
 
@@ -138,9 +143,15 @@ impl Handles<'_> {
             let response = ui.interact(place, id, Sense::focusable_noninteractive());
             response.widget_info(|| {
                 let label = Message::new("access-handle").with("name", spot.name.clone());
-                let label = self.look.catalog.message(&label.with("point", spot.at));
+                let label = self
+                    .look
+                    .catalog
+                    .message(&label.with("point", spot.place.clone()));
                 WidgetInfo::labeled(Role::Button, !spot.locked, label)
             });
+            if response.gained_focus() {
+                self.take(ui, i);
+            }
             if response.has_focus() {
                 // An arrow moves the handle, and not the focus.
                 let arrows = EventFilter {
@@ -156,6 +167,7 @@ impl Handles<'_> {
                         to: [spot.at[0] + dx, spot.at[1] + dy],
                         deeper,
                         by: Gesture::Nudge,
+                        is_free: true,
                     });
                 }
             }
@@ -173,14 +185,23 @@ impl Handles<'_> {
         let touched = self.touched(ui, canvas);
         let mut spots = self.spots.iter();
         let has_focus = spots.any(|spot| focused == Some(self.id_of(spot.index)));
-        if !canvas.hovered() && !has_focus {
-            return;
-        }
+        let are_shown = canvas.hovered() || has_focus;
+        let theme = self.look.theme;
         for spot in self.spots {
             // A figure as a whole shows its handle only when it is touched: labels stand in its middle.
-            let is_idle = spot.snap == Snap::Place && !spot.selected && touched != Some(spot.index);
+            let is_shown = spot.asked || (are_shown && spot.snap == Snap::Place);
+            let is_idle = is_shown && !spot.selected && touched != Some(spot.index);
             if is_idle && !spot.locked && !spot.marked {
-                self.square(painter, spot, self.look.theme.faint);
+                let colour = if self.is_space {
+                    theme.soft
+                } else {
+                    theme.faint
+                };
+                self.square(
+                    painter,
+                    spot,
+                    if spot.asked { theme.accent } else { colour },
+                );
             }
         }
     }
@@ -220,15 +241,11 @@ impl Handles<'_> {
         }
     }
 
-    fn touched(&self, ui: &Ui, canvas: &Response) -> Option<usize> {
-        let pointed = canvas.hover_pos().and_then(|at| self.near(at));
-        gripped(ui, self.id).or(pointed)
-    }
-
     fn square(&self, painter: &Painter, spot: &Spot, colour: Color32) {
         let theme = self.look.theme;
         let centre = self.viewport.to_screen(spot.at);
-        let square = Rect::from_center_size(centre, Vec2::splat(7.0));
+        let side = if self.is_space { 12.0 } else { 7.0 };
+        let square = Rect::from_center_size(centre, Vec2::splat(side));
         let rim = theme.stroke(1.25, colour);
         let (ground, full) = (theme.background, theme.accent);
         let fill = if spot.selected { full } else { ground };
@@ -237,16 +254,24 @@ impl Handles<'_> {
     }
 
     pub fn coordinates(&self, ui: &Ui, canvas: &Response, grid: f64) -> Option<String> {
-        let point = |at: [f64; 2]| {
-            let catalog = self.look.catalog;
-            catalog.alike(Notation::Decimals).value(&at.into())
-        };
         if let Some(spot) = self.touched(ui, canvas).and_then(|i| self.spot(i)) {
-            return Some(format!("{} {}", spot.name, point(spot.at)));
+            return Some(self.told(spot));
         }
         // A pixel is no place: as many digits as can be told apart.
         let at = self.viewport.to_world(canvas.hover_pos()?);
-        Some(point(at.map(|x| snapped(x, grid / 20.0))))
+        let at = at.map(|x| snapped(x, grid / 20.0));
+        Some(
+            self.look
+                .catalog
+                .alike(Notation::Decimals)
+                .value(&at.into()),
+        )
+    }
+
+    /// Its name and where it is.
+    pub fn told(&self, spot: &Spot) -> String {
+        let catalog = self.look.catalog.alike(Notation::Decimals);
+        format!("{} {}", spot.name, catalog.value(&spot.place))
     }
 }
 
@@ -263,7 +288,7 @@ pub fn gripped(ui: &Ui, id: Id) -> Option<usize> {
     grip(ui, id).map(|grip| grip.spot)
 }
 
-pub(super) fn snapped(x: f64, grid: f64) -> f64 {
+pub fn snapped(x: f64, grid: f64) -> f64 {
     // Dividing first keeps decimal steps decimal: 3 · 0.1 is not 0.3, 3 / 10 is.
     let per_unit = (1.0 / grid).round();
     if grid < 1.0 && per_unit >= 1.0 {

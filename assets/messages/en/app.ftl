@@ -98,6 +98,7 @@ action-export = Export this figure
 action-reset = Reset
 action-fit = Fit
 handle-locked = { $name } is locked in this step.
+handle-other = click: { $name }
 action-reset-view = Fit the view
 action-close = Close
 action-cancel = Cancel

@@ -137,6 +137,7 @@ expect-moment = Expected: start, end, or an event with its words, such as “cut
 expect-moment-number = Expected: a number from 1 after “#”.
 expect-reference = Expected: a value in braces, such as { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } or { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Expected: a list of the handles that are locked, such as ["window"].
+expect-drags = Expected: a list of the handles that the text asks for, such as ["far"].
 expect-title = Expected: “# Title of the lesson” in the first line.
 expect-heading = Expected: a heading “## id: Title” for each step, with its text below.
 expect-section = Expected: “## { $name }: Title” after this, with its text below.

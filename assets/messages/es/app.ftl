@@ -98,6 +98,7 @@ action-export = Exportar esta figura
 action-reset = Restablecer
 action-fit = Encuadrar
 handle-locked = { $name } no se puede mover en este paso.
+handle-other = haz clic: { $name }
 action-reset-view = Encuadrar todo
 action-close = Cerrar
 action-cancel = Cancelar

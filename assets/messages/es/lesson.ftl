@@ -137,6 +137,7 @@ expect-moment = Se esperaba: start, end o un suceso con sus palabras, como «cut
 expect-moment-number = Se esperaba: un número a partir de 1 después de «#».
 expect-reference = Se esperaba: un valor entre llaves, como { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } o { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Se esperaba: una lista de los tiradores bloqueados, como ["window"].
+expect-drags = Se esperaba: una lista de los tiradores que pide el texto, como ["far"].
 expect-title = Se esperaba: «# Título de la lección» en la primera línea.
 expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, con su texto debajo.
 expect-section = Se esperaba: «## { $name }: Título» a continuación, con su texto debajo.

@@ -98,6 +98,7 @@ action-export = Exportar esta figura
 action-reset = Redefinir
 action-fit = Enquadrar
 handle-locked = Não é possível mover { $name } neste passo.
+handle-other = clique: { $name }
 action-reset-view = Enquadrar tudo
 action-close = Fechar
 action-cancel = Cancelar

@@ -137,6 +137,7 @@ expect-moment = Esperado: start, end ou um evento com suas palavras, como “cut
 expect-moment-number = Esperado: um número a partir de 1 depois de “#”.
 expect-reference = Esperado: um valor entre chaves, como { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } ou { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Esperado: uma lista dos pontos de controle bloqueados, como ["window"].
+expect-drags = Esperado: uma lista dos pontos de controle que o texto pede, como ["far"].
 expect-title = Esperado: “# Título da lição” na primeira linha.
 expect-heading = Esperado: um cabeçalho “## id: Título” para cada passo, com seu texto abaixo.
 expect-section = Esperado: “## { $name }: Título” a seguir, com seu texto abaixo.

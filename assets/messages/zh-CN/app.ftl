@@ -94,6 +94,7 @@ action-export = 导出此图
 action-reset = 重置
 action-fit = 适应视图
 handle-locked = { $name } 在这一步中已锁定。
+handle-other = 单击：{ $name }
 action-reset-view = 适应视图
 action-close = 关闭
 action-cancel = 取消

@@ -129,6 +129,7 @@ expect-moment = 应为：start、end，或事件名称及其词语，例如“cu
 expect-moment-number = 应为：“#”之后为从 1 起的整数。
 expect-reference = 应为：花括号中的一个值，例如 { "{" }u_min{ "}" }、{ "{" }P₁.x @ end{ "}" } 或 { "{" }output.segment[2] of practice : 2{ "}" }。
 expect-locks = 应为：被锁定的控制柄的列表，例如 ["window"]。
+expect-drags = 应为：课文要用到的控制柄的列表，例如 ["far"]。
 expect-title = 应为：第一行为“# 本课标题”。
 expect-heading = 应为：每一步有一个标题“## id: 标题”，正文在其下。
 expect-section = 应为：此后有“## { $name }: 标题”，正文在其下。

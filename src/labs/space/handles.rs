@@ -3,11 +3,22 @@
 use glam::DVec3;
 
 use crate::{
+    figure::Link,
+    geom::VolumeSide,
     labs::{Draggable, Handle, HandleKind, Motion},
     text::{Diagnostic, Message},
 };
 
-use super::{Opening, Places, Scene, Subject, stage::object_link};
+use super::{
+    Opening, Places, Scene, Subject,
+    stage::{object_link, side_link},
+};
+
+/// Corners of the view volume, by their numbers: the ends of the edges that near, far and the opening are taken hold of by. None of
+/// these handles lies on the axis, where camera and target are.
+const NEAR_EDGE: [usize; 2] = [1, 3];
+const FAR_EDGE: [usize; 2] = [5, 7];
+const TOP_EDGE: [usize; 2] = [6, 7];
 
 const fn kind(
     id: &'static str,
@@ -94,24 +105,49 @@ impl Draggable for Scene {
 
     fn position(&self, handle: Handle) -> Option<[f64; 3]> {
         let [position, target, _] = self.camera.places();
-        let [near, far] = self.camera.depths();
-        let camera = self.camera.camera();
         let [i, corner] = handle.idx();
         Some(match handle.kind().id {
             "camera" => position,
             "target" => target,
-            "near" => camera.world_from_view([0.0, 0.0, -near]),
-            "far" => camera.world_from_view([0.0, 0.0, -far]),
-            "top" => {
-                let [left, right] = [6, 7].map(|i| DVec3::from(camera.corners_in_world()[i]));
-                left.midpoint(right).into()
-            }
+            "near" => self.middle_of(NEAR_EDGE).into(),
+            "far" => self.middle_of(FAR_EDGE).into(),
+            "top" => self.middle_of(TOP_EDGE).into(),
             "point" => self.places().point,
             "end" => *self.places().segment.get(i)?,
             "corner" => *self.places().triangle.get(i)?,
             "object-corner" => self.objects().get(i)?.points().nth(corner)?,
             _ => self.objects().get(i)?.at(),
         })
+    }
+
+    /// Planes go along the volume's side, its opening upwards.
+    fn motion(&self, handle: Handle) -> Motion {
+        match handle.kind().id {
+            "near" | "far" => {
+                Motion::Axis((self.middle_of(FAR_EDGE) - self.middle_of(NEAR_EDGE)).into())
+            }
+            "top" => {
+                let [_, up, _] = self.camera.camera().axes();
+                Motion::Axis(up)
+            }
+            _ => handle.kind().motion,
+        }
+    }
+
+    /// While culling is frozen the volume that is drawn is not this camera's.
+    fn seized(&self, link: Link) -> Option<Handle> {
+        let own = [
+            (side_link(VolumeSide::Near), &NEAR),
+            (side_link(VolumeSide::Far), &FAR),
+            (Link::to("camera"), &POSITION),
+        ];
+        let mut own = own.into_iter().filter(|_| self.frozen.is_none());
+        let own = own.find(|(of, _)| *of == link);
+        // Faces are told of the object in hand only.
+        let of_face = link.number_of("face").map(|_| self.focus());
+        let object_idx = link.number_of("object").or(of_face);
+        own.map(|(_, kind)| kind.at([0, 0]))
+            .or(object_idx.map(object))
     }
 
     /// The distance of a plane, the opening of the view volume.
@@ -189,9 +225,43 @@ impl Draggable for Scene {
     }
 }
 
+impl Scene {
+    fn middle_of(&self, edge: [usize; 2]) -> DVec3 {
+        let corners = self.camera.camera().corners_in_world();
+        let [a, b] = edge.map(|i| DVec3::from(corners[i]));
+        a.midpoint(b)
+    }
+}
+
 fn with<const N: usize>(mut places: [[f64; 3]; N], i: usize, to: [f64; 3]) -> [[f64; 3]; N] {
     if let Some(place) = places.get_mut(i) {
         *place = to;
     }
     places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labs::frustum;
+
+    #[test]
+    fn planes_and_opening_follow_along_their_axes_and_keep_off_the_cameras_own() {
+        let scene = (frustum::LAB.first_scene)();
+        let first: &Scene = scene.get().expect("a scene in space");
+        for id in ["near", "far", "top"] {
+            let mut scene = first.clone();
+            let mut handles = scene.handles().into_iter();
+            let handle = handles.find(|it| it.kind().id == id).expect(id);
+            let at = |scene: &Scene| DVec3::from(scene.position(handle).expect(id));
+            let Motion::Axis(axis) = scene.motion(handle) else {
+                panic!("{id} has an axis");
+            };
+            let to = at(&scene) + 0.05 * DVec3::from(axis);
+            scene.drag(handle, to.into()).expect("it can be there");
+            assert!(at(&scene).distance(to) < 1e-9, "{id}: {} {to}", at(&scene));
+            let off = scene.camera.camera().view_from_world().point(to.into());
+            assert!(off[0].hypot(off[1]) > 0.1, "{id}: {off:?}");
+        }
+    }
 }

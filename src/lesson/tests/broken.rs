@@ -50,6 +50,8 @@ at = "end" => at = "cut #0" => 16:6 bad-moment
 at = "end" => figure = "one" => 16:10 duplicate-figure
 ["window"] => ["p1", "windows"] => 17:15 unknown-lock
 ["window"] => "window" => 17:8 wrong-type
+lock = ["window"] => drag = ["p1", "p3"] => 17:15 unknown-lock
+lock = ["window"] => drag = "p1" => 17:8 wrong-type
 "words" => "none" => 18:8 unknown-value
 lab = "lines" => lab =  => 1:7 toml-value
 "lines" => "lines"\nlab = "lines" => 2:1 toml-duplicate

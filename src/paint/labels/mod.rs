@@ -9,7 +9,7 @@ mod text;
 
 use egui::{Painter, Pos2, Rect, Vec2, vec2};
 
-use crate::figure::{Label, Mark, Role, Shape};
+use crate::figure::{Label, Link, Mark, Role, Shape};
 
 use super::{Look, Theme, Viewport, layers::LayeredPart};
 
@@ -49,6 +49,8 @@ pub struct Placed {
     pub has_plate: bool,
     pub leader: Option<[Pos2; 2]>,
     pub is_ambiguous: bool,
+    /// What it names.
+    pub link: Option<Link>,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -72,6 +74,7 @@ struct Waiting {
     is_of_side: bool,
     keeps_off_solids: bool,
     rank: u8,
+    link: Option<Link>,
 }
 
 impl Labels {
@@ -117,6 +120,7 @@ impl Labels {
                     is_ambiguous: is_point
                         && leader.is_none()
                         && is_of_another(&label.anchor, &obstacles, rect),
+                    link: label.link,
                 };
                 (label.text, placed)
             })
@@ -190,6 +194,7 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
                 is_of_side: label.toward.is_some(),
                 keeps_off_solids: matches!(mark.shape, Shape::Label(_)),
                 rank,
+                link: mark.link,
             }),
         }
     }

@@ -58,7 +58,7 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     for (side, [a, b]) in [(VolumeSide::Near, [0, 1]), (VolumeSide::Far, [6, 7])] {
         let middle = DVec3::from(corners[a]).midpoint(DVec3::from(corners[b]));
         let name = Mark3::new(Role::Accent, Shape3::Label(middle.into()));
-        marks.push(name.labelled(side_name(side)));
+        marks.push(name.labelled(side_name(side)).linked(side_link(side)));
     }
     marks
 }

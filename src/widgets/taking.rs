@@ -1,0 +1,74 @@
+//! Which handle the pointer takes: one within reach, or one whose drawing is under it.
+
+use super::{
+    handles::{Handles, Spot, gripped},
+    prelude::*,
+};
+
+/// A finger or a shaky hand finds a handle within this distance, in points.
+const REACH: f32 = 14.0;
+/// A press this near to a handle was meant for it: the view does not move.
+const MISSED: f32 = 28.0;
+/// Handles this near to each other fall together, and a click takes the next of them.
+const TOGETHER: f32 = 3.0;
+
+impl Handles<'_> {
+    fn distance(&self, spot: &Spot, at: Pos2) -> f32 {
+        self.viewport.to_screen(spot.at).distance(at)
+    }
+
+    /// The nearest within reach, and all that fall together with it.
+    pub fn group(&self, at: Pos2) -> Vec<usize> {
+        let by_distance = |a: &&Spot, b: &&Spot| {
+            let [a, b] = [a, b].map(|spot| self.distance(spot, at));
+            a.total_cmp(&b)
+        };
+        let nearest = self.spots.iter().min_by(by_distance);
+        let Some(nearest) = nearest.filter(|spot| self.distance(spot, at) <= REACH) else {
+            return Vec::new();
+        };
+        let centre = self.viewport.to_screen(nearest.at);
+        let others = self
+            .spots
+            .iter()
+            .filter(|spot| spot.index != nearest.index && self.distance(spot, centre) <= TOGETHER);
+        let indices = std::iter::once(nearest).chain(others);
+        indices.map(|spot| spot.index).collect()
+    }
+
+    /// The one that the pointer would take: the nearest, or of what falls together the one that was taken last.
+    pub fn near(&self, ui: &Ui, at: Pos2) -> Option<usize> {
+        let group = self.group(at);
+        let taken = self.taken(ui).filter(|i| group.contains(i));
+        taken.or(group.first().copied())
+    }
+
+    fn taken(&self, ui: &Ui) -> Option<usize> {
+        ui.data(|data| data.get_temp(self.id.with("taken")))
+    }
+
+    pub fn take(&self, ui: &Ui, spot: usize) {
+        ui.data_mut(|data| data.insert_temp(self.id.with("taken"), spot));
+    }
+
+    /// The one that a click means: of what falls together, each click the next.
+    pub fn clicked(&self, ui: &Ui, at: Pos2, is_double: bool) -> Option<usize> {
+        let near = self.near(ui, at)?;
+        let group = self.group(at);
+        let taken = self.taken(ui).filter(|_| !is_double);
+        let nth = group.iter().position(|&i| taken == Some(i));
+        let next = nth.map_or(near, |nth| group[(nth + 1) % group.len()]);
+        self.take(ui, next);
+        Some(next)
+    }
+
+    pub fn is_about(&self, at: Pos2) -> bool {
+        let mut spots = self.spots.iter();
+        spots.any(|spot| self.distance(spot, at) <= MISSED)
+    }
+
+    pub fn touched(&self, ui: &Ui, canvas: &Response) -> Option<usize> {
+        let pointed = canvas.hover_pos().and_then(|at| self.near(ui, at));
+        gripped(ui, self.id).or(pointed).or(self.pointed)
+    }
+}
