@@ -111,6 +111,7 @@ impl App {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();
             }
+            Command::Picture => settings.picture_beside ^= true,
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
             Command::Dismiss => self.notices.clear(),
             _ => {}
@@ -250,6 +251,7 @@ impl App {
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()
             || std::mem::take(&mut self.shown.is_measuring)
+            || std::mem::take(&mut self.shown.lists_lessons)
             || !std::mem::take(&mut self.notices).is_empty()
         {
             return;

@@ -298,6 +298,21 @@ impl Asked {
 }
 
 impl Need {
+    /// The same of a small picture that is a drawing of its own, in place of an inset.
+    #[must_use]
+    pub fn enlarged(self) -> Self {
+        if self.stand != Stand::Inset {
+            return self;
+        }
+        let [least, natural] = DRAWING;
+        Self {
+            stand: Stand::Drawing,
+            least,
+            natural,
+            ..self
+        }
+    }
+
     pub const fn is_drawing(&self) -> bool {
         matches!(self.stand, Stand::Drawing | Stand::Inset)
     }

@@ -76,6 +76,7 @@ action-present = Present
 action-present-leave = Leave presentation
 courses = Other courses
 course-built-in = The built-in course
+action-picture = The camera’s picture beside the observer’s
 action-free = Free scene
 action-course = Back to the course
 free-title = Free scene

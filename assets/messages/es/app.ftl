@@ -76,6 +76,7 @@ action-present = Presentar
 action-present-leave = Salir de la presentación
 courses = Otros cursos
 course-built-in = El curso incluido
+action-picture = La imagen de la cámara junto a la del observador
 action-free = Escena libre
 action-course = Volver al curso
 free-title = Escena libre

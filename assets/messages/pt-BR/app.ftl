@@ -76,6 +76,7 @@ action-present = Apresentar
 action-present-leave = Sair da apresentação
 courses = Outros cursos
 course-built-in = O curso incluído
+action-picture = A imagem da câmera ao lado da do observador
 action-free = Cena livre
 action-course = Voltar ao curso
 free-title = Cena livre

@@ -72,6 +72,7 @@ action-present = 演示
 action-present-leave = 退出演示
 courses = 其他课程
 course-built-in = 内置课程
+action-picture = 相机画面与观察者画面并排
 action-free = 自由场景
 action-course = 回到课程
 free-title = 自由场景

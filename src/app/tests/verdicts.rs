@@ -170,3 +170,24 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
         "{said}"
     );
 }
+
+#[test]
+fn the_cameras_picture_is_enlarged_by_a_double_click_and_by_a_key_and_put_back() {
+    let mut bench = Bench::lab("frustum");
+    let size = |bench: &Bench| {
+        let mut places = bench.app.stage.places.iter();
+        let found = places.find(|(id, _)| id.0 == "camera");
+        rect_of(found.expect("it is there").1).area()
+    };
+    let small = size(&bench);
+    let at = middle_of(&bench, "camera");
+    bench.tap(at);
+    bench.tap(at);
+    bench.settle();
+    assert!(size(&bench) > 3.0 * small, "{} {small}", size(&bench));
+    bench.press_at(middle_of(&bench, "camera"));
+    assert!(bench.verdict().is_some(), "it can be asked there, too");
+    bench.key(Key::V);
+    bench.settle();
+    assert!((size(&bench) - small).abs() < 1.0);
+}
