@@ -167,6 +167,7 @@ help-deeper = In space: move that handle away from the eye, or nearer
 help-axis = In space, held while a handle moves: along that axis only
 help-type = Type the place of the selected handle
 help-alt = While dragging: off the grid
+help-pen = While presenting, held: draw over the stage, until the next step
 help-verdict = Go to the step that decided what was clicked
 status-last-good = The last version that worked is shown.
 status-more-problems =

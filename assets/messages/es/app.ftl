@@ -167,6 +167,7 @@ help-deeper = En el espacio: alejar o acercar ese control respecto al ojo
 help-axis = En el espacio, pulsada mientras se mueve un control: solo a lo largo de ese eje
 help-type = Escribir la posición del tirador elegido
 help-alt = Al arrastrar: sin ajustar a la cuadrícula
+help-pen = Al presentar, mantenida: dibujar sobre la escena, hasta el paso siguiente
 help-verdict = Ir al paso que decidió el destino de lo pulsado
 status-last-good = Se muestra la última versión que funcionaba.
 status-more-problems =

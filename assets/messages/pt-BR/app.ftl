@@ -167,6 +167,7 @@ help-deeper = No espaço: afastar ou aproximar essa alça do olho
 help-axis = No espaço, pressionada enquanto uma alça se move: só ao longo desse eixo
 help-type = Digitar a posição do ponto de controle escolhido
 help-alt = Ao arrastar: sem ajustar à grade
+help-pen = Ao apresentar, mantida: desenhar sobre a cena, até o passo seguinte
 help-verdict = Ir ao passo que decidiu o destino do que foi clicado
 status-last-good = É exibida a última versão que funcionava.
 status-more-problems =

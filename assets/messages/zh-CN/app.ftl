@@ -159,6 +159,7 @@ help-deeper = 在空间中：使该控制点远离或靠近视点
 help-axis = 在空间中，移动控制点时按住：只沿该轴移动
 help-type = 输入所选控制柄的坐标
 help-alt = 拖动时：不吸附网格
+help-pen = 演示时按住：在画面上画线，到下一步消失
 help-verdict = 转到决定所点对象去留的那一步
 status-last-good = 显示的是上一个可用的版本。
 status-more-problems = ……另有 { $count } 个问题。
