@@ -67,6 +67,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
         for &(method, at, said, event) in of_lab {
             bench.edit(Edit::Method(method));
             bench.command(Command::FIRST);
+            bench.command(Command::Ask(None));
             bench.click_in_space(at);
             let texts = bench.texts();
             let is_said = texts.iter().any(|(text, _)| text.contains(said));
@@ -165,10 +166,13 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let end = bench.n_steps();
     let said = told(&mut bench, end);
     assert!(said.contains("shows face 1 of object A"), "{said}");
-    assert!(
-        said.contains("nearest there is face 1 of object B"),
-        "{said}"
-    );
+    let run = bench.app.playback.main();
+    let verdict = bench.document().verdict(place, (run, end));
+    let notes = verdict.expect("it is told").notes;
+    let said = |note: &Message| Catalog::of(Lang::En).message(note);
+    let said: Vec<String> = notes.iter().map(said).collect();
+    let nearest = "nearest there is face 1 of object B";
+    assert!(said.join(" ").contains(nearest), "{said:?}");
 }
 
 #[test]
