@@ -13,6 +13,9 @@ impl App {
     pub fn apply(&mut self, ctx: &Context, command: Command) {
         let now = ctx.input(|input| input.time);
         self.is_touched = true;
+        if command.is_a_first_step() {
+            self.greeted();
+        }
         let transport = &mut self.playback.transport;
         match command {
             Command::Step(by) => transport.step(by),

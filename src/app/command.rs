@@ -96,6 +96,15 @@ impl Command {
         )
     }
 
+    /// Is it what someone new is told to do?
+    pub(super) const fn is_a_first_step(&self) -> bool {
+        let walks = matches!(
+            self,
+            Self::Step(_) | Self::Seek(_) | Self::Phase(_) | Self::Play
+        );
+        walks || matches!(self, Self::Edit(Edit::Drag(..), _))
+    }
+
     /// Does it go on while the key is held?
     pub(super) const fn repeats(&self) -> bool {
         matches!(

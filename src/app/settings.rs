@@ -25,6 +25,8 @@ pub struct Settings {
     pub board: f32,
     /// Is the camera's picture as large as the observer's?
     pub picture_beside: bool,
+    /// Has the reader gone a step, or dragged something? Who has not is told how.
+    pub is_greeted: bool,
     /// The window's inner size in points, when it was closed.
     pub window: Option<[f32; 2]>,
     pub figures: Option<Figures>,
@@ -51,6 +53,7 @@ impl Default for Settings {
             zoom: 1.0,
             board: 1.0,
             picture_beside: false,
+            is_greeted: false,
             window: None,
             figures: None,
             places: Places::default(),

@@ -120,6 +120,7 @@ help-drag = Drag any handle, at any step: the run is recorded again
 status-exported = Exported to { $path }
 status-exporting = Exported { $count } of { $total } steps. Escape stops.
 status-export-failed = The figure could not be exported: { $reason }
+greeting = ← and → walk through the run, Space plays it. Whatever has a handle can be dragged, at any step.
 status-restored = Your work from last time is back; undo takes it away.
 status-saved = Saved to { $path }
 status-memory-aside = { $path } could not be read: { $reason } It is now { $aside }, and settings begin anew.

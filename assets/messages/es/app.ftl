@@ -120,6 +120,7 @@ help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuel
 status-exported = Exportado en { $path }
 status-exporting = Exportados { $count } de { $total } pasos. Escape detiene la exportación.
 status-export-failed = No se pudo exportar la figura: { $reason }
+greeting = ← y → recorren la ejecución paso a paso, Espacio la reproduce. Todo lo que tiene un tirador se puede arrastrar, en cualquier paso.
 status-restored = Tu trabajo de la última vez está de vuelta; deshacer lo quita.
 status-saved = Guardado en { $path }
 status-memory-aside = No se pudo leer { $path }: { $reason } Ahora se llama { $aside } y los ajustes empiezan de nuevo.

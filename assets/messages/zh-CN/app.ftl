@@ -116,6 +116,7 @@ help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 status-exported = 已导出到 { $path }
 status-exporting = 已导出 { $count } / { $total } 步。按 Esc 停止。
 status-export-failed = 无法导出此图：{ $reason }
+greeting = 按 ← 和 → 逐步走过运行过程，空格键播放。凡有控制柄之处，任何一步都可拖动。
 status-restored = 已恢复上次的内容；撤销即可去掉。
 status-saved = 已保存到 { $path }
 status-memory-aside = 无法读取 { $path }：{ $reason }该文件现在名为 { $aside }，设置从头开始。
