@@ -27,9 +27,10 @@ impl Pen {
             };
         }
         let (is_down, at) = ui.input(|input| (input.key_down(KEY), input.pointer.latest_pos()));
-        let begins = is_down && !self.is_down;
-        self.is_down = is_down;
-        let Some(at) = at.filter(|_| is_down) else {
+        let at = at.filter(|_| is_down);
+        let begins = at.is_some() && !self.is_down;
+        self.is_down = at.is_some();
+        let Some(at) = at else {
             return;
         };
         if begins {

@@ -40,7 +40,7 @@ impl Recorded {
             bounds,
             needs: match medium {
                 Medium::Page => comparison.needs_of_page(&wanted, &all),
-                Medium::Window => comparison.needs(&wanted),
+                Medium::Window => comparison.needs(&wanted, &all),
             },
             notation,
             comparison,
