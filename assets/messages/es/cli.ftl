@@ -22,6 +22,11 @@ cli-refused =
         [one] Se rechazó { $count } entrada
        *[other] Se rechazaron { $count } entradas
     }
+cli-untranslated =
+    { $count ->
+        [one] nota: { $count } lección muestra el inglés en lugar de { $languages }; estos idiomas son opcionales
+       *[other] nota: { $count } lecciones muestran el inglés en lugar de { $languages }; estos idiomas son opcionales
+    }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
 
@@ -46,7 +51,7 @@ case-line-too-long = La línea tiene más de { $max } MiB.
 case-bad-id = El id está anidado en exceso o contiene un texto que no es Unicode.
 case-repeated-field = El campo «{ $name }» aparece dos veces.
 case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Disponibles: { $expected }.
-case-meant-algorithm = No existe el algoritmo «{ $name }». ¿Querías decir «{ $meant }»?
+case-meant-algorithm = No existe el algoritmo «{ $name }». ¿Querías decir «{ $meant }»? Disponibles: { $expected }.
 case-unknown-field = No hay ningún campo «{ $name }» en { $algorithm }. Admite: { $expected }.
 case-missing-field = Falta el campo «{ $name }».
 case-missing-choice = Falta uno de estos campos: { $fields }.

@@ -22,6 +22,11 @@ cli-refused =
         [one] { $count } entrada foi recusada
        *[other] { $count } entradas foram recusadas
     }
+cli-untranslated =
+    { $count ->
+        [one] nota: { $count } lição mostra o inglês no lugar de { $languages }; esses idiomas são opcionais
+       *[other] nota: { $count } lições mostram o inglês no lugar de { $languages }; esses idiomas são opcionais
+    }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
 
@@ -46,7 +51,7 @@ case-line-too-long = A linha tem mais de { $max } MiB.
 case-bad-id = O id está aninhado em excesso ou contém um texto que não é Unicode.
 case-repeated-field = O campo “{ $name }” aparece duas vezes.
 case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Disponíveis: { $expected }.
-case-meant-algorithm = Não existe o algoritmo “{ $name }”. Você quis dizer “{ $meant }”?
+case-meant-algorithm = Não existe o algoritmo “{ $name }”. Você quis dizer “{ $meant }”? Disponíveis: { $expected }.
 case-unknown-field = Não há nenhum campo “{ $name }” em { $algorithm }. Ele aceita: { $expected }.
 case-missing-field = Falta o campo “{ $name }”.
 case-missing-choice = Falta um destes campos: { $fields }.
