@@ -121,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Answer key
+worksheet-title = Worksheet
+worksheet-how = Fill in what each step finds. Where there are boxes, tick what happens.
 report-case = Case { $number }
 report-case-id = Case { $number } ({ $id })
 report-source = source
+report-symbols = symbols
+case-symbols-weiler-atherton = a₁, a₂: how far the ends of the subject’s edge lie from the line of the clip edge, times that edge’s length, > 0 to its left, which is inside. t, u: where on the subject’s edge and on the clip edge they meet, from 0 at its start to 1 at its end.
 report-step = step
 report-what = what happens
 report-formula = formula
 report-changed = new values
 report-answer = Answer:
-report-refused = Refused:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

@@ -121,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Solucionario
+worksheet-title = Hoja de ejercicios
+worksheet-how = Completa lo que halla cada paso. Donde haya casillas, marca lo que ocurre.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fuente
+report-symbols = símbolos
+case-symbols-weiler-atherton = a₁, a₂: a qué distancia están los extremos de la arista que se recorta de la recta de la arista de recorte, por la longitud de esta; > 0 a su izquierda, que es dentro. t, u: en qué lugar de la arista que se recorta y de la de recorte se encuentran, de 0 en su inicio a 1 en su final.
 report-step = paso
 report-what = qué ocurre
 report-formula = fórmula
 report-changed = valores nuevos
 report-answer = Respuesta:
-report-refused = Rechazado:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

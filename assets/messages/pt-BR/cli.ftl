@@ -121,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Gabarito
+worksheet-title = Folha de exercícios
+worksheet-how = Preencha o que cada passo encontra. Onde houver caixas, marque o que acontece.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fonte
+report-symbols = símbolos
+case-symbols-weiler-atherton = a₁, a₂: a que distância ficam as pontas da aresta a recortar da reta da aresta de recorte, vezes o comprimento desta; > 0 à sua esquerda, que é dentro. t, u: em que lugar da aresta a recortar e da de recorte elas se encontram, de 0 no início a 1 no fim.
 report-step = passo
 report-what = o que acontece
 report-formula = fórmula
 report-changed = valores novos
 report-answer = Resposta:
-report-refused = Recusado:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

@@ -93,15 +93,18 @@ case-triangles = { $n } 个三角形：{ $triangles }
 ## Reports: the step table of a case
 
 report-title = 参考答案
+worksheet-title = 练习纸
+worksheet-how = 填写每一步得到的结果。有方框处，勾选所发生的情况。
 report-case = 第 { $number } 题
 report-case-id = 第 { $number } 题（{ $id }）
 report-source = 出处
+report-symbols = 符号
+case-symbols-weiler-atherton = a₁、a₂：被裁剪边的两端到裁剪边所在直线的距离乘以该边的长度，> 0 表示在其左侧，即内部。t、u：交点在被裁剪边和裁剪边上的位置，起点为 0，终点为 1。
 report-step = 步骤
 report-what = 说明
 report-formula = 算式
 report-changed = 新的值
 report-answer = 答案：
-report-refused = 拒绝：
 report-row = { $name }：{ $values }
 report-noted = { $value }（{ $note }）
 
