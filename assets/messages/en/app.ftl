@@ -133,6 +133,7 @@ status-kept = The scene is as it was.
 status-mesh-reading = Reading { $path }… Escape gives it up.
 status-mesh-given-up = { $path } was given up: the scene is as it was.
 status-mesh-plain = The texture that { $library } names could not be had: the mesh is drawn without.
+status-mesh-picture = { $name } lies beside the mesh and is taken as its texture.
 status-mesh-added =
     { $count ->
         [one] { $name }, of { $count } triangle, stands in the scene.

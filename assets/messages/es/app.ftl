@@ -133,6 +133,7 @@ status-kept = La escena queda como estaba.
 status-mesh-reading = Leyendo { $path }… Esc lo abandona.
 status-mesh-given-up = Se abandonó { $path }: la escena sigue como estaba.
 status-mesh-plain = No se pudo obtener la textura que nombra { $library }: la malla se dibuja sin ella.
+status-mesh-picture = { $name } está junto a la malla y se toma como su textura.
 status-mesh-added =
     { $count ->
         [one] { $name }, de { $count } triángulo, está en la escena.

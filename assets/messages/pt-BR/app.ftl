@@ -133,6 +133,7 @@ status-kept = A cena continua como estava.
 status-mesh-reading = Lendo { $path }… Esc desiste.
 status-mesh-given-up = A leitura de { $path } foi abandonada: a cena está como estava.
 status-mesh-plain = A textura que { $library } indica não pôde ser obtida: a malha é desenhada sem ela.
+status-mesh-picture = { $name } está ao lado da malha e é usada como sua textura.
 status-mesh-added =
     { $count ->
         [one] { $name }, de { $count } triângulo, está na cena.

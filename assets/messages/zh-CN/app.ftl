@@ -129,6 +129,7 @@ status-kept = 场景保持不变。
 status-mesh-reading = 正在读取 { $path }……按 Esc 放弃。
 status-mesh-given-up = 已放弃 { $path }：场景保持不变。
 status-mesh-plain = 无法得到 { $library } 所指的纹理：网格不带纹理绘制。
+status-mesh-picture = { $name } 与网格同在一处，用作它的纹理。
 status-mesh-added = { $name } 已加入场景，共 { $count } 个三角形。
 status-reloaded = { $path } 已更改并重新读取。
 
