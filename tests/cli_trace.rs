@@ -226,6 +226,32 @@ fn the_course_and_the_algorithms_are_listed() {
 }
 
 #[test]
+fn languages_that_are_not_there_are_said_once() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let toml = concat!(
+        "lab = \"lines\"\nsource = \"Liang and Barsky\"\n\n[scenes.a]\nmethod = \"liang-barsky\"\nwindow = [-1, -1, 1, 1]\n",
+        "segments = [[-2, 0, 2, 0]]\n\n[[step]]\nid = \"one\"\nscene = \"a\"\n"
+    );
+    let english = "# A line\n\n## one: It is cut\n\nWhere?\n\n> Twice.\n";
+    for name in ["01-one", "02-two"] {
+        let lesson = dir.path().join(name);
+        fs::create_dir(&lesson).expect("a folder");
+        fs::write(lesson.join("lesson.toml"), toml).expect("a file");
+        fs::write(lesson.join("en.md"), english).expect("a file");
+    }
+    fs::write(dir.path().join("01-one/es.md"), english).expect("a file");
+    let output = run(&["check", dir.path().to_str().expect("Unicode")], "");
+    let said = text(&output.stderr);
+    assert_eq!(
+        (status(&output), said.lines().count()),
+        (Some(0), 1),
+        "{said}"
+    );
+    assert!(said.starts_with("hint: 2 lessons show English"), "{said}");
+    assert!(said.contains("Español"), "of the second one: {said}");
+}
+
+#[test]
 fn a_broken_lesson_is_refused_and_the_others_are_counted() {
     assert_eq!(status(&run(&["check"], "")), Some(0));
     let dir = tempfile::tempdir().expect("a folder");

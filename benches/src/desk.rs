@@ -3,7 +3,7 @@
 use std::{hint::black_box, time::Instant};
 
 use clipscope::{
-    app::{App, Command, Page, Settings},
+    app::{App, Command, Page, Places, Settings},
     lesson::Course,
     paint::fonts,
 };
@@ -67,8 +67,13 @@ impl Desk {
 
     /// Does one thing, and lets everything come to rest.
     pub fn apply(&mut self, command: Command) {
-        self.app.apply(&self.ctx, command);
+        self.change(command);
         self.settle();
+    }
+
+    /// Does one thing: what comes of it is not drawn yet.
+    pub fn change(&mut self, command: Command) {
+        self.app.apply(&self.ctx, command);
     }
 
     /// Goes to a step of the run.
@@ -106,7 +111,7 @@ impl Desk {
         let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui));
         let layout = start.elapsed().as_secs_f64();
         // A window's painter would have taken them.
-        drop(output.textures_delta.set.drain());
+        output.textures_delta.clear();
         let start = Instant::now();
         black_box(self.ctx.tessellate(output.shapes, output.pixels_per_point));
         let tessellation = start.elapsed().as_secs_f64();

@@ -19,6 +19,8 @@ mod export;
 mod frame;
 mod hand_written;
 mod harness;
+#[cfg(feature = "gui")]
+mod large;
 mod line;
 #[cfg(feature = "gui")]
 mod paint;
@@ -56,6 +58,8 @@ const BENCHMARKS: &[Benchmark] = &[
     #[cfg(feature = "gui")]
     ("space-frames", frame::run_in_space),
     #[cfg(feature = "gui")]
+    ("large-steps", large::run),
+    #[cfg(feature = "gui")]
     ("paint", paint::run),
     #[cfg(feature = "gui")]
     ("turning", turning::run),
@@ -69,7 +73,7 @@ fn main() -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
         let known: Vec<&str> = BENCHMARKS.iter().map(|(name, _)| *name).collect();
         eprintln!(
-            "no benchmark is called {unknown}: there are {} (frame, space-frames, paint, turning and export with `--features gui`)",
+            "no benchmark is called {unknown}: there are {} (frame, space-frames, large-steps, paint, turning and export with `--features gui`)",
             known.join(", ")
         );
         return ExitCode::from(2);

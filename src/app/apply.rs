@@ -13,6 +13,9 @@ impl App {
     pub fn apply(&mut self, ctx: &Context, command: Command) {
         let now = ctx.input(|input| input.time);
         self.is_touched = true;
+        if command.is_a_first_step() {
+            self.greeted();
+        }
         let transport = &mut self.playback.transport;
         match command {
             Command::Step(by) => transport.step(by),
@@ -111,6 +114,7 @@ impl App {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();
             }
+            Command::Picture => settings.picture_beside ^= true,
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
             Command::Dismiss => self.notices.clear(),
             _ => {}
@@ -250,6 +254,7 @@ impl App {
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()
             || std::mem::take(&mut self.shown.is_measuring)
+            || std::mem::take(&mut self.shown.lists_lessons)
             || !std::mem::take(&mut self.notices).is_empty()
         {
             return;

@@ -27,7 +27,9 @@ pub fn ask(
     (handles, locks): (&[Handle], &[Lock]),
     state: &StageState,
 ) {
-    app.push_all(shown.view.and_then(|view| match lens {
+    // Wheel and drag over the camera's picture are not about what lies under it.
+    let view = shown.view.filter(|_| shown.picture.is_none());
+    app.push_all(view.and_then(|view| match lens {
         Lens::Plane => Some(Command::View(id, view)),
         Lens::Eye(eye) => {
             let moved = if shown.pans { panned } else { turned };

@@ -70,6 +70,8 @@ pub enum Command {
     View(ViewId, PanZoom),
     Turn(ViewId, Orbit),
     FitView,
+    /// The camera's picture beside the observer's, as large, or in its corner.
+    Picture,
     Zoom(f64),
     Measure(bool),
     Dismiss,
@@ -92,6 +94,15 @@ impl Command {
                 | Self::Remove
                 | Self::Redo
         )
+    }
+
+    /// Is it what someone new is told to do?
+    pub(super) const fn is_a_first_step(&self) -> bool {
+        let walks = matches!(
+            self,
+            Self::Step(_) | Self::Seek(_) | Self::Phase(_) | Self::Play
+        );
+        walks || matches!(self, Self::Edit(Edit::Drag(..), _))
     }
 
     /// Does it go on while the key is held?
@@ -121,7 +132,7 @@ const BACK: Command = Command::Lesson { forward: false };
 const ON: Command = Command::Lesson { forward: true };
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 38] = [
+pub static BINDINGS: [Binding; 39] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -135,6 +146,7 @@ pub static BINDINGS: [Binding; 38] = [
     (NONE, Key::PageUp, BACK, "help-lesson-step"),
     (NONE, Key::PageDown, ON, "help-lesson-step"),
     (NONE, Key::Num0, Command::FitView, "action-reset-view"),
+    (NONE, Key::V, Command::Picture, "action-picture"),
     (NONE, Key::Plus, Command::Zoom(ZOOM), "help-zoom"),
     (NONE, Key::Equals, Command::Zoom(ZOOM), "help-zoom"),
     (NONE, Key::Minus, Command::Zoom(1.0 / ZOOM), "help-zoom"),

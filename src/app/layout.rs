@@ -3,7 +3,7 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, course_panel, free_panel, inspector, overlays,
+    App, bars, course_panel, free_panel, inspector, overlays, pen,
     prelude::*,
     question,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
@@ -61,6 +61,7 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState) {
         .show(ui, |ui| bars::small_transport(app, ui));
     question::show(app, ui);
     centre(app, ui, state);
+    pen::show(app, ui, &mut state.pen);
 }
 
 fn bar_frame(app: &App, margin: i8) -> Frame {

@@ -3,6 +3,7 @@
 use egui::Popup;
 
 use crate::{
+    figure::Stand,
     panels::{PanelAsk, compare_choices},
     widgets::{language_menu, menu_style, speed_menu, theme_menu},
 };
@@ -109,7 +110,7 @@ fn changes(app: &App, ui: &mut Ui) {
     } else {
         "action-free"
     };
-    let rows = [
+    let mut rows = vec![
         (
             "action-undo",
             "Ctrl+Z",
@@ -126,6 +127,10 @@ fn changes(app: &App, ui: &mut Ui) {
         (free, "F8", true, Command::Free),
         ("action-reset-view", "0", true, Command::FitView),
     ];
+    let needs = || app.playback.needs.iter().flatten();
+    if needs().any(|need| need.stand == Stand::Inset) {
+        rows.push(("action-picture", "V", true, Command::Picture));
+    }
     for (key, keys, enabled, command) in rows {
         action(ui, app.look(), (key, keys), enabled).then(|| app.push(command));
     }

@@ -13,7 +13,10 @@ use std::{
 
 use crate::{
     labs::space::Picture,
-    lesson::{FileError, MAX_SCENE_BYTES, ObjFile, picture_of, read_file_while, read_obj_while},
+    lesson::{
+        FileError, MAX_SCENE_BYTES, ObjFile, picture_of, read_file_while, read_obj_while,
+        read_picture,
+    },
 };
 
 use super::{App, notice::Notice, prelude::*};
@@ -23,8 +26,13 @@ enum Unread {
     Mesh(Vec<Problem>),
 }
 
-/// A mesh, and what it is painted with.
-type ReadMesh = (ObjFile, Option<Picture>);
+struct ReadMesh {
+    obj: ObjFile,
+    /// What it is painted with.
+    picture: Option<Picture>,
+    /// That picture's file, where no material names it.
+    found: Option<String>,
+}
 
 /// A mesh on its way. Dropped, it is given up.
 pub struct MeshLoading {
@@ -81,11 +89,33 @@ fn read_mesh(path: &str, is_wanted: &dyn Fn() -> bool) -> Result<ReadMesh, Unrea
     let beside = |name: &str| read(&path_of(name));
     let material = obj.material.as_ref();
     // What is missing is said by its library's name.
-    let picture = material.and_then(|it| picture_of(it, &beside, &|_| None).ok()?);
-    let picture = picture.map(|(_, picture)| picture);
+    let named = material.map(|it| picture_of(it, &beside, &|_| None));
+    let (picture, found) = match named {
+        Some(Ok(named)) => (named.map(|(_, picture)| picture), None),
+        Some(Err(_)) | None if !obj.mesh.uvs().is_empty() => picture_beside(path, &beside).unzip(),
+        Some(Err(_)) | None => (None, None),
+    };
     let mesh = obj.mesh.fitted();
-    Ok((ObjFile { mesh, ..obj }, picture))
+    let obj = ObjFile { mesh, ..obj };
+    Ok(ReadMesh {
+        obj,
+        picture,
+        found,
+    })
 }
+
+/// `cow.png`, or `cow_texture.jpg`, for `cow.obj`; and its name.
+fn picture_beside(
+    path: &str,
+    read: &dyn Fn(&str) -> Result<Vec<u8>, FileError>,
+) -> Option<(Picture, String)> {
+    let stem = Path::new(path).file_stem()?.to_str()?;
+    let names = ["", "_texture"].into_iter();
+    let mut names = names.flat_map(|part| PICTURES.map(|it| format!("{stem}{part}.{it}")));
+    names.find_map(|name| Some((read_picture(&read(&name).ok()?)?, name)))
+}
+
+const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
 
 pub fn is_mesh(path: &Path) -> bool {
     let ending = path.extension();
@@ -93,10 +123,9 @@ pub fn is_mesh(path: &Path) -> bool {
 }
 
 pub fn is_of_a_mesh(path: &Path) -> bool {
-    const ENDINGS: [&str; 4] = ["mtl", "png", "jpg", "jpeg"];
     let ending = path.extension();
     let is_it = |known: &&str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(known));
-    ENDINGS.iter().any(is_it)
+    PICTURES.iter().chain(&["mtl"]).any(is_it)
 }
 
 impl App {
@@ -153,7 +182,12 @@ impl App {
         self.say_what_is_loading();
     }
 
-    fn add_mesh(&mut self, path: &str, (read, picture): ReadMesh, now: f64) {
+    fn add_mesh(&mut self, path: &str, read: ReadMesh, now: f64) {
+        let ReadMesh {
+            obj: read,
+            picture,
+            found: beside,
+        } = read;
         let name = Path::new(path).file_stem().unwrap_or_default();
         let name = name.display().to_string();
         // Into the open lab's scene, if that shows meshes.
@@ -176,6 +210,9 @@ impl App {
                 .with("count", read.mesh.faces().len()),
             Err(refused) => refused.message,
         }];
+        if let Some(picture) = beside {
+            said.push(Message::new("status-mesh-picture").with("name", picture));
+        }
         if let (Some([library, _]), None) = (&read.material, picture) {
             said.push(Message::new("status-mesh-plain").with("library", library.clone()));
         }

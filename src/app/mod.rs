@@ -36,6 +36,7 @@ mod native;
 mod notice;
 mod overlays;
 mod pages;
+mod pen;
 mod platform;
 mod playback;
 mod prelude;

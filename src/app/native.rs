@@ -91,6 +91,7 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
         app.report_errors(loaded.unwrap_or_default().problems);
         app.watch(folder, ctx.clone());
     }
+    app.greet();
     app
 }
 

@@ -25,6 +25,25 @@ impl App {
         self.notices.drain(..surplus);
     }
 
+    /// Says to someone new what to press first, and that things can be dragged, until they do.
+    pub(super) fn greet(&mut self) {
+        if !self.settings.is_greeted {
+            self.notify(Notice {
+                text: self.catalog().term("greeting"),
+                is_problem: false,
+                until: None,
+            });
+        }
+    }
+
+    /// Someone has done one of that.
+    pub(super) fn greeted(&mut self) {
+        if !std::mem::replace(&mut self.settings.is_greeted, true) {
+            let is_greeting = |notice: &Notice| !notice.is_problem && notice.until.is_none();
+            self.notices.retain(|notice| !is_greeting(notice));
+        }
+    }
+
     /// Says it until it is dismissed.
     pub(super) fn complain(&mut self, text: String) {
         self.notify(Notice {

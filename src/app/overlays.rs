@@ -8,12 +8,13 @@ use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice, pre
 
 const WIDTH: f32 = 528.0;
 /// Keys that are no commands.
-const OTHER_KEYS: [(&str, &str); 6] = [
+const OTHER_KEYS: [(&str, &str); 7] = [
     ("Tab", "help-tab"),
     ("↑ ↓ ← →", "help-nudge"),
     (".  ,", "help-deeper"),
     ("X  Y  Z", "help-axis"),
     ("Shift  Alt", "help-alt"),
+    ("B", "help-pen"),
     ("Enter", "help-verdict"),
 ];
 

@@ -172,7 +172,8 @@ impl Playback {
             } else {
                 let seen = self.eyes.is_none().then_some(&mut prospect);
                 let (wants, notation) = wanted(self.runs(), bounds, seen);
-                (comparison.needs(&wants), notation)
+                let all: Vec<&dyn Run> = self.runs().collect();
+                (comparison.needs(&wants, &all), notation)
             };
             (self.needs, self.notations[0]) = wants;
         }

@@ -140,15 +140,17 @@ fn lay_out(
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];
     let playback = &app.playback;
-    let mut layout = composition.lay_out(
-        ui,
-        rect,
-        title(app).as_deref(),
-        heights,
-        &playback.needs,
-        app.settings.board,
-    );
-    if let Some(eyes) = &playback.eyes {
+    let is_beside = app.settings.picture_beside;
+    let mut needs = playback.needs.clone();
+    if is_beside {
+        for need in needs.iter_mut().flatten() {
+            *need = need.enlarged();
+        }
+    }
+    let title = title(app);
+    let board = app.settings.board;
+    let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, board);
+    if let Some(eyes) = playback.eyes.as_ref().filter(|_| !is_beside) {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
             place_inset(ui, composition.look, places, &frame.views, eyes);
         }
@@ -210,7 +212,34 @@ impl Column<'_> {
         // A click in an inset is a click on what is seen there.
         shown.pointed = shown.pointed.or(pointed);
         shown.picture = self.on_picture(ui);
+        if let Some(at) = shown.picture {
+            self.on_picture_clicked(ui, rect, at);
+        }
         shown
+    }
+
+    /// A double click enlarges the camera's picture, or puts it back. One click on a picture that stands beside the drawing
+    /// asks about a place in it; on one that lies over the drawing the drawing is clicked.
+    fn on_picture_clicked(&self, ui: &Ui, drawing: Rect, at: [f64; 2]) {
+        use egui::PointerButton::Primary;
+        let (is_clicked, is_double) = ui.input(|input| {
+            let pointer = &input.pointer;
+            (
+                pointer.primary_clicked(),
+                pointer.button_double_clicked(Primary),
+            )
+        });
+        if is_double {
+            self.app.push(Command::Picture);
+        } else if is_clicked && !ui.rect_contains_pointer(drawing) {
+            let click = Click {
+                picture: Some(at),
+                locks: self.locks,
+                ..Click::default()
+            };
+            let asked = self.app.scene().document().asked(&click);
+            self.app.push(Command::Ask(asked));
+        }
     }
 
     /// Where in the picture of the scene's camera the pointer is, if that stands on the drawing.
@@ -226,7 +255,8 @@ impl Column<'_> {
             let rect = rect_of(self.places.slot(view.id)?);
             let seen = picture_viewport(rect, &space.seer.into()).rect;
             let at = (pointer - seen.center()) / (0.5 * seen.size());
-            seen.contains(pointer).then(|| [at.x, -at.y].map(f64::from))
+            let is_there = seen.contains(pointer) && ui.rect_contains_pointer(seen);
+            is_there.then(|| [at.x, -at.y].map(f64::from))
         })
     }
 

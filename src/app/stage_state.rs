@@ -9,6 +9,7 @@ use crate::{
 
 use super::{
     history::History,
+    pen::Pen,
     playback::Playback,
     prelude::*,
     run_room::{RunRoom, Verdicts, WatchRooms},
@@ -40,6 +41,7 @@ pub struct StageState {
     /// The methods that can take a refused scene, and the revision of it.
     ways_out: Option<(u64, Vec<&'static MethodCard>)>,
     pub typing: Option<Typing>,
+    pub pen: Pen,
     pub captions: RunRoom<f32>,
     pub watch: WatchRooms,
     pub code_links: [RunRoom<CodeLinks>; 2],

@@ -31,7 +31,9 @@ pub async fn start(canvas: HtmlCanvasElement) -> Result<(), JsValue> {
             .and_then(|storage| eframe::get_value(storage, "settings"));
         let language = eframe::web_sys::window().and_then(|window| window.navigator().language());
         let settings = stored.unwrap_or_else(|| Settings::for_locales(language.as_deref()));
-        Ok(Box::new(Page(App::new(Course::embedded(), settings))))
+        let mut app = App::new(Course::embedded(), settings);
+        app.greet();
+        Ok(Box::new(Page(app)))
     });
     WebRunner::new()
         .start(canvas, WebOptions::default(), create)

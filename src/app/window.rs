@@ -91,19 +91,17 @@ impl App {
     }
 
     pub(super) fn name_window(&mut self, ctx: &Context) {
-        let file = self.history.file().map(std::path::Path::new);
-        let name = file.and_then(|path| path.file_name()?.to_str());
-        let title = name.map_or_else(
-            || "Clipscope".to_owned(),
-            |name| {
-                let changed = if self.history.is_unsaved() {
-                    "● "
-                } else {
-                    ""
-                };
-                format!("{changed}{name} – Clipscope")
-            },
-        );
+        let name_of = |path: &str| {
+            let name = std::path::Path::new(path).file_name()?.to_str()?;
+            Some(name.to_owned())
+        };
+        let file = self.history.file().and_then(name_of).map(|name| {
+            let changed = ["", "● "][usize::from(self.history.is_unsaved())];
+            format!("{changed}{name}")
+        });
+        let course = self.settings.folder.as_deref().and_then(name_of);
+        let parts = [file, course, Some("Clipscope".to_owned())];
+        let title = parts.into_iter().flatten().collect::<Vec<_>>().join(" – ");
         if self.shown.title != title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.shown.title = title;

@@ -11,7 +11,7 @@ use crate::{
         },
     },
     geom::{Point, Polygon, Region, SimplePolygon},
-    input::{CLIP, CONVEX_CLIP, HOLES, MOST_VERTICES, POLYGON, WINDOW},
+    input::{CLIP, CONVEX_CLIP, HOLES, MOST_VERTICES, POLYGON, WINDOW, outline_told},
     labs::vertex_symbol,
 };
 
@@ -58,7 +58,14 @@ const UV: Part<Vec<[f64; 2]>> = Part::new(
 
 const CLIPPED: [Field; 3] = [WINDOW.choice(), CONVEX_CLIP.choice(), POLYGON.required()];
 const TEXTURED: [Field; 4] = [CLIPPED[0], CLIPPED[1], CLIPPED[2], UV.optional];
-const WITH_HOLES: [Field; 4] = [CLIPPED[0], CLIP.choice(), CLIPPED[2], HOLES];
+/// Named as the steps of Weiler–Atherton name them.
+const WITH_HOLES: [Field; 4] = [
+    CLIPPED[0],
+    CLIP.choice()
+        .told(|got| outline_told("object-clip-polygon", 'C', got)),
+    CLIPPED[2].told(|got| outline_told("object-polygon", 'S', got)),
+    HOLES,
+];
 
 const RINGS: Field = Field::required("polygons", &Shape::List(&Shape::POINTS));
 const OUTCOME: Field = Field::required(
@@ -191,6 +198,7 @@ impl Solve for Pipeline {
 impl Solve for WeilerAtherton {
     const FIELDS: &'static [Field] = &WITH_HOLES;
     const OUTPUT: &'static [Field] = &[RINGS, RELATION];
+    const SYMBOLS_KEY: Option<&'static str> = Some("case-symbols-weiler-atherton");
     /// A crossing takes 170 bytes.
     const BUDGET: u64 = 45_000_000;
     const READ: Reading<Self> = |fields| {

@@ -121,9 +121,10 @@ fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver
         let known: Vec<&str> = solvers.iter().map(|solver| solver.card.id).collect();
         let problem = match nearest(&name, known.iter().copied()) {
             Some(meant) => Message::new("case-meant-algorithm").with("meant", meant.to_owned()),
-            None => Message::new("case-unknown-algorithm").with("expected", known.join(", ")),
+            None => Message::new("case-unknown-algorithm"),
         };
         let problem = problem.with("name", short(&name));
+        let problem = problem.with("expected", known.join(", "));
         Refusal::at(Code::UnknownAlgorithm, &path, problem)
     })
 }

@@ -28,6 +28,8 @@ pub trait Solve: Telling {
     const FIELDS: &'static [Field];
     /// What the answer's `output` holds.
     const OUTPUT: &'static [Field];
+    /// Catalogue key of what the symbols of its formulas mean, where no sentence says it.
+    const SYMBOLS_KEY: Option<&'static str> = None;
     /// The field by which a case is refused whose report would have more steps than [`Detail::MOST_STEPS`]; `None` where
     /// the limits on the fields' sizes are enough.
     const LONG_BY: Option<&'static str> = None;
@@ -73,6 +75,8 @@ pub struct Solver {
     pub fields: &'static [Field],
     /// [`Solve::OUTPUT`].
     pub output: &'static [Field],
+    /// [`Solve::SYMBOLS_KEY`].
+    pub symbols_key: Option<&'static str>,
     /// [`Solve::BUDGET`].
     pub budget: u64,
     /// [`Solve::NUMBERS`].
@@ -90,6 +94,7 @@ impl Solver {
             card: MethodCard::of::<A>(),
             fields: A::FIELDS,
             output: A::OUTPUT,
+            symbols_key: A::SYMBOLS_KEY,
             budget: A::BUDGET,
             numbers: A::NUMBERS,
             read: read_problem::<A>,

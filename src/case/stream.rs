@@ -10,7 +10,7 @@ use crate::{input::Given, text::Catalog};
 use super::{
     Case, CaseLines, Format, Refused, Refusing, Solvers, Style,
     read::{read, told},
-    report::Report,
+    report::{Report, Sheet},
 };
 
 /// Written in pieces of this size: large enough that calls into the system cost nothing.
@@ -72,7 +72,12 @@ pub fn trace(
         let case = read(solvers, text, style.detail);
         let number = tally.answered + tally.refused + 1;
         let told = || told(solvers, text, style.detail);
-        write_answer([number, line], &case, told, style, &mut out).map_err(TraceError::Write)?;
+        let place = Place {
+            line,
+            number,
+            n_answered: tally.answered,
+        };
+        write_answer(place, &case, told, style, &mut out).map_err(TraceError::Write)?;
         match &case {
             Ok(_) => tally.answered += 1,
             Err(refused) => {
@@ -87,20 +92,42 @@ pub fn trace(
     }
 }
 
-/// `number` of the case, and of its line.
+/// Where a case stands.
+struct Place {
+    line: usize,
+    number: usize,
+    /// How many before it have been answered.
+    n_answered: usize,
+}
+
+/// Programs are told of a refused case in its place; people elsewhere, so that what they hand out holds none.
 fn write_answer(
-    [number, line]: [usize; 2],
+    place: Place,
     case: &Result<Case, Refused>,
     told: impl Fn() -> Vec<Given>,
     style: Style,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let report = || Report::new(number, case, &told(), style.detail, Catalog::of(style.lang));
-    match (style.format, case) {
-        (Format::Json, Ok(case)) => case.write_json(style.detail, out)?,
-        (Format::Json, Err(refused)) => refused.write_json(line, &mut *out)?,
-        (Format::Text, _) => return report().write_text(out),
-        (Format::Markdown, _) => return report().write_markdown(out),
+    let report = |case, sheet| {
+        let wanted = (style.detail, sheet);
+        Report::new(place.number, case, &told(), wanted, Catalog::of(style.lang))
+    };
+    let sheet = match (style.format, case) {
+        (Format::Json, Ok(case)) => {
+            case.write_json(style.detail, out)?;
+            return out.write_all(b"\n");
+        }
+        (Format::Json, Err(refused)) => {
+            refused.write_json(place.line, &mut *out)?;
+            return out.write_all(b"\n");
+        }
+        (Format::Text, Ok(case)) => return report(case, Sheet::Answers).write_text(out),
+        (Format::Markdown, Ok(case)) => report(case, Sheet::Answers),
+        (Format::Worksheet, Ok(case)) => report(case, Sheet::Questions),
+        (Format::Text | Format::Markdown | Format::Worksheet, Err(_)) => return Ok(()),
+    };
+    if place.n_answered == 0 {
+        sheet.write_title(out)?;
     }
-    out.write_all(b"\n")
+    sheet.write_markdown(out)
 }

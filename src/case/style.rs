@@ -11,6 +11,8 @@ pub enum Format {
     Text,
     /// An answer key to hand out.
     Markdown,
+    /// The same page with blanks in place of what is found out.
+    Worksheet,
 }
 
 /// How much of each case is written.

@@ -1,6 +1,9 @@
 //! The lessons and scene files that a command names, and `clipscope check`: are they in order?
 
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
 
 use crate::{
     lesson::{
@@ -103,8 +106,13 @@ impl Chosen {
 
     /// Names on standard error what is wrong.
     pub fn report(&self, lang: Lang, is_told: fn(&Problem) -> bool) -> Outcome {
-        for problem in self.problems.iter().filter(|problem| is_told(problem)) {
+        let told = self.problems.iter().filter(|problem| is_told(problem));
+        let (untranslated, told): (Vec<_>, Vec<_>) = told.partition(|it| is_untranslated(it));
+        for problem in told {
             say_text(&problem.render(Catalog::of(lang)));
+        }
+        if !untranslated.is_empty() {
+            say(lang, &without_translation(&untranslated));
         }
         let errors: Vec<&Problem> = self.problems.iter().filter(|p| is_error(p)).collect();
         for message in &self.unread {
@@ -119,6 +127,22 @@ impl Chosen {
             _ => Outcome::Refused,
         }
     }
+}
+
+fn is_untranslated(problem: &Problem) -> bool {
+    problem.code() == "missing-language"
+}
+
+/// Other languages than English are optional: said once for all lessons, by the files that are not there.
+fn without_translation(missing: &[&Problem]) -> Message {
+    let files = || missing.iter().map(|problem| Path::new(&problem.file));
+    let lessons: BTreeSet<Option<&Path>> = files().map(Path::parent).collect();
+    let is_missing = |lang: &Lang| files().any(|file| file.ends_with(format!("{lang}.md")));
+    let languages = Lang::ALL.into_iter().filter(is_missing);
+    let languages: Vec<&str> = languages.map(Lang::native_name).collect();
+    Message::new("cli-untranslated")
+        .with("count", lessons.len())
+        .with("languages", languages.join(", "))
 }
 
 pub(super) fn is_error(problem: &Problem) -> bool {

@@ -21,15 +21,16 @@ use super::{
 const EXAMPLES: &str = r#"Examples:
   clipscope trace cases.ndjson --events false > answers.ndjson
   clipscope trace cases.ndjson --format markdown --lang es > respuestas.md
+  clipscope trace cases.ndjson --format worksheet --lang es > ejercicios.md
   clipscope trace --schema > schema.json
   echo '{"algorithm":"liang-barsky","window":[-1,-1,1,1],"segment":[-2,-1,2,1.5]}' |
     clipscope trace
 
 One case a line in, one answer a line out, in order. A refused case is answered with an
-error and the rest is carried on; exit status 1 tells that there was one, unless
---refused-ok is given. An empty input has no answers and is no mistake."#;
+error (on standard error only where people read the answers) and the rest is carried on;
+exit status 1 tells that there was one, unless --refused-ok is given. An empty input has no answers and is no mistake."#;
 
-/// Refusals named on standard error; the answers name them all.
+/// Refusals named on standard error where the answers name them all.
 const MAX_NAMED: usize = 10;
 
 #[derive(clap::Args)]
@@ -50,7 +51,7 @@ pub(super) struct Args {
     /// Exit with 0 also where cases were refused
     #[arg(long)]
     refused_ok: bool,
-    /// Language of text, markdown and messages
+    /// Language of text, markdown, worksheet and messages
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     lang: Lang,
 }
@@ -63,6 +64,8 @@ enum Format {
     Text,
     /// An answer key to hand out
     Markdown,
+    /// The same as a worksheet: with blanks in place of the answers
+    Worksheet,
 }
 
 pub(super) fn trace(args: &Args) -> Outcome {
@@ -82,15 +85,20 @@ pub(super) fn trace(args: &Args) -> Outcome {
         Ok(source) => source,
         Err(error) => return unreadable(error),
     };
+    let style = style(args);
+    let most_named = match style.format {
+        case::Format::Json => MAX_NAMED,
+        case::Format::Text | case::Format::Markdown | case::Format::Worksheet => usize::MAX,
+    };
     // Kept until the end, so that they do not stand between the answers on a terminal.
     let mut refusals = Vec::new();
     let name = |refusing: Refusing<'_>| {
-        if refusals.len() < MAX_NAMED {
+        if refusals.len() < most_named {
             refusals.push(refusing.sentence(Catalog::of(lang)));
         }
     };
     let out = io::stdout().lock();
-    match case::trace(Solvers::standard(), source, out, style(args), name) {
+    match case::trace(Solvers::standard(), source, out, style, name) {
         Ok(tally) => sum_up(tally, &refusals, args),
         Err(TraceError::Read(error)) => unreadable(error),
         Err(TraceError::Write(error)) => not_written(error, lang),
@@ -104,7 +112,7 @@ fn sum_up(tally: Tally, refusals: &[String], args: &Args) -> Outcome {
     for sentence in refusals {
         say_text(sentence);
     }
-    let unnamed = tally.refused.saturating_sub(MAX_NAMED);
+    let unnamed = tally.refused.saturating_sub(refusals.len());
     let counts = [
         ("trace-more-refused", unnamed),
         ("cli-refused", tally.refused),
@@ -130,6 +138,7 @@ fn style(args: &Args) -> Style {
             Format::Json => case::Format::Json,
             Format::Text => case::Format::Text,
             Format::Markdown => case::Format::Markdown,
+            Format::Worksheet => case::Format::Worksheet,
         },
         detail: if args.events {
             Detail::Steps

@@ -80,8 +80,8 @@ impl Comparison {
         }
     }
 
-    /// What is drawn live, from what each run wants.
-    pub fn needs(self, needs: &[Vec<Need>]) -> Vec<Vec<Need>> {
+    /// What is drawn live, from what each of these runs wants.
+    pub fn needs(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
         match (self, needs) {
             (Self::Same, [first, others @ ..]) => {
                 let drawings = first.iter().filter(|need| need.is_drawing());
@@ -93,9 +93,22 @@ impl Comparison {
                 let own = needs[wrong]
                     .iter()
                     .filter(|need| need.stand != Stand::Across);
+                // What both make stands in one list, or table: at the beginning and at the end it is seen how wide that is.
+                let steps = [[0; 2], [0, 1].map(|i| runs[i].n_steps())];
+                let shown = steps.map(|at| {
+                    let [a, b] = [0, 1].map(|i| runs[i].frame(at[i]));
+                    if wrong == 0 {
+                        over(&a, &b)
+                    } else {
+                        over(&b, &a)
+                    }
+                });
+                let shown = shown.iter().flat_map(|frame| &frame.views);
+                let shown: Vec<Need> = shown.map(View::need).collect();
                 let widened = own.map(|&(mut need)| {
-                    let mut others = needs[1 - wrong].iter();
-                    if let Some(more) = others.find(|more| more.id == need.id) {
+                    let id = need.id;
+                    let others = needs[1 - wrong].iter().chain(&shown);
+                    for more in others.filter(|more| more.id == id) {
                         need.widen(more);
                     }
                     need
@@ -109,7 +122,7 @@ impl Comparison {
     /// What is drawn on a page, whose drawings nobody turns: of runs that stand apart what differs in the end, and of
     /// several such drawings the last one, which is what the methods make.
     pub fn needs_of_page(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
-        let needs = self.needs(needs);
+        let needs = self.needs(needs, runs);
         if needs.len() < 2 {
             return needs;
         }

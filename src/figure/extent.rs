@@ -267,11 +267,11 @@ fn ask(run: &dyn Run, most: usize, mut look: impl FnMut(&dyn Shown)) {
     }
 }
 
-/// The steps of a run that are asked: some at equal distances, and the last.
-#[derive(Clone, Copy)]
+/// The steps of a run that are asked: some at equal distances, the first at each line of the pseudocode, and the last.
 pub(super) struct Asked {
     n_steps: usize,
     stride: usize,
+    firsts: Vec<usize>,
 }
 
 impl Asked {
@@ -279,14 +279,26 @@ impl Asked {
         let n_steps = run.n_steps();
         let n_asked = if n_steps > LONG { 1 } else { most };
         let stride = n_steps.div_ceil(n_asked).max(1);
-        Self { n_steps, stride }
+        let mut lines = Vec::new();
+        let is_new = |step: &usize| {
+            let line = run.code_line(*step);
+            let is_new = !lines.contains(&line);
+            lines.extend(is_new.then_some(line));
+            is_new
+        };
+        let looked_at = if stride < n_steps { n_steps } else { 0 };
+        Self {
+            n_steps,
+            stride,
+            firsts: (0..looked_at).filter(is_new).collect(),
+        }
     }
 
-    pub(super) const fn holds(self, step: usize) -> bool {
-        step == self.n_steps || step.is_multiple_of(self.stride)
+    pub(super) fn holds(&self, step: usize) -> bool {
+        step == self.n_steps || step.is_multiple_of(self.stride) || self.firsts.contains(&step)
     }
 
-    pub(super) fn stretches(self) -> Vec<[usize; 2]> {
+    pub(super) fn stretches(&self) -> Vec<[usize; 2]> {
         if self.stride < self.n_steps {
             vec![[0, self.n_steps]]
         } else if self.n_steps == 0 {
@@ -298,6 +310,21 @@ impl Asked {
 }
 
 impl Need {
+    /// The same of a small picture that is a drawing of its own, in place of an inset.
+    #[must_use]
+    pub fn enlarged(self) -> Self {
+        if self.stand != Stand::Inset {
+            return self;
+        }
+        let [least, natural] = DRAWING;
+        Self {
+            stand: Stand::Drawing,
+            least,
+            natural,
+            ..self
+        }
+    }
+
     pub const fn is_drawing(&self) -> bool {
         matches!(self.stand, Stand::Drawing | Stand::Inset)
     }

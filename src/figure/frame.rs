@@ -147,11 +147,15 @@ pub struct Choice {
 impl Choice {
     /// What comes next, and what might.
     pub fn asked(&self, catalog: &Catalog) -> Message {
+        Message::new("what-comes-next").with("options", self.said(catalog).join(" · "))
+    }
+
+    /// What might come, without full stops.
+    pub fn said(&self, catalog: &Catalog) -> Vec<String> {
         let option = |option: &Value| {
             let option = catalog.value(option);
             option.trim_end_matches(['.', '。']).to_owned()
         };
-        let options: Vec<String> = self.options.iter().map(option).collect();
-        Message::new("what-comes-next").with("options", options.join(" · "))
+        self.options.iter().map(option).collect()
     }
 }

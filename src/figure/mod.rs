@@ -4,6 +4,7 @@ mod code_links;
 mod comparison;
 mod extent;
 mod eye;
+mod facets;
 mod frame;
 mod graph;
 mod layout;
@@ -29,6 +30,7 @@ pub use extent::{Need, Stand, needs, sentences, watches};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use eye::judged;
 pub use eye::{Eyes, Prospect};
+pub use facets::{Facet, Facets, Skin};
 pub use frame::{Caption, Choice, Decides, Frame, Shown};
 pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
@@ -38,7 +40,7 @@ pub use layout::{Boundary, ColumnLayout, Layout, Sheet, Slot, Spacing};
 pub use lens::Lens;
 pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};
-pub use project::{Projected, project};
+pub use project::{Projected, is_outlined, project};
 pub(crate) use project::{between, complement, inside};
 pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};
@@ -48,7 +50,7 @@ pub use small_pictures::{
     SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate, Tiles,
 };
 pub use solids::{SolidMesh, SolidPicture, Solids};
-pub use space::{Edge3, Facet, Mark3, Seer, Shape3, Skin, Space};
+pub use space::{Edge3, Mark3, Seer, Shape3, Space};
 pub use values::{
     BitRow, Bits, Cell, Costs, Gauge, Gauges, ItemMarker, ListColumn, ListLink, ListRow, Lists,
     MatrixProduct, MatrixRow, Measured, Product, Products, Table, TableNote, TableRow, Vector,

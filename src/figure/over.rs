@@ -5,10 +5,11 @@ use std::collections::HashSet;
 
 use super::{
     extent::Stand,
+    facets::Facet,
     frame::{Caption, Frame},
     mark::{Mark, Shape},
     role::{Label, Role},
-    space::{Edge3, Facet, Mark3, Seer, Shape3, Space},
+    space::{Edge3, Mark3, Seer, Shape3, Space},
     values::{ItemMarker, ListColumn, ListLink, ListRow, Lists},
     view::Body,
 };
@@ -162,19 +163,19 @@ fn solids(space: &mut Space, right: &Space) {
     }
     let missing = crossed(&mut space.marks, &right.marks);
     space.marks.extend(missing);
-    let facet = |it: &Facet| (it.role != Role::Discarded).then(|| bits(&it.corners));
-    let edge = |it: &Edge3| (it.role != Role::Discarded).then(|| bits(&it.ends));
-    let facets = lacking(&space.facets, &right.facets, facet);
-    let edges = lacking(&space.edges, &right.edges, edge);
+    let facet = |it: &(&Facet, Role)| (it.1 != Role::Discarded).then(|| bits(&it.0.corners));
+    let edge = |it: &&Edge3| (it.role != Role::Discarded).then(|| bits(&it.ends));
+    let facets = lacking(space.facets.shown(), right.facets.shown(), facet);
+    let edges = lacking(space.edges.iter(), right.edges.iter(), edge);
     let signal = |shape| Mark3::new(Role::Signal, shape);
     let dashes = edges.iter().map(|it| signal(Shape3::Segment(it.ends)));
     space.marks.extend(dashes.map(|it| it.edge().dashed()));
     // Who goes round sees solids that are left out; which of their faces are, the camera sees.
     let is_said = matches!(space.seer, Seer::Camera(_)) || !edges.is_empty();
     let object = |it: &Facet| it.link.and_then(|link| link.number_of("object"));
-    for (i, facet) in facets.iter().enumerate() {
+    for (i, (facet, _)) in facets.iter().enumerate() {
         let mut wash = signal(Shape3::Wash(facet.corners.clone()));
-        if is_said && (i == 0 || object(facet) != object(facets[i - 1])) {
+        if is_said && (i == 0 || object(facet) != object(facets[i - 1].0)) {
             wash = wash.labelled(not_so(Value::Term("part-missing"))).strong();
         }
         space.marks.push(wash);
@@ -188,10 +189,14 @@ fn bits(places: &[[f64; 3]]) -> Vec<Bits> {
 }
 
 /// What is right and not there, by where it is.
-fn lacking<'a, T>(own: &[T], right: &'a [T], at: impl Fn(&T) -> Option<Vec<Bits>>) -> Vec<&'a T> {
-    let own: HashSet<Vec<Bits>> = own.iter().filter_map(&at).collect();
-    let is_lacking = |it: &&T| at(it).is_some_and(|place| !own.contains(&place));
-    right.iter().filter(is_lacking).collect()
+fn lacking<T>(
+    own: impl Iterator<Item = T>,
+    right: impl Iterator<Item = T>,
+    at: impl Fn(&T) -> Option<Vec<Bits>>,
+) -> Vec<T> {
+    let own: HashSet<Vec<Bits>> = own.filter_map(|it| at(&it)).collect();
+    let is_lacking = |it: &T| at(it).is_some_and(|place| !own.contains(&place));
+    right.filter(is_lacking).collect()
 }
 
 /// The lists that both make, beside each other: of the wrong one what is not in its place is crossed.

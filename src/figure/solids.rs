@@ -1,6 +1,6 @@
 //! Solids as they are seen: which facet at each sample of a picture.
 
-use std::{ops::Range, sync::Arc};
+use std::ops::Range;
 
 use glam::DVec3;
 use rustc_hash::FxHashMap;
@@ -11,14 +11,14 @@ use crate::{
 };
 
 use super::{
+    facets::{Facet, Facets, normal},
     lens::{Lens, Optics},
-    role::Link,
-    space::{Facet, normal},
+    role::{Link, Role},
 };
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Solids {
-    pub facets: Arc<[Facet]>,
+    pub facets: Facets,
     pub lens: Lens,
     /// They have more edges than are drawn one by one: outlines are found between the samples.
     pub is_outlined: bool,
@@ -36,13 +36,14 @@ impl Solids {
             let is_seen = is_before && normal(&corners).dot(optics.toward_eye(corners[0])) > 0.0;
             is_seen.then(|| outline.collect())
         };
-        let facets = self.facets.iter().filter(|facet| !facet.corners.is_empty());
+        let facets = self.facets.shown().map(|(facet, _)| facet);
+        let facets = facets.filter(|facet| !facet.corners.is_empty());
         facets.filter_map(face).collect()
     }
 
     pub fn link_at(&self, at: [f64; 2]) -> Option<Link> {
         let optics = Optics::of(&self.lens)?;
-        let distances = self.facets.iter().filter_map(|facet| {
+        let distances = self.facets.shown().filter_map(|(facet, _)| {
             let corners = optics.all_from_world(&facet.corners);
             Some((distance(&corners, &optics, at)?, facet))
         });
@@ -141,6 +142,8 @@ pub struct SolidPicture<'a> {
     mesh: &'a SolidMesh,
     triangles: Drawable,
     viewport: Viewport,
+    /// How facets look now, where not by themselves.
+    looks: Option<&'a Facets>,
 }
 
 enum Drawable {
@@ -171,7 +174,33 @@ impl<'a> SolidPicture<'a> {
             mesh,
             triangles,
             viewport,
+            looks: None,
         })
+    }
+
+    /// Of these facets, as they look now: those that are not there are left out, what is cut away has no texture.
+    pub fn looking(mut self, facets: &'a Facets) -> Self {
+        let is_shown = |id: u32| {
+            facets
+                .role(self.mesh.facets[id as usize] as usize)
+                .is_some()
+        };
+        if !facets.are_all_shown() {
+            match &mut self.triangles {
+                Drawable::Plain(triangles) => triangles.retain(|it| is_shown(it.id)),
+                Drawable::Skinned(triangles) => triangles.retain(|it| is_shown(it.id)),
+            }
+        }
+        Self {
+            looks: Some(facets),
+            ..self
+        }
+    }
+
+    fn texture_of(&self, facet: usize) -> Option<&Texture> {
+        let role = self.looks.and_then(|facets| facets.role(facet));
+        let texture = self.mesh.textures[facet].as_ref();
+        texture.filter(|_| role != Some(Role::Discarded))
     }
 
     pub const fn n_triangles(&self) -> usize {
@@ -219,7 +248,7 @@ impl<'a> SolidPicture<'a> {
             Drawable::Skinned(all) => draw_rows(all, viewport, rows, depths, |at, triangle, uv| {
                 let facet = facet_of(triangle);
                 facets[at] = facet;
-                let texture = self.mesh.textures[facet as usize].as_ref();
+                let texture = self.texture_of(facet as usize);
                 texels[at] = texture.map(|texture| texture.at(uv));
             }),
         }

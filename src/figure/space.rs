@@ -2,21 +2,22 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use glam::DVec3;
-
 use crate::{
-    geom::{Camera, Orbit, Texture, pairs_around},
+    geom::{Camera, Orbit, pairs_around},
     text::Value,
 };
 
-use super::role::{Label, Link, Role, told};
+use super::{
+    facets::{Facet, Facets},
+    role::{Label, Link, Role, told},
+};
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Space {
     pub title: Option<Value>,
     pub seer: Seer,
-    /// The faces of all solids. Shared, so that a step that changes none copies none.
-    pub facets: Arc<[Facet]>,
+    /// The faces of all solids.
+    pub facets: Facets,
     pub edges: Arc<[Edge3]>,
     pub marks: Vec<Mark3>,
 }
@@ -27,21 +28,6 @@ pub enum Seer {
     Camera(Camera),
     /// An eye in another space than the world: nothing of the scene can be taken hold of there.
     Apart(Orbit),
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct Facet {
-    /// Three or more, counter-clockwise as seen from outside.
-    pub corners: Vec<[f64; 3]>,
-    pub role: Role,
-    pub link: Option<Link>,
-    pub skin: Option<Skin>,
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct Skin {
-    pub texture: Texture,
-    pub uvs: [[f32; 2]; 3],
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -143,52 +129,4 @@ impl Edge3 {
         }
         edges
     }
-}
-
-impl Facet {
-    pub fn uv_at(&self, at: [f64; 3]) -> [f32; 2] {
-        let (Some(skin), [a, b, c, ..]) = (&self.skin, &self.corners[..]) else {
-            return [0.0; 2];
-        };
-        let [a, b, c, at] = [*a, *b, *c, at].map(DVec3::from);
-        let (along, aside) = (b - a, c - a);
-        let normal = along.cross(aside);
-        let area = normal.length_squared();
-        if area == 0.0 {
-            return skin.uvs[0];
-        }
-        let share = |of: DVec3| (of.dot(normal) / area) as f32;
-        let (second, third) = (share((at - a).cross(aside)), share(along.cross(at - a)));
-        let [first, uv_b, uv_c] = skin.uvs;
-        std::array::from_fn(|i| {
-            first[i] + second * (uv_b[i] - first[i]) + third * (uv_c[i] - first[i])
-        })
-    }
-
-    pub fn part(&self, corners: Vec<[f64; 3]>) -> Self {
-        let skin = self.skin.as_ref().filter(|_| corners.len() >= 3);
-        let skin = skin.map(|skin| Skin {
-            texture: skin.texture.clone(),
-            uvs: [0, 1, 2].map(|i| self.uv_at(corners[i])),
-        });
-        Self {
-            corners,
-            role: self.role,
-            link: self.link,
-            skin,
-        }
-    }
-
-    /// Away from the solid, of length 1; zero of a facet without an area.
-    pub fn normal(&self) -> DVec3 {
-        let corners = self.corners.iter().copied().map(DVec3::from);
-        normal(&corners.collect::<Vec<_>>()).normalize_or_zero()
-    }
-}
-
-/// Of a flat polygon, away from the side on which its corners go clockwise; as long as twice its area.
-pub fn normal(corners: &[DVec3]) -> DVec3 {
-    let from_first = |i: usize| corners[i] - corners[0];
-    let fan = 2..corners.len();
-    fan.map(|i| from_first(i - 1).cross(from_first(i))).sum()
 }

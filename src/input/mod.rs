@@ -20,6 +20,6 @@ pub use field::{At, Dim, Fault, Field, Given, Part, Presence, Shape, Table};
 pub use got::Got;
 pub use parts::{
     BIT_ORDER, CAMERA, CAMERA_IN_FILE, CLIP, CONVEX_CLIP, CULL, FROZEN, FRUSTUM, HOLES,
-    MOST_VERTICES, POLYGON, SIZE, WINDOW, between,
+    MOST_VERTICES, POLYGON, SIZE, WINDOW, between, outline_told,
 };
 pub use schema::{of_fields, of_shape};

@@ -4,8 +4,8 @@ use crate::{
     algo::{line::BitOrder, surface::Viewport},
     geom::{ConvexPolygon, Edge, Point, Polygon, ViewVolume, Window},
     labs::{
+        numbered,
         space::{Opening, TaughtCamera},
-        vertex_symbol,
     },
     text::{Formula, Message, Value},
 };
@@ -56,12 +56,12 @@ pub const CLIP: Part<Polygon> = Part::new("clip", &OUTLINE, polygon)
 
 pub const POLYGON: Part<Polygon> = Part::new("polygon", &OUTLINE, polygon)
     .expecting("expect-polygon")
-    .told(|got| outline_told("object-polygon", got));
+    .told(|got| outline_told("object-polygon", 'V', got));
 
 pub const HOLES: Field = Field::optional("holes", &Shape::List(&OUTLINE)).told(|got| {
     let holes = got.list().iter();
     holes
-        .flat_map(|hole| outline_told("object-hole", hole))
+        .flat_map(|hole| points_told("object-hole", hole))
         .collect()
 });
 
@@ -184,13 +184,19 @@ fn opening(got: &Got) -> Opening {
 }
 
 /// `V₁ = (0, 0)`, `V₂ = …`
-fn outline_told(name_key: &'static str, got: &Got) -> Vec<Given> {
+pub fn outline_told(name_key: &'static str, letter: char, got: &Got) -> Vec<Given> {
     let vertex = |(i, &at): (usize, &[f64; 2])| {
-        let formula = Formula::default().sym(vertex_symbol(i)).sym(" = ");
+        let formula = Formula::default().sym(numbered(letter, i)).sym(" = ");
         Value::Formula(formula.point(at))
     };
     let vertices = got.rows().iter().enumerate().map(vertex);
     vec![Given::new(name_key, vertices)]
+}
+
+/// Without names: they go on after those of another outline.
+fn points_told(name_key: &'static str, got: &Got) -> Vec<Given> {
+    let points = got.rows().iter().map(|&at: &[f64; 2]| at.into());
+    vec![Given::new(name_key, points)]
 }
 
 fn polygon(got: &Got) -> Result<Polygon, Fault> {

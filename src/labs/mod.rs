@@ -38,7 +38,7 @@ pub use sketch::Sketch;
 pub use telling::Answer;
 pub use typed::{typed_change, written};
 
-pub(crate) use words::{plane_symbol, vertex_symbol};
+pub(crate) use words::{numbered, plane_symbol, vertex_symbol};
 
 /// Every lab, in the order in which they are taught.
 pub static LABS: [&Lab; 4] = [lines::LAB, polygons::LAB, frustum::LAB, surfaces::LAB];

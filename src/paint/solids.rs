@@ -120,30 +120,38 @@ impl Place {
 
 impl Asked {
     fn has_surface_of(&self, drawn: &Drawn) -> bool {
-        Arc::ptr_eq(&self.solids.facets, &drawn.asked.solids.facets)
-            && self.theme == drawn.asked.theme
+        let drawn = &drawn.asked;
+        self.solids.facets.are_shared_with(&drawn.solids.facets) && self.theme == drawn.theme
+    }
+
+    fn has_tones_of(&self, drawn: &Drawn) -> bool {
+        let drawn = &drawn.asked;
+        self.lit == drawn.lit && self.solids.facets == drawn.solids.facets
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
         self.has_surface_of(drawn)
             && self.place == drawn.asked.place
-            && self.lit == drawn.asked.lit
+            && self.has_tones_of(drawn)
             && self.solids.lens == drawn.asked.solids.lens
     }
 
     fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
         let (theme, light) = (Theme::of(self.theme), LIGHT.normalize());
-        let tone = |(facet, normal): (&Facet, &[f32; 3])| {
+        let facets = &self.solids.facets;
+        let tone = |(idx, normal): (usize, &[f32; 3])| {
+            let facet = &facets[idx];
             let cosine = DVec3::from(normal.map(f64::from)).dot(light);
             let darkness = LIT.iter().filter(|least| cosine <= **least).count();
-            let tone = tone(theme, facet.role, darkness);
+            let role = facets.role(idx).unwrap_or(facet.role);
+            let tone = tone(theme, role, darkness);
             if self.lit.is_some() && facet.link == self.lit {
                 tone.lerp_to_gamma(theme.accent, STANDS_OUT)
             } else {
                 tone
             }
         };
-        self.solids.facets.iter().zip(normals).map(tone).collect()
+        normals.iter().enumerate().map(tone).collect()
     }
 
     fn image(&self, surface: &Surface, is_fine: bool) -> ColorImage {
@@ -155,6 +163,7 @@ impl Asked {
         let samples = size.map(|side| side * fine);
         let (lens, part) = (&self.solids.lens, self.place.part);
         if let Some(picture) = SolidPicture::new(&surface.mesh, lens, part, samples) {
+            let picture = picture.looking(&self.solids.facets);
             let ink = Theme::of(self.theme).ink;
             let is_outlined = self.solids.is_outlined;
             let samples = Samples {
@@ -175,9 +184,7 @@ impl Drawn {
         let is_fine = !(is_moving && asked.solids.facets.len() > MANY);
         let known = before.as_ref().filter(|drawn| asked.has_surface_of(drawn));
         let surface = match known {
-            Some(Self {
-                asked: it, surface, ..
-            }) if it.lit == asked.lit => surface.clone(),
+            Some(drawn) if asked.has_tones_of(drawn) => drawn.surface.clone(),
             Some(drawn) => Surface {
                 tones: asked.tones(&drawn.surface.normals),
                 ..drawn.surface.clone()

@@ -31,7 +31,7 @@ pub use diagnostic::{Diagnostic, SystemError};
 pub use lang::Lang;
 pub use message::{Formula, Message, Token, Value};
 pub(crate) use nearest::{clipped, nearest, printable, suggestion};
-pub use number::Notation;
+pub use number::{Alike, Notation};
 pub use piece::Piece;
 pub use reading::read_numbers;
 pub use said::Said;

@@ -2,7 +2,8 @@
 
 use super::message::Message;
 
-/// The known name within a third of the given one's length, at least one edit, at most three.
+/// The known name within a third of the given one's length, at least one edit, at most three; else the first with a word that
+/// begins like it.
 pub(crate) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let given: Vec<char> = name.to_lowercase().chars().collect();
     // Longer than any name there is: not a slip of the finger.
@@ -10,13 +11,21 @@ pub(crate) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) 
         return None;
     }
     let allowed = (given.len() / 3).clamp(1, 3);
-    known
-        .into_iter()
-        .map(|known| (distance(&given, &known.chars().collect::<Vec<_>>()), known))
+    let known: Vec<&str> = known.into_iter().collect();
+    let near = known
+        .iter()
+        .map(|known| (distance(&given, &known.chars().collect::<Vec<_>>()), *known))
         .filter(|&(distance, _)| distance <= allowed)
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, known)| known)
+        .min_by_key(|&(distance, _)| distance);
+    let begun: String = given.into_iter().collect();
+    let begins = |known: &str| known.split('-').any(|word| word.starts_with(&begun));
+    let part = || known.iter().copied().find(|known| begins(known));
+    near.map(|(_, known)| known)
+        .or_else(|| part().filter(|_| begun.len() >= FEWEST_BEGUN))
 }
+
+/// Fewer letters begin too many words.
+const FEWEST_BEGUN: usize = 3;
 
 /// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment).
 fn distance(a: &[char], b: &[char]) -> usize {
@@ -82,6 +91,16 @@ mod tests {
             ("foucs", Some("focus")),
             ("colour", None),
             ("x", None),
+            ("seg", Some("segments")),
+        ] {
+            assert_eq!(nearest(given, known), expected, "{given}");
+        }
+        let known = ["cohen-sutherland", "liang-barsky", "cohen-sutherland-3d"];
+        for (given, expected) in [
+            ("cohen", Some("cohen-sutherland")),
+            ("Barsky", Some("liang-barsky")),
+            ("ba", None),
+            ("arsky", None),
         ] {
             assert_eq!(nearest(given, known), expected, "{given}");
         }

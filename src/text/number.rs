@@ -30,17 +30,29 @@ pub enum Notation {
 
 impl Notation {
     pub const ALL: [Self; 3] = [Self::Own, Self::Fractions, Self::Decimals];
+}
 
-    pub(super) fn of_quantities(numbers: &[Quantity]) -> Self {
-        let is = |notation, form: fn(&Form) -> bool| move |x: &Quantity| form(&x.form(notation));
-        let are_mixed = numbers.iter().any(is(Self::Own, Form::is_fraction))
-            && numbers.iter().any(is(Self::Own, Form::is_decimal));
-        if !are_mixed {
-            Self::Own
-        } else if numbers.iter().any(is(Self::Fractions, Form::is_decimal)) {
-            Self::Decimals
-        } else {
-            Self::Fractions
+/// Numbers that will stand beside each other, one after the other: in which forms they would be written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Alike {
+    has_fraction: bool,
+    has_decimal: bool,
+    /// Where fractions are wanted, too.
+    has_decimal_only: bool,
+}
+
+impl Alike {
+    pub(super) fn add(&mut self, x: Quantity) {
+        self.has_fraction = self.has_fraction || x.form(Notation::Own).is_fraction();
+        self.has_decimal = self.has_decimal || x.form(Notation::Own).is_decimal();
+        self.has_decimal_only = self.has_decimal_only || x.form(Notation::Fractions).is_decimal();
+    }
+
+    pub const fn notation(self) -> Notation {
+        match (self.has_fraction && self.has_decimal, self.has_decimal_only) {
+            (false, _) => Notation::Own,
+            (true, false) => Notation::Fractions,
+            (true, true) => Notation::Decimals,
         }
     }
 }

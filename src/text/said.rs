@@ -2,7 +2,7 @@
 
 use super::catalog::Catalog;
 use super::message::{Formula, Message, Token, Value};
-use super::number::{Notation, Quantity};
+use super::number::{Alike, Notation, Quantity};
 
 /// A number that is written with decimals.
 const NO_FRACTION: Quantity = Quantity::Number(std::f64::consts::PI);
@@ -42,11 +42,17 @@ impl Said<'_> {
 
 impl Notation {
     pub fn of<'a>(said: impl IntoIterator<Item = Said<'a>>) -> Self {
+        let mut alike = Alike::default();
+        said.into_iter().for_each(|said| alike.see(said));
+        alike.notation()
+    }
+}
+
+impl Alike {
+    pub fn see(&mut self, said: Said<'_>) {
         let mut numbers = Vec::new();
-        for said in said {
-            said.collect(&mut numbers);
-        }
-        Self::of_quantities(&numbers)
+        said.collect(&mut numbers);
+        numbers.into_iter().for_each(|number| self.add(number));
     }
 }
 

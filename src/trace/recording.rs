@@ -282,7 +282,9 @@ impl<H: Clone> Rests<H> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::cell::Cell;
+
+    use super::{super::Real, *};
 
     #[test]
     fn however_many_are_offered_32_at_most_are_kept_evenly() {
@@ -297,5 +299,59 @@ mod tests {
         assert!(at.windows(2).all(is_even), "{at:?}");
         assert_eq!(rests.before(at[3] + 1), Some(&(at[3], at[3])));
         assert_eq!(rests.before(at[0] - 1), None);
+    }
+
+    thread_local! {
+        static N_COUNTED: Cell<usize> = const { Cell::new(0) };
+    }
+
+    /// Counts up to its input, and rests now and then.
+    struct Count;
+
+    impl Method for Count {
+        type Input = usize;
+        type Held = usize;
+        type Output = usize;
+        type Event = usize;
+
+        fn begin(_: &usize) -> usize {
+            0
+        }
+
+        fn run<R: Real, T: Tell<Self>>(
+            input: &usize,
+            held: &mut usize,
+            tell: &mut T,
+        ) -> Told<T::Stop> {
+            while *held < *input {
+                if held.is_multiple_of(64) {
+                    tell.rest(held);
+                }
+                *held += 1;
+                N_COUNTED.set(N_COUNTED.get() + 1);
+                tell.tell(held, *held)?;
+            }
+            Told::Continue(())
+        }
+
+        fn output(held: usize) -> usize {
+            held
+        }
+
+        fn max_events(input: &usize) -> usize {
+            *input
+        }
+    }
+
+    #[test]
+    fn a_step_far_on_takes_no_more_of_a_run_than_the_way_from_one_copy_to_the_next() {
+        let n = 200_000;
+        let recording = Recording::<Count>::new(n);
+        for step in [0, 1, 28_000, 161_860, n - 1, n] {
+            N_COUNTED.set(0);
+            assert_eq!(recording.at(step, |step| *step.held), step);
+            let most = 2 * n / MOST_KEPT + 64;
+            assert!(N_COUNTED.get() <= most, "step {step}: {}", N_COUNTED.get());
+        }
     }
 }

@@ -1,8 +1,8 @@
 //! How cases are asked, and what is said of their answers.
 
 use clipscope::{
-    case::{Detail, Format, Solvers, Style, Tally, trace},
-    text::Lang,
+    case::{Detail, Format, Refusing, Solvers, Style, Tally, trace},
+    text::{Catalog, Lang},
 };
 use serde_json::Value as Json;
 
@@ -98,6 +98,19 @@ pub fn refusal(case: &str) -> [String; 2] {
     };
     assert!(!word("message").contains('⟦'), "{answer} has its sentence");
     [word("code"), word("field")]
+}
+
+/// What people are told of a case that is refused, and that no page to hand out holds it.
+pub fn refusal_said(case: &str, lang: Lang) -> String {
+    let mut said = String::new();
+    for format in [Format::Text, Format::Markdown, Format::Worksheet] {
+        let mut out = Vec::new();
+        let told = |refusing: Refusing<'_>| said = refusing.sentence(Catalog::of(lang));
+        let style = style(format, lang);
+        trace(Solvers::standard(), case.as_bytes(), &mut out, style, told).expect("memory");
+        assert_eq!(out, b"", "{case}");
+    }
+    said
 }
 
 /// Holds reports on cases to the files below `tests/reports`; `UPDATE_SNAPSHOTS=1` writes what they now are.

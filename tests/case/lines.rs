@@ -279,6 +279,7 @@ fn reports_on_lines_are_as_they_were() {
         ("zh-CN.md", Format::Markdown, Lang::ZhCn),
         ("es.md", Format::Markdown, Lang::Es),
         ("pt-BR.md", Format::Markdown, Lang::PtBr),
+        ("worksheet-es.md", Format::Worksheet, Lang::Es),
         ("en.txt", Format::Text, Lang::En),
         ("zh-CN.txt", Format::Text, Lang::ZhCn),
     ];

@@ -2,6 +2,7 @@
 
 mod asked;
 mod frustum;
+mod keys;
 mod lines;
 mod pipeline;
 mod polygons;

@@ -203,7 +203,7 @@ fn holds_null_in_list(event: &Map<String, Json>) -> bool {
     event.values().any(in_list)
 }
 
-fn all_cases() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub fn all_cases() -> impl Iterator<Item = (&'static str, &'static str)> {
     CASES.into_iter().chain([("occlusion", OBJECTS)])
 }
 

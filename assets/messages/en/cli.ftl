@@ -22,6 +22,11 @@ cli-refused =
         [one] { $count } input was refused
        *[other] { $count } inputs were refused
     }
+cli-untranslated =
+    { $count ->
+        [one] hint: { $count } lesson shows English in place of { $languages }; these languages are optional
+       *[other] hint: { $count } lessons show English in place of { $languages }; these languages are optional
+    }
 cli-unreadable = { $path } could not be read: { $reason }
 export-same-name = { $first } and { $second } would both be { $path }: nothing has been drawn.
 
@@ -46,7 +51,7 @@ case-line-too-long = The line is longer than { $max } MiB.
 case-bad-id = The id is nested too deep, or holds a text that is not Unicode.
 case-repeated-field = The field “{ $name }” is given twice.
 case-unknown-algorithm = There is no algorithm “{ $name }”. Known: { $expected }.
-case-meant-algorithm = There is no algorithm “{ $name }”. Did you mean “{ $meant }”?
+case-meant-algorithm = There is no algorithm “{ $name }”. Did you mean “{ $meant }”? Known: { $expected }.
 case-unknown-field = There is no field “{ $name }” for { $algorithm }. It takes: { $expected }.
 case-missing-field = The field “{ $name }” is missing.
 case-missing-choice = One of these fields is missing: { $fields }.
@@ -116,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Answer key
+worksheet-title = Worksheet
+worksheet-how = Fill in what each step finds. Where there are boxes, tick what happens.
 report-case = Case { $number }
 report-case-id = Case { $number } ({ $id })
 report-source = source
+report-symbols = symbols
+case-symbols-weiler-atherton = a₁, a₂: how far the ends of the subject’s edge lie from the line of the clip edge, times that edge’s length, > 0 to its left, which is inside. t, u: where on the subject’s edge and on the clip edge they meet, from 0 at its start to 1 at its end.
 report-step = step
 report-what = what happens
 report-formula = formula
 report-changed = new values
 report-answer = Answer:
-report-refused = Refused:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

@@ -163,6 +163,11 @@ problem-no-such-uv = There are no texture coordinates { $index }: the file has {
 problem-face-too-short = This face has only { $count } corners: it is left out.
 problem-face-too-long = This face has { $count } corners, more than { $limit }: it is left out.
 problem-face-not-simple = This face meets itself or has no area: it is left out.
+problem-flat-faces =
+    { $count ->
+        [one] { $count } triangle has no area: nothing of it is seen.
+       *[other] { $count } triangles have no area, the first of them here: nothing of them is seen.
+    }
 problem-no-faces = The file has no face that could be drawn.
 problem-too-many-faces = The file has more than { $limit } triangles: it is too large to be drawn.
 expect-obj-index = Expected: 1 for the first vertex of the file, 2 for the next; −1 for the one before this line.

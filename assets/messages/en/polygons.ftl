@@ -142,7 +142,7 @@ sh-outside = outside
 sh-bridge = bridge: { $length }, there and back
 sh-bridge-adds = bridge: area + 0, outline + 2 · { $length }
 sh-area = area { $area }
-sh-does-not-count = { $inside }: does not count now
+sh-does-not-count = { $inside }: not now
 sh-list-input = Input list
 sh-list-output = Output list
 sh-list-handed-on = Output list = input list

@@ -22,6 +22,11 @@ cli-refused =
         [one] Se rechazó { $count } entrada
        *[other] Se rechazaron { $count } entradas
     }
+cli-untranslated =
+    { $count ->
+        [one] nota: { $count } lección muestra el inglés en lugar de { $languages }; estos idiomas son opcionales
+       *[other] nota: { $count } lecciones muestran el inglés en lugar de { $languages }; estos idiomas son opcionales
+    }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
 
@@ -46,7 +51,7 @@ case-line-too-long = La línea tiene más de { $max } MiB.
 case-bad-id = El id está anidado en exceso o contiene un texto que no es Unicode.
 case-repeated-field = El campo «{ $name }» aparece dos veces.
 case-unknown-algorithm = No hay ningún algoritmo «{ $name }». Disponibles: { $expected }.
-case-meant-algorithm = No existe el algoritmo «{ $name }». ¿Querías decir «{ $meant }»?
+case-meant-algorithm = No existe el algoritmo «{ $name }». ¿Querías decir «{ $meant }»? Disponibles: { $expected }.
 case-unknown-field = No hay ningún campo «{ $name }» en { $algorithm }. Admite: { $expected }.
 case-missing-field = Falta el campo «{ $name }».
 case-missing-choice = Falta uno de estos campos: { $fields }.
@@ -116,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Solucionario
+worksheet-title = Hoja de ejercicios
+worksheet-how = Completa lo que halla cada paso. Donde haya casillas, marca lo que ocurre.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fuente
+report-symbols = símbolos
+case-symbols-weiler-atherton = a₁, a₂: a qué distancia están los extremos de la arista que se recorta de la recta de la arista de recorte, por la longitud de esta; > 0 a su izquierda, que es dentro. t, u: en qué lugar de la arista que se recorta y de la de recorte se encuentran, de 0 en su inicio a 1 en su final.
 report-step = paso
 report-what = qué ocurre
 report-formula = fórmula
 report-changed = valores nuevos
 report-answer = Respuesta:
-report-refused = Rechazado:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

@@ -163,6 +163,11 @@ problem-no-such-uv = No existen las coordenadas de textura { $index }: el archiv
 problem-face-too-short = Esta cara tiene solo { $count } vértices: se omite.
 problem-face-too-long = Esta cara tiene { $count } vértices, más de { $limit }: se omite.
 problem-face-not-simple = Esta cara se corta a sí misma o no tiene área: se omite.
+problem-flat-faces =
+    { $count ->
+        [one] { $count } triángulo no tiene área: no se ve nada de él.
+       *[other] { $count } triángulos no tienen área, el primero de ellos aquí: no se ve nada de ellos.
+    }
 problem-no-faces = El archivo no tiene ninguna cara que se pueda dibujar.
 problem-too-many-faces = El archivo tiene más de { $limit } triángulos: es demasiado grande para dibujarlo.
 expect-obj-index = Se espera: 1 para el primer vértice del archivo, 2 para el siguiente; −1 para el anterior a esta línea.

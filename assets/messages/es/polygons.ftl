@@ -142,7 +142,7 @@ sh-outside = fuera
 sh-bridge = puente: { $length }, ida y vuelta
 sh-bridge-adds = puente: área + 0, contorno + 2 · { $length }
 sh-area = área { $area }
-sh-does-not-count = { $inside }: ahora no cuenta
+sh-does-not-count = { $inside }: ahora no
 sh-list-input = Lista de entrada
 sh-list-output = Lista de salida
 sh-list-handed-on = Salida = entrada

@@ -22,6 +22,11 @@ cli-refused =
         [one] { $count } entrada foi recusada
        *[other] { $count } entradas foram recusadas
     }
+cli-untranslated =
+    { $count ->
+        [one] nota: { $count } lição mostra o inglês no lugar de { $languages }; esses idiomas são opcionais
+       *[other] nota: { $count } lições mostram o inglês no lugar de { $languages }; esses idiomas são opcionais
+    }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
 
@@ -46,7 +51,7 @@ case-line-too-long = A linha tem mais de { $max } MiB.
 case-bad-id = O id está aninhado em excesso ou contém um texto que não é Unicode.
 case-repeated-field = O campo “{ $name }” aparece duas vezes.
 case-unknown-algorithm = Não há nenhum algoritmo “{ $name }”. Disponíveis: { $expected }.
-case-meant-algorithm = Não existe o algoritmo “{ $name }”. Você quis dizer “{ $meant }”?
+case-meant-algorithm = Não existe o algoritmo “{ $name }”. Você quis dizer “{ $meant }”? Disponíveis: { $expected }.
 case-unknown-field = Não há nenhum campo “{ $name }” em { $algorithm }. Ele aceita: { $expected }.
 case-missing-field = Falta o campo “{ $name }”.
 case-missing-choice = Falta um destes campos: { $fields }.
@@ -116,15 +121,18 @@ case-triangles =
 ## Reports: the step table of a case
 
 report-title = Gabarito
+worksheet-title = Folha de exercícios
+worksheet-how = Preencha o que cada passo encontra. Onde houver caixas, marque o que acontece.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fonte
+report-symbols = símbolos
+case-symbols-weiler-atherton = a₁, a₂: a que distância ficam as pontas da aresta a recortar da reta da aresta de recorte, vezes o comprimento desta; > 0 à sua esquerda, que é dentro. t, u: em que lugar da aresta a recortar e da de recorte elas se encontram, de 0 no início a 1 no fim.
 report-step = passo
 report-what = o que acontece
 report-formula = fórmula
 report-changed = valores novos
 report-answer = Resposta:
-report-refused = Recusado:
 report-row = { $name }: { $values }
 report-noted = { $value } ({ $note })
 

@@ -163,6 +163,11 @@ problem-no-such-uv = Não existem as coordenadas de textura { $index }: o arquiv
 problem-face-too-short = Esta face tem só { $count } vértices: fica de fora.
 problem-face-too-long = Esta face tem { $count } vértices, mais que { $limit }: fica de fora.
 problem-face-not-simple = Esta face cruza a si mesma ou não tem área: fica de fora.
+problem-flat-faces =
+    { $count ->
+        [one] { $count } triângulo não tem área: nada dele é visto.
+       *[other] { $count } triângulos não têm área, o primeiro deles aqui: nada deles é visto.
+    }
 problem-no-faces = O arquivo não tem nenhuma face que possa ser desenhada.
 problem-too-many-faces = O arquivo tem mais de { $limit } triângulos: é grande demais para ser desenhado.
 expect-obj-index = Espera-se: 1 para o primeiro vértice do arquivo, 2 para o seguinte; −1 para o anterior a esta linha.

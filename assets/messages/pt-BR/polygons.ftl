@@ -142,7 +142,7 @@ sh-outside = fora
 sh-bridge = ponte: { $length }, ida e volta
 sh-bridge-adds = ponte: área + 0, contorno + 2 · { $length }
 sh-area = área { $area }
-sh-does-not-count = { $inside }: agora não conta
+sh-does-not-count = { $inside }: agora não
 sh-list-input = Lista de entrada
 sh-list-output = Lista de saída
 sh-list-handed-on = Saída = entrada

@@ -6,6 +6,7 @@ cli-exported = 已将 { $count } 幅图导出到 { $path }
 cli-checked = { $count } 节课检查通过
 cli-checked-scenes = { $count } 个场景文件检查通过
 cli-refused = 拒绝了 { $count } 项输入
+cli-untranslated = 提示：{ $count } 课以英文代替 { $languages }；这些语言可有可无
 cli-unreadable = 无法读取 { $path }：{ $reason }
 export-same-name = { $first } 和 { $second } 都会成为 { $path }：什么也没有绘制。
 
@@ -30,7 +31,7 @@ case-line-too-long = 该行超过 { $max } MiB。
 case-bad-id = id 嵌套过深，或含有不属于 Unicode 的文本。
 case-repeated-field = 字段“{ $name }”出现了两次。
 case-unknown-algorithm = 没有名为“{ $name }”的算法。可用：{ $expected }。
-case-meant-algorithm = 没有算法“{ $name }”。是不是想写“{ $meant }”？
+case-meant-algorithm = 没有算法“{ $name }”。是不是想写“{ $meant }”？可用：{ $expected }。
 case-unknown-field = { $algorithm } 没有字段“{ $name }”。可用：{ $expected }。
 case-missing-field = 缺少字段“{ $name }”。
 case-missing-choice = 缺少以下字段之一：{ $fields }。
@@ -92,15 +93,18 @@ case-triangles = { $n } 个三角形：{ $triangles }
 ## Reports: the step table of a case
 
 report-title = 参考答案
+worksheet-title = 练习纸
+worksheet-how = 填写每一步得到的结果。有方框处，勾选所发生的情况。
 report-case = 第 { $number } 题
 report-case-id = 第 { $number } 题（{ $id }）
 report-source = 出处
+report-symbols = 符号
+case-symbols-weiler-atherton = a₁、a₂：被裁剪边的两端到裁剪边所在直线的距离乘以该边的长度，> 0 表示在其左侧，即内部。t、u：交点在被裁剪边和裁剪边上的位置，起点为 0，终点为 1。
 report-step = 步骤
 report-what = 说明
 report-formula = 算式
 report-changed = 新的值
 report-answer = 答案：
-report-refused = 拒绝：
 report-row = { $name }：{ $values }
 report-noted = { $value }（{ $note }）
 

@@ -155,6 +155,7 @@ problem-no-such-uv = 没有编号为 { $index } 的纹理坐标：文件中共�
 problem-face-too-short = 这个面只有 { $count } 个顶点，略去。
 problem-face-too-long = 这个面有 { $count } 个顶点，超过 { $limit } 个，略去。
 problem-face-not-simple = 这个面自相交或没有面积，略去。
+problem-flat-faces = { $count } 个三角形没有面积，第一个在此：看不到它们的任何部分。
 problem-no-faces = 文件中没有可以绘制的面。
 problem-too-many-faces = 该文件的三角形超过 { $limit } 个：太大，无法绘制。
 expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前的那一个。

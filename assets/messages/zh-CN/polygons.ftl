@@ -143,7 +143,7 @@ sh-outside = 外侧
 sh-bridge = 桥边：往返各 { $length }
 sh-bridge-adds = 桥边：面积 + 0，轮廓 + 2 · { $length }
 sh-area = 面积 { $area }
-sh-does-not-count = { $inside }：此时不算
+sh-does-not-count = { $inside }：现在不算
 sh-list-input = 输入表
 sh-list-output = 输出表
 sh-list-handed-on = 输出表 = 输入表

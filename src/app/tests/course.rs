@@ -13,9 +13,9 @@ fn a_presenter_walks_the_course_and_comes_back() {
     let mut bench = Bench::course(SIZE);
     bench.key(Key::F5);
     let n_steps = n_course_steps(&bench);
-    for _ in 0..n_steps + 2 {
+    // Where something is asked, the answer comes first.
+    for _ in 0..2 * n_steps + 2 {
         bench.key(Key::PageDown);
-        assert!(!bench.app.shown.is_answered, "no text is read there");
         let step = bench.app.bookmark.step().expect("a step is open");
         assert_eq!(Some(bench.app.position()), step.position());
         assert_eq!(bench.app.scene(), &*step.scene);

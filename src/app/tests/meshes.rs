@@ -168,6 +168,40 @@ fn a_mesh_is_painted_with_the_picture_beside_it() {
 }
 
 #[test]
+fn a_picture_of_the_mesh_s_name_is_taken_as_its_texture_and_said() {
+    const PAINTED: &str = "v 0 0 0\nv 4 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    let grey = include_bytes!("../../lesson/mesh_file/grey.jpg");
+    for (name, text, is_painted) in [
+        ("wedge.jpg", PAINTED.to_owned(), true),
+        ("wedge_texture.jpeg", PAINTED.to_owned(), true),
+        ("other.jpg", PAINTED.to_owned(), false),
+        // Its corners have no places on a texture.
+        ("wedge.jpg", WEDGE.replace("mtllib wedge.mtl\n", ""), false),
+    ] {
+        let mut bench = Bench::new(SIZE);
+        let folder = folder(&[(name, grey), ("wedge.obj", text.as_bytes())]);
+        bench.drop_file(folder.path().join("wedge.obj"), None);
+        wait(&mut bench);
+        let skin = bench.space().focused().model().skin([0, 1, 2]);
+        assert_eq!(skin.is_some(), is_painted, "{name}");
+        assert_eq!(bench.said().contains(name), is_painted, "{name}");
+    }
+}
+
+#[test]
+fn triangles_without_area_are_counted() {
+    let mut bench = Bench::new(SIZE);
+    dropped(
+        &mut bench,
+        "flat.obj",
+        &format!("{WEDGE}f 1 2 2\nf 3 3 1\n"),
+    );
+    let said = bench.said();
+    assert!(said.contains("flat.obj:11:1"), "{said}");
+    assert!(said.contains("2 triangles have no area"), "{said}");
+}
+
+#[test]
 fn a_mesh_is_opened_by_its_path_too() {
     let mut bench = Bench::new(SIZE);
     let folder = folder(&[("wedge.obj", WEDGE.as_bytes())]);

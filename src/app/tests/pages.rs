@@ -249,3 +249,18 @@ window = [0, 0, 4, 4]\nsegments = [[-1, 1, 5, 2]]
     bench.command(Command::OpenCourse(mine));
     assert_eq!(bench.app.bookmark.at, [0, 1]);
 }
+
+#[test]
+fn someone_new_is_told_what_to_press_until_it_is_done() {
+    let mut bench = Bench::course(SIZE);
+    bench.app.greet();
+    let greeting = Catalog::of(Lang::En).term("greeting");
+    let is_told = |bench: &Bench| bench.app.notices.iter().any(|it| it.text == greeting);
+    bench.key(Key::PageDown);
+    assert!(is_told(&bench));
+    bench.key(Key::ArrowLeft);
+    assert!(!is_told(&bench));
+    let mut again = restarted(&bench.app);
+    again.greet();
+    assert!(again.notices.is_empty(), "they know it by now");
+}

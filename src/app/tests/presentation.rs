@@ -104,3 +104,24 @@ fn a_presented_step_says_its_number_and_its_question_and_then_the_answer() {
     bench.key(Key::PageDown);
     assert_ne!(bench.app.bookmark.at, [2, step]);
 }
+
+#[test]
+fn a_presenter_draws_while_b_is_held_and_the_next_step_is_clean() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::FIRST);
+    bench.key(Key::F5);
+    let drawn = |bench: &Bench| bench.app.stage.pen.n_points();
+    let draw = |bench: &mut Bench| {
+        bench.frame(0.05, vec![key_event(Key::B, true, Modifiers::NONE)]);
+        for x in [300.0, 340.0, 380.0] {
+            bench.frame(0.05, vec![Event::PointerMoved(pos2(x, 300.0))]);
+        }
+        bench.frame(0.05, vec![key_event(Key::B, false, Modifiers::NONE)]);
+    };
+    draw(&mut bench);
+    draw(&mut bench);
+    assert_eq!(drawn(&bench).len(), 2);
+    assert!(drawn(&bench).iter().all(|&n| n >= 3), "{:?}", drawn(&bench));
+    bench.key(Key::ArrowRight);
+    assert_eq!((bench.app.position(), drawn(&bench)), (1, Vec::new()));
+}

@@ -67,6 +67,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
         for &(method, at, said, event) in of_lab {
             bench.edit(Edit::Method(method));
             bench.command(Command::FIRST);
+            bench.command(Command::Ask(None));
             bench.click_in_space(at);
             let texts = bench.texts();
             let is_said = texts.iter().any(|(text, _)| text.contains(said));
@@ -165,8 +166,32 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let end = bench.n_steps();
     let said = told(&mut bench, end);
     assert!(said.contains("shows face 1 of object A"), "{said}");
-    assert!(
-        said.contains("nearest there is face 1 of object B"),
-        "{said}"
-    );
+    let run = bench.app.playback.main();
+    let verdict = bench.document().verdict(place, (run, end));
+    let notes = verdict.expect("it is told").notes;
+    let said = |note: &Message| Catalog::of(Lang::En).message(note);
+    let said: Vec<String> = notes.iter().map(said).collect();
+    let nearest = "nearest there is face 1 of object B";
+    assert!(said.join(" ").contains(nearest), "{said:?}");
+}
+
+#[test]
+fn the_cameras_picture_is_enlarged_by_a_double_click_and_by_a_key_and_put_back() {
+    let mut bench = Bench::lab("frustum");
+    let size = |bench: &Bench| {
+        let mut places = bench.app.stage.places.iter();
+        let found = places.find(|(id, _)| id.0 == "camera");
+        rect_of(found.expect("it is there").1).area()
+    };
+    let small = size(&bench);
+    let at = middle_of(&bench, "camera");
+    bench.tap(at);
+    bench.tap(at);
+    bench.settle();
+    assert!(size(&bench) > 3.0 * small, "{} {small}", size(&bench));
+    bench.press_at(middle_of(&bench, "camera"));
+    assert!(bench.verdict().is_some(), "it can be asked there, too");
+    bench.key(Key::V);
+    bench.settle();
+    assert!((size(&bench) - small).abs() < 1.0);
 }

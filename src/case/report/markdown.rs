@@ -2,43 +2,38 @@
 
 use std::io::{self, Write};
 
-use super::{Report, STEP_HEAD, Solved, columns::Cell};
+use super::{Report, STEP_HEAD, Sheet, columns::Cell};
 
 impl Report<'_> {
-    /// Before the first one stands the title of the whole.
-    pub fn write_markdown(&self, out: &mut impl Write) -> io::Result<()> {
-        if self.number == 1 {
-            write!(out, "# {}\n\n", self.catalog.term("report-title"))?;
-        }
-        let name = escaped(&self.name);
-        match &self.solved {
-            Ok(solved) => {
-                write!(out, "## {name} · {}\n\n", solved.algorithm)?;
-                self.write_solved(solved, out)
-            }
-            Err(said) => {
-                let label = self.catalog.term("report-refused");
-                write!(out, "## {name}\n\n> **{label}** {}\n\n", escaped(said))
+    /// The title of the whole, and of a worksheet what is to be done.
+    pub fn write_title(&self, out: &mut impl Write) -> io::Result<()> {
+        let term = |key| self.catalog.term(key);
+        match self.sheet {
+            Sheet::Answers => write!(out, "# {}\n\n", term("report-title")),
+            Sheet::Questions => {
+                let [title, how] = ["worksheet-title", "worksheet-how"].map(term);
+                write!(out, "# {title}\n\n{how}\n\n")
             }
         }
     }
 
-    fn write_solved(&self, solved: &Solved, out: &mut impl Write) -> io::Result<()> {
+    pub fn write_markdown(&self, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);
-        let source = [term("report-source"), solved.source.to_owned()];
-        for [name, values] in solved.given.iter().chain([&source]) {
+        write!(out, "## {} · {}\n\n", escaped(&self.name), self.algorithm)?;
+        let source = [term("report-source"), self.source.to_owned()];
+        for [name, values] in self.given.iter().chain([&source]) {
             writeln!(out, "- **{}** · {}", capitalised(name), escaped(values))?;
         }
         writeln!(out)?;
-        if let Some(steps) = &solved.steps {
+        if let Some(steps) = &self.steps {
             let head = STEP_HEAD.map(|key| capitalised(&term(key)));
             let rows = steps.iter().map(|row| row.each_ref().map(lines));
             write_table(&head, ["---:", "---", "---", "---"], rows, out)?;
         }
-        let verdict = escaped(&solved.verdict);
+        let verdict = escaped(&self.verdict);
         write!(out, "**{}** {verdict}\n\n", term("report-answer"))?;
         let head = [capitalised(&term("panel-cost")), String::new()];
-        let cost = solved.cost.iter().cloned();
+        let cost = self.cost.iter().cloned();
         write_table(&head, ["---", "---:"], cost, out)
     }
 }

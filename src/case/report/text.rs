@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    Report, STEP_HEAD, Solved,
+    Report, STEP_HEAD,
     columns::{Align, Cell, set},
 };
 
@@ -16,40 +16,21 @@ impl Report<'_> {
     /// With an empty line after it.
     pub fn write_text(self, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);
-        match self.solved {
-            Ok(solved) => {
-                let head = STEP_HEAD.map(|key| vec![term(key)]);
-                let answer = term("report-answer");
-                writeln!(out, "{} · {}", self.name, solved.algorithm)?;
-                write_solved(solved, head, answer, out)?;
-            }
-            Err(said) => {
-                let row = [self.name, term("report-refused"), said];
-                put(set(vec![cells(row)], [Align::Left; 3], WIDTH), out)?;
-            }
+        writeln!(out, "{} · {}", self.name, self.algorithm)?;
+        let given = self.given.into_iter().map(cells).collect();
+        put(set(given, [Align::Left; 2], WIDTH), out)?;
+        writeln!(out)?;
+        if let Some(mut steps) = self.steps {
+            steps.insert(0, STEP_HEAD.map(|key| vec![term(key)]));
+            put_ruled(steps, out)?;
+            writeln!(out)?;
         }
+        let answer = [term("report-answer"), self.verdict];
+        put(set(vec![cells(answer)], [Align::Left; 2], WIDTH), out)?;
+        let cost = self.cost.map(cells).to_vec();
+        put(set(cost, [Align::Left, Align::Right], WIDTH), out)?;
         writeln!(out)
     }
-}
-
-fn write_solved(
-    solved: Solved,
-    head: [Cell; 4],
-    answer: String,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let given = solved.given.into_iter().map(cells).collect();
-    put(set(given, [Align::Left; 2], WIDTH), out)?;
-    writeln!(out)?;
-    if let Some(mut steps) = solved.steps {
-        steps.insert(0, head);
-        put_ruled(steps, out)?;
-        writeln!(out)?;
-    }
-    let answer = [answer, solved.verdict];
-    put(set(vec![cells(answer)], [Align::Left; 2], WIDTH), out)?;
-    let cost = solved.cost.map(cells).to_vec();
-    put(set(cost, [Align::Left, Align::Right], WIDTH), out)
 }
 
 fn cells<const N: usize>(texts: [String; N]) -> [Cell; N] {

@@ -3,9 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use super::super::{
+    facets::{Facet, normal},
     lens::Optics,
     role::Role,
-    space::{Facet, Mark3, Shape3, Space},
+    space::{Mark3, Shape3, Space},
 };
 
 /// So much of their length is seen of the first vectors whose length is written, and of all other lines.
@@ -79,10 +80,10 @@ impl Sights {
         for mark in space.marks.iter().filter(|mark| is_event(mark)) {
             sights.add(mark);
         }
-        let stands_out = |facet: &&Facet| matches!(facet.role, Role::Accent | Role::Signal);
-        let faces: Vec<&Facet> = space.facets.iter().filter(stands_out).collect();
+        let stands_out = |(_, role): &(&Facet, Role)| matches!(role, Role::Accent | Role::Signal);
+        let faces: Vec<(&Facet, Role)> = space.facets.shown().filter(stands_out).collect();
         if faces.len() <= MOST_FACES {
-            let corners = faces.iter().map(|facet| all(&facet.corners));
+            let corners = faces.iter().map(|(facet, _)| all(&facet.corners));
             sights.polygons.extend(corners);
         }
         if sights.points.len() > MOST_POINTS {
@@ -199,7 +200,7 @@ fn apart(optics: &Optics, points: &[DVec3]) -> Vec<[f64; 2]> {
 }
 
 fn area(optics: &Optics, corners: &[DVec3]) -> Option<f64> {
-    let normal = super::super::space::normal(corners);
+    let normal = normal(corners);
     let true_area = normal.length();
     let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
     let seen: Option<Vec<DVec2>> = corners.iter().map(|&at| on_picture(optics, at)).collect();

@@ -1,5 +1,5 @@
 use super::*;
-use crate::figure::{Mark3, Role, Shape3};
+use crate::figure::{Facets, Mark3, Role, Shape3};
 
 /// A view in which a marked line of length 2 lies in this direction, with its length beside it.
 fn drawing(to: [f64; 3], home: Orbit) -> View {
@@ -7,7 +7,7 @@ fn drawing(to: [f64; 3], home: Orbit) -> View {
     let space = Space {
         title: None,
         seer: Seer::Eye(home),
-        facets: [].into(),
+        facets: Facets::default(),
         edges: [].into(),
         marks: vec![line.labelled(crate::text::Value::Count(2))],
     };

@@ -13,8 +13,8 @@ use glam::DVec3;
 use crate::{algo::volume::clipped, geom::Plane};
 
 use super::super::{
+    facets::{Facets, normal},
     lens::Optics,
-    space::{Facet, normal},
 };
 use super::{
     grid::{Bounds, Found, Grid},
@@ -43,11 +43,13 @@ pub struct FacetsInView {
     bounds: Vec<Bounds>,
     grid: Grid,
     found: Found,
+    /// As they look now: what is not there hides nothing.
+    pub looks: Facets,
 }
 
 impl FacetsInView {
     /// Of closed solids those that are turned away hide nothing that the others do not: they are left out.
-    pub fn new(facets: &[Facet], is_closed: bool, optics: Optics) -> Self {
+    pub fn new(facets: Facets, is_closed: bool, optics: Optics) -> Self {
         let mut seen = Self {
             optics,
             is_closed,
@@ -57,15 +59,17 @@ impl FacetsInView {
             bounds: Vec::with_capacity(facets.len() / 2),
             grid: Grid::new(&[]),
             found: Found::default(),
+            looks: Facets::default(),
         };
         let mut corners = Vec::new();
-        for facet in facets {
+        for facet in &*facets {
             corners.clear();
             let in_view = facet.corners.iter();
             corners.extend(in_view.map(|&at| optics.view_from_world(at.into())));
             seen.push(&corners);
         }
         seen.grid = Grid::new(&seen.bounds);
+        seen.looks = facets;
         seen
     }
 
@@ -114,7 +118,8 @@ impl FacetsInView {
             let is_before = farthest < facet.nearest
                 && bounds.meets(its_bounds)
                 && its_bounds.meets_line(places);
-            if is_before && !but.contains(&Some(facet.idx)) {
+            let is_there = self.looks.role(facet.idx as usize).is_some();
+            if is_before && is_there && !but.contains(&Some(facet.idx)) {
                 let corners = &self.corners[facet.corners.clone()];
                 let faces_eye = self.faces_eye[facet.idx as usize];
                 let shadow = shadow(&self.optics, (facet.normal, faces_eye), corners);

@@ -17,14 +17,15 @@ mod tests;
 use glam::DVec3;
 
 use super::{
+    facets::Facets,
     lens::{Lens, Optics},
     mark::{Mark, Weight},
     space::{Edge3, Space},
 };
 
-use facets::FacetsInView;
+use self::facets::FacetsInView;
 pub(crate) use interval::{between, complement, inside};
-pub use projected::Projected;
+pub use projected::{Projected, is_outlined};
 
 /// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
 pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
@@ -48,8 +49,12 @@ impl Seen {
     fn of(space: &Space, lens: &Lens, hides: bool) -> Option<Self> {
         let optics = Optics::of(lens)?;
         let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
-        let is_closed = space.edges.iter().all(bounds_two);
-        let hiding = if hides { &space.facets[..] } else { &[] };
+        let is_closed = space.facets.are_all_shown() && space.edges.iter().all(bounds_two);
+        let hiding = if hides {
+            space.facets.clone()
+        } else {
+            Facets::default()
+        };
         Some(Self {
             optics,
             facets: FacetsInView::new(hiding, is_closed, optics),

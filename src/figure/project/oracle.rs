@@ -6,10 +6,11 @@ use super::{tests::space_of, *};
 use crate::geom::{Camera, Matrix, Orbit, Solid, ViewVolume};
 
 use super::super::{
+    facets::Facet,
     mark::Shape,
     role::{Link, Role},
     solids::{SolidMesh, SolidPicture, Solids},
-    space::{Facet, Mark3, Shape3},
+    space::{Mark3, Shape3},
 };
 
 fn facets() -> Vec<Facet> {

@@ -7,7 +7,7 @@ use super::super::{
     mark::{Mark, Shape},
     role::Role,
     solids::Solids,
-    space::{Edge3, Facet, Mark3, Shape3, Space},
+    space::{Edge3, Mark3, Shape3, Space},
 };
 use super::Seen;
 
@@ -50,6 +50,8 @@ impl Projected {
     pub fn again(self, space: &Space, lens: &Lens) -> Self {
         if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
             Self::new(space, lens)
+        } else if self.space.facets != space.facets {
+            self.with_looks(space).with_marks(space)
         } else if self.space.marks == space.marks {
             self
         } else {
@@ -57,16 +59,30 @@ impl Projected {
         }
     }
 
+    /// Where facets are not there, other parts of lines may be hidden.
+    fn with_looks(mut self, space: &Space) -> Self {
+        self.space.facets.clone_from(&space.facets);
+        if let Some(seen) = &mut self.seen {
+            seen.facets.looks.clone_from(&space.facets);
+            self.solids = seen.solids(space, &self.lens);
+        }
+        if !space.facets.are_all_shown() {
+            self.parts.clear();
+            self.space.marks.clear();
+        }
+        self
+    }
+
     pub const fn marks(&self) -> &Arc<[Mark]> {
         &self.marks
     }
 
     fn has_solids_of(&self, space: &Space) -> bool {
-        fn are_alike<T: PartialEq>(a: &Arc<[T]>, b: &Arc<[T]>) -> bool {
-            Arc::ptr_eq(a, b) || a == b
-        }
-        are_alike::<Facet>(&self.space.facets, &space.facets)
-            && are_alike::<Edge3>(&self.space.edges, &space.edges)
+        let (facets, edges) = (&self.space.facets, &self.space.edges);
+        let is_as_whole = facets.are_all_shown() == space.facets.are_all_shown();
+        let is_shared = facets.are_shared_with(&space.facets) && is_as_whole;
+        (is_shared || *facets == space.facets)
+            && (Arc::ptr_eq(edges, &space.edges) || *edges == space.edges)
     }
 
     fn with_marks(mut self, space: &Space) -> Self {
@@ -95,8 +111,9 @@ impl Projected {
     }
 }
 
-fn is_outlined(space: &Space) -> bool {
-    space.edges.len() > MOST_EDGES
+/// Has it more edges than are drawn one by one?
+pub fn is_outlined(edges: &[Edge3]) -> bool {
+    edges.len() > MOST_EDGES
 }
 
 fn hides(space: &Space) -> bool {
@@ -106,13 +123,13 @@ fn hides(space: &Space) -> bool {
             Shape3::Segment(_) | Shape3::Outline(_) | Shape3::Sheet(_)
         )
     };
-    !is_outlined(space) || space.marks.iter().any(is_line)
+    !is_outlined(&space.edges) || space.marks.iter().any(is_line)
 }
 
 impl Seen {
     fn solids(&mut self, space: &Space, lens: &Lens) -> Vec<Mark> {
         let mut marks = Vec::new();
-        let is_outlined = is_outlined(space);
+        let is_outlined = is_outlined(&space.edges);
         if !space.facets.is_empty() {
             let solids = Solids {
                 facets: space.facets.clone(),

@@ -142,7 +142,7 @@ fn what_is_kept_of_the_last_space_is_what_would_be_found_anew() {
         assert_eq!(known.marks()[..], project(&space, &lens)[..]);
         let now = known.marks().iter().find_map(faces);
         if let (Some(kept), Some(now)) = (kept.filter(|_| is_alike && yaw == 30.0), now) {
-            let is_kept = Arc::ptr_eq(&kept, &now.facets);
+            let is_kept = kept.are_shared_with(&now.facets);
             assert!(is_kept, "what is alike is drawn once");
         }
     }
@@ -152,5 +152,41 @@ fn faces(mark: &Mark) -> Option<&crate::figure::Solids> {
     match &mark.shape {
         Shape::Solids(solids) => Some(solids),
         _ => None,
+    }
+}
+
+/// Of a cube's faces some are not there, and one stands out.
+#[test]
+fn where_facets_only_look_different_what_is_known_of_them_is_kept() {
+    let lens = Lens::Eye(Orbit::new([0.0; 3], [30.0, 20.0], 8.0, 30.0));
+    let behind = Mark3::new(
+        Role::Ink,
+        Shape3::Segment([[-2.0, -2.0, -2.0], [2.0, 2.0, 2.0]]),
+    );
+    let whole = space_of(cube(), vec![behind], &lens);
+    let all: Arc<[Facet]> = cube().into();
+    let looking = |role: &dyn Fn(usize) -> Option<Role>| Space {
+        facets: Facets::looking(all.clone(), (0..all.len()).map(role).collect()),
+        ..whole.clone()
+    };
+    let n_hidden = |marks: &[Mark]| marks.iter().filter(|mark| mark.is_dashed).count();
+    let mut known = Projected::new(&looking(&|_| Some(Role::Soft)), &lens);
+    for role in [
+        &(|i: usize| Some([Role::Soft, Role::Signal][usize::from(i == 2)])) as &dyn Fn(usize) -> _,
+        &|i| (i % 2 == 0).then_some(Role::Soft),
+        &|i| (i == 0).then_some(Role::Soft),
+        &|_| None,
+        &|_| Some(Role::Soft),
+    ] {
+        let space = looking(role);
+        known = known.again(&space, &lens);
+        assert_eq!(known.marks()[..], project(&space, &lens)[..]);
+        if (0..all.len()).all(|i| role(i).is_none()) {
+            assert_eq!(
+                n_hidden(known.marks()),
+                0,
+                "what is not there hides nothing"
+            );
+        }
     }
 }

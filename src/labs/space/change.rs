@@ -1,6 +1,7 @@
 //! What a person can do to a scene, beyond what every lab knows.
 
 use crate::{
+    geom::AlignedBox,
     labs::{ChangeOf, Handle},
     text::Diagnostic,
 };
@@ -26,7 +27,7 @@ pub enum SpaceChange {
     Raster(RasterPlan),
     /// Side by side, or through the eye: as much is seen of what the camera looks at.
     Parallel(bool),
-    /// One more, in front of the camera.
+    /// One more, in front of the camera, where none is.
     Add(Model),
     /// Turns the object in focus, in degrees.
     Turn([f64; 3]),
@@ -50,7 +51,8 @@ impl ChangeOf for SpaceChange {
             &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,
             Self::Add(model) => {
                 let [_, target, _] = scene.camera.places();
-                scene.add_object(Object::new(model.clone(), target, [0.0; 3], 1.0)?)?;
+                let object = Object::new(model.clone(), target, [0.0; 3], 1.0)?;
+                scene.add_object(apart(scene, &object)?)?;
             }
             &Self::Turn(turn_deg) => reshape(scene, turn_deg, scene.focused().size())?,
             &Self::Size(size) => reshape(scene, scene.focused().turn_deg(), size)?,
@@ -100,9 +102,72 @@ fn set_parallel(scene: &mut Scene, is_parallel: bool) -> Result<(), Diagnostic> 
     Ok(())
 }
 
-/// One like the object in focus, a little to its right.
+/// One like the object in focus, beside it.
 pub fn beside(scene: &Scene) -> Result<Object, Diagnostic> {
-    let focused = scene.focused();
-    let [x, y, z] = focused.at();
-    Ok(focused.moved([x + 2.5 * focused.size(), y, z])?)
+    apart(scene, scene.focused())
+}
+
+/// Between neighbours: this part of how long the new one is.
+const GAP: f64 = 0.25;
+
+/// An object where it is, or, where its box would meet another one's, beside them: to the right or to the left, where it is nearer.
+fn apart(scene: &Scene, object: &Object) -> Result<Object, Diagnostic> {
+    let others = scene.objects().iter().map(Object::bounds);
+    let others = others.collect::<Result<Vec<_>, _>>()?;
+    let bounds = object.bounds()?;
+    let (min, max) = (bounds.min(), bounds.max());
+    let longest = (0..3).map(|i| max[i] - min[i]).fold(0.0, f64::max);
+    let gap = GAP * if longest > 0.0 { longest } else { 1.0 };
+    // By how far to go: each time past one of them, for good.
+    let shift = |to_right: bool| {
+        others.iter().fold(0.0, |by, _| {
+            let meets = |other: &&AlignedBox| {
+                let by = [by, 0.0, 0.0];
+                let has_room =
+                    |i: usize| min[i] + by[i] > other.max()[i] || max[i] + by[i] < other.min()[i];
+                !(0..3).any(has_room)
+            };
+            match others.iter().find(meets) {
+                Some(other) if to_right => other.max()[0] + gap - min[0],
+                Some(other) => other.min()[0] - gap - max[0],
+                None => by,
+            }
+        })
+    };
+    let (right, left) = (shift(true), shift(false));
+    let by = if right <= -left { right } else { left };
+    let [x, y, z] = object.at();
+    Ok(object.moved([x + by, y, z])?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{geom::Solid, labs::frustum};
+
+    #[test]
+    fn what_is_added_stands_beside_all_that_is_there() {
+        let scene = (frustum::LAB.first_scene)();
+        let mut scene = scene.get::<Scene>().expect("a scene in space").clone();
+        let n_before = scene.objects().len();
+        for solid in [Solid::Cube, Solid::Sphere, Solid::Torus].repeat(4) {
+            let add = SpaceChange::Add(Model::Solid(solid));
+            add.make(&mut scene).expect("there is room");
+            let twin = beside(&scene).expect("there is room");
+            scene.add_object(twin).expect("there is room");
+        }
+        let bounds = scene
+            .objects()
+            .iter()
+            .map(|it| it.bounds().expect("finite"));
+        let bounds: Vec<AlignedBox> = bounds.collect();
+        for (i, new) in bounds.iter().enumerate().skip(n_before) {
+            for old in &bounds[..i] {
+                let is_apart = |axis: usize| {
+                    new.min()[axis] > old.max()[axis] || new.max()[axis] < old.min()[axis]
+                };
+                assert!((0..3).any(is_apart), "{i}: {new:?} meets {old:?}");
+            }
+        }
+    }
 }

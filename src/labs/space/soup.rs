@@ -9,8 +9,10 @@ use crate::{
 
 use super::{Scene, stage::object_link};
 
-/// More faces than these are not drawn step by step: the rest is left out.
-const MOST_FACES: usize = 20_000;
+/// More faces than these are not drawn: the rest is left out.
+const MOST_FACES: usize = 1_000_000;
+/// Of more faces not each can be asked about others, or about each pixel: the rest is left out.
+pub const MOST_ASKED: usize = 20_000;
 
 /// The faces of a scene, object after object, as its camera sees them with so many pixels.
 ///

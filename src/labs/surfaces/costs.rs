@@ -7,7 +7,11 @@ use crate::{
         RayCastingInput, Surfaces,
     },
     geom::SpaceError,
-    labs::space::{Opening, Scene, TaughtCamera, soup::surfaces_on_raster, street},
+    labs::space::{
+        Opening, Scene, TaughtCamera,
+        soup::{MOST_ASKED, surfaces_on_raster},
+        street,
+    },
     trace::silent,
 };
 
@@ -55,7 +59,7 @@ impl SurfaceCounting {
         // A street has from one box to as many as a scene may have.
         let is_there = scene.set_objects(street(n_boxes, SEED)).is_ok();
         debug_assert!(is_there, "streets are valid");
-        let surfaces = surfaces_on_raster(&scene);
+        let surfaces = surfaces_on_raster(&scene).first(MOST_ASKED);
         let counts = SurfaceCounts {
             n_triangles: surfaces.triangles().len(),
             ..SurfaceCounts::default()

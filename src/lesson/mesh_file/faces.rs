@@ -51,6 +51,12 @@ pub(super) fn triangles(corners: &[[f32; 3]]) -> Option<Vec<[usize; 3]>> {
         .collect()
 }
 
+/// Do its corners not lie on one line?
+pub(super) fn has_area(triangle: [[f32; 3]; 3]) -> bool {
+    let [a, b, c] = triangle.map(|p| DVec3::from(p.map(f64::from)));
+    (b - a).cross(c - a) != DVec3::ZERO
+}
+
 /// Is every corner of four a turn to the left? Then they go round once.
 fn turns_one_way(corners: &[[f64; 2]]) -> bool {
     let points = corners.iter().map(|&[x, y]| Point::new(x, y).ok());

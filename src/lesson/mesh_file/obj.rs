@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::{geom::Mesh, lesson::prelude::*};
 
 use super::{
-    faces::triangles,
+    faces::{has_area, triangles},
     statements::{Statement, statements},
 };
 
@@ -67,6 +67,9 @@ struct Reader {
     known: HashMap<Corner, u32>,
     vertices: Vec<Corner>,
     faces: Vec<[u32; 3]>,
+    /// Triangles without area, and the face of the first.
+    n_flat: usize,
+    first_flat: Range<usize>,
 }
 
 impl Reader {
@@ -108,6 +111,12 @@ impl Reader {
             sink.warning(statement.span(), Message::new("problem-face-not-simple"));
             return;
         };
+        let flat = cut.iter().filter(|it| !has_area(it.map(|i| positions[i])));
+        let n_flat = flat.count();
+        if self.n_flat == 0 && n_flat > 0 {
+            self.first_flat = statement.span();
+        }
+        self.n_flat += n_flat;
         let corners = corners.into_iter();
         let vertices: Vec<u32> = corners.map(|corner| self.vertex(corner)).collect();
         let cut = cut.into_iter();
@@ -161,6 +170,10 @@ impl Reader {
     fn finish(self, sink: Sink<'_>) -> Result<ObjFile, Vec<Problem>> {
         if sink.n_errors() > 0 {
             return Err(sink.into_problems());
+        }
+        if self.n_flat > 0 {
+            let message = Message::new("problem-flat-faces").with("count", self.n_flat);
+            sink.warning(self.first_flat.clone(), message);
         }
         let positions = self.vertices.iter().filter_map(|it| self.place(it));
         let has_uv = self.vertices.iter().any(|[_, uv]| uv.is_some());
@@ -284,6 +297,7 @@ v 1 2 => a.obj:4:1: error: Only 2 numbers stand here, of 3.
     const LEFT_OUT: &str = "
 f 1 2 => a.obj:5:1: warning: This face has only 2 corners: it is left out.
 f 1 2 1 3 => a.obj:5:1: warning: This face meets itself or has no area: it is left out.
+f 1 2 2 => a.obj:5:1: warning: 1 triangle has no area: nothing of it is seen.
 f 1/7 2 3 => a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without.
 ";
 

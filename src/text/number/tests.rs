@@ -161,7 +161,9 @@ fn numbers_beside_each_other_are_of_one_kind() {
         ("too small for a fraction", vec![0.5, 1e-5], "0.5 1×10⁻⁵"),
     ] {
         let numbers: Vec<Quantity> = numbers.into_iter().map(Quantity::Number).collect();
-        let kind = Notation::of_quantities(&numbers);
+        let mut alike = Alike::default();
+        numbers.iter().for_each(|&number| alike.add(number));
+        let kind = alike.notation();
         let written = |x: &Quantity| x.written(Lang::En, kind).to_string();
         let written: Vec<String> = numbers.iter().map(written).collect();
         assert_eq!(written.join(" "), expected, "{what}");

@@ -40,7 +40,7 @@ impl Recorded {
             bounds,
             needs: match medium {
                 Medium::Page => comparison.needs_of_page(&wanted, &all),
-                Medium::Window => comparison.needs(&wanted),
+                Medium::Window => comparison.needs(&wanted, &all),
             },
             notation,
             comparison,
@@ -102,18 +102,24 @@ impl Recorded {
         first.map_or_else(Vec::new, at)
     }
 
-    /// What differs between this scene and another one, each with its first method: what it makes, and the first other view
-    /// that is not the same in the end.
+    /// What differs between this scene and another one, each with its first method: what it makes, or what it begins with where
+    /// that is another, and the first other view that is not the same in the end.
     pub fn needs_beside(&self, other: &Self) -> Vec<Vec<Need>> {
         let ends = [self, other].map(|it| it.runs[0].frame(it.runs[0].n_steps()));
-        let is_made = |need: &&Need| need.stand == Stand::Drawing;
+        let begins = [self, other].map(|it| it.runs[0].frame(0));
+        let is_drawing = |need: &&Need| need.stand == Stand::Drawing;
+        let is_another = |need: &&Need| {
+            let [was, is] = begins.each_ref().map(|frame| frame.body(need.id));
+            is_drawing(need) && was != is
+        };
         let differs = |need: &&Need| {
             let [was, is] = ends.each_ref().map(|end| end.body(need.id));
             !need.is_drawing() && was != is
         };
         let needs = |it: &Self| {
             let needs = &it.needs[0];
-            let made = needs.iter().rfind(is_made);
+            let made = needs.iter().find(is_another);
+            let made = made.or_else(|| needs.iter().rfind(is_drawing));
             let shown = made.into_iter().chain(needs.iter().find(differs));
             shown.copied().collect()
         };

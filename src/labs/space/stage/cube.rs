@@ -17,7 +17,7 @@ pub fn cube_view(scene: &Scene, own: Vec<Mark3>) -> View {
     let space = Space {
         title: None,
         seer: Seer::Eye(scene.eye),
-        facets: [].into(),
+        facets: Facets::default(),
         edges: [].into(),
         marks,
     };

@@ -1,5 +1,6 @@
 //! What is drawn of a scene whatever the method: solids by what becomes of them, the view volume, the ground.
 
+mod crowd;
 mod cube;
 mod ground;
 mod prelude;

@@ -1,7 +1,7 @@
 //! The words of every file that draws a scene.
 
 pub(super) use crate::{
-    figure::{Edge3, Facet, Seer, Space},
+    figure::{Edge3, Facet, Facets, Seer, Space},
     geom::{Camera, Orbit, Plane, Sight, VolumeSide},
     labs::prelude::*,
 };

@@ -47,7 +47,7 @@ pub struct Solids {
 }
 
 impl Solids {
-    /// One more object, with a look for each of its faces where they differ.
+    /// One more object, with a look for each of its faces where they differ; of each face its first facet, if it is there.
     pub fn object(
         &mut self,
         object: &Object,
@@ -55,7 +55,7 @@ impl Solids {
         fate: Fate,
         planes: &[Plane; 6],
         look: impl Fn(usize) -> FaceLook,
-    ) {
+    ) -> Vec<Option<u32>> {
         let mesh = object.model().mesh();
         let points: Vec<[f64; 3]> = object.points().collect();
         // Of each face a part that has its plane.
@@ -85,6 +85,7 @@ impl Solids {
             }
         }
         self.edges_of(object, &facet_of, fate, planes);
+        facet_of
     }
 
     /// The edges of an object, of whose faces these facets are drawn.
@@ -187,7 +188,7 @@ impl Solids {
 }
 
 impl Fate {
-    const fn role(self) -> Role {
+    pub const fn role(self) -> Role {
         match self {
             Self::ToCome => Role::Soft,
             Self::Kept | Self::Cut => Role::Accent,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{
     super::{Object, Scene, Subject},
     FaceLook, Fate, Solids,
+    crowd::{Crowd, MANY},
     ground::ground,
     prelude::*,
     volume::volume,
@@ -17,10 +18,10 @@ pub const CAMERA_VIEW: &str = "camera";
 const MOST_NUMBERED: usize = 24;
 
 /// What stays the same through a run: what is drawn, and from where. Inputs carry it, so that a step knows its scene.
-#[derive(Clone, PartialEq, Debug)]
 pub struct Scenery {
     scene: Scene,
     planes: [Plane; 6],
+    crowd: Crowd,
 }
 
 impl Scenery {
@@ -28,6 +29,7 @@ impl Scenery {
         Self {
             scene: scene.clone(),
             planes: scene.culler().planes_in_world(),
+            crowd: Crowd::default(),
         }
     }
 
@@ -109,20 +111,53 @@ impl Scenery {
         fate: &impl Fn(usize) -> Fate,
         look: &impl Fn(usize, usize) -> FaceLook,
         is_observed: bool,
-    ) -> (Arc<[Facet]>, Arc<[Edge3]>) {
-        let mut solids = Solids::default();
-        let objects: &[Object] = if self.scene.shows_objects() {
-            self.scene.objects()
-        } else {
-            &[]
-        };
-        for (i, object) in objects.iter().enumerate() {
-            let fate = fate(i);
-            if is_observed || fate != Fate::Culled {
-                let look = |face| look(i, face);
-                let link = |face| self.link(i, face);
-                solids.object(object, link, fate, &self.planes, look);
+    ) -> (Facets, Arc<[Edge3]>) {
+        let objects = Some(self.scene.objects()).filter(|_| self.scene.shows_objects());
+        let objects = objects.unwrap_or_default();
+        let fates: Vec<Fate> = (0..objects.len()).map(fate).collect();
+        let is_there = |&i: &usize| is_observed || fates[i] != Fate::Culled;
+        let n_faces = objects.iter().map(|it| it.model().mesh().faces().len());
+        if n_faces.sum::<usize>() > MANY {
+            let built = self.crowd.known(is_observed, &fates, || {
+                let fate = |i: usize| match fates[i] {
+                    Fate::Cut => Fate::Cut,
+                    Fate::ToCome | Fate::Kept | Fate::Culled => Fate::ToCome,
+                };
+                self.built(0..objects.len(), fate, |_, _| FaceLook::Whole, is_observed)
+            });
+            let fate = |i: usize| Some(i).filter(is_there).map(|i| fates[i]);
+            if let Some(looking) = built.looking(fate, look) {
+                return looking;
             }
+        }
+        let shown = (0..objects.len()).filter(is_there);
+        let (solids, _) = self.built(shown, |i| fates[i], look, is_observed);
+        (solids.facets.into(), solids.edges.into())
+    }
+
+    /// Some of the objects and, for the observer, the cameras; of each facet of an object, which face it is of.
+    fn built(
+        &self,
+        objects: impl Iterator<Item = usize>,
+        fate: impl Fn(usize) -> Fate,
+        look: impl Fn(usize, usize) -> FaceLook,
+        is_observed: bool,
+    ) -> (Solids, Vec<[usize; 2]>) {
+        let mut solids = Solids::default();
+        let mut faces = Vec::new();
+        for i in objects {
+            let object = &self.scene.objects()[i];
+            let (look, link) = (|face| look(i, face), |face| self.link(i, face));
+            let firsts = solids.object(object, link, fate(i), &self.planes, look);
+            let there = firsts.iter().enumerate();
+            for (face, first) in there.filter_map(|(face, &first)| Some((face, first?))) {
+                faces.resize(first as usize, faces.last().copied().unwrap_or_default());
+                faces.push([i, face]);
+            }
+            faces.resize(
+                solids.facets.len(),
+                faces.last().copied().unwrap_or_default(),
+            );
         }
         if is_observed {
             let frozen = self.scene.frozen.iter();
@@ -130,7 +165,7 @@ impl Scenery {
                 solids.camera(camera.camera(), self.glyph_size());
             }
         }
-        (solids.facets.into(), solids.edges.into())
+        (solids, faces)
     }
 
     /// What a face is about: itself where a method tells of faces, else its object.
@@ -197,4 +232,51 @@ pub const fn vertex_link(vertex_idx: usize) -> Link {
 
 pub fn object_link(object_idx: usize) -> Link {
     Link::nth("object", object_idx)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::labs::{frustum::first_scene, space::street};
+
+    type Shown = (Vec<[f64; 3]>, Role);
+
+    fn shown(facets: &Facets) -> Vec<Shown> {
+        let shown = facets.shown();
+        shown.map(|(it, role)| (it.corners.clone(), role)).collect()
+    }
+
+    #[test]
+    fn very_many_faces_are_built_once_and_look_as_if_built_anew() {
+        const FATES: [Fate; 4] = [Fate::ToCome, Fate::Kept, Fate::Cut, Fate::Culled];
+        let mut scene = first_scene();
+        let objects = street(MANY / 12 + 1, 1);
+        scene.set_objects(objects).expect("not too many");
+        let scenery = Scenery::new(&scene);
+        let of_step = |step: usize| {
+            let fate = move |i: usize| FATES[if i % 4 == 2 { 2 } else { (i + step) % 2 * 3 }];
+            let look = move |i: usize, face: usize| match (i + 5 * face + step) % 7 {
+                0 => FaceLook::Hidden,
+                1 => FaceLook::Own(Role::Signal),
+                _ => FaceLook::Whole,
+            };
+            (fate, look)
+        };
+        for is_observed in [true, false] {
+            let mut before: Option<Facets> = None;
+            for step in 0..3 {
+                let (fate, look) = of_step(step);
+                let (facets, edges) = scenery.solids(&fate, &look, is_observed);
+                let there = |i: &usize| is_observed || fate(*i) != Fate::Culled;
+                let there = (0..scene.objects().len()).filter(there);
+                let (anew, _) = scenery.built(there, fate, look, is_observed);
+                assert_eq!(shown(&facets), shown(&anew.facets.into()));
+                let again = scenery.solids(&fate, &look, is_observed);
+                assert!(Arc::ptr_eq(&edges, &again.1));
+                let is_kept = |before: &Facets| before.are_shared_with(&facets);
+                assert!(before.as_ref().is_none_or(is_kept), "step {step}");
+                before = Some(facets);
+            }
+        }
+    }
 }

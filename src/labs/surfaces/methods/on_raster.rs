@@ -122,7 +122,7 @@ pub fn views<M: Telling<Scenery = Scenery>>(
 /// What the pixels are of, in full size: faces that are left out are not in it.
 fn picture(scenery: &Scenery) -> View {
     let scene = scenery.scene();
-    let surfaces = surfaces_on_raster(scene);
+    let culling = scene.raster.culls_backs.then(|| surfaces_on_raster(scene));
     let objects = scene.objects().iter();
     let firsts = objects.scan(0, |next, object| {
         let first = *next;
@@ -131,9 +131,11 @@ fn picture(scenery: &Scenery) -> View {
     });
     let firsts: Vec<usize> = firsts.collect();
     let look = |object: usize, face: usize| {
-        let corners = surfaces.triangles().get(firsts[object] + face);
-        let is_left_out = |corners| surfaces.culls_backs() && !surfaces.shows(corners);
-        if corners.is_some_and(is_left_out) {
+        let is_left_out = |surfaces: &Surfaces| {
+            let corners = surfaces.triangles().get(firsts[object] + face);
+            corners.is_some_and(|corners| !surfaces.shows(corners))
+        };
+        if culling.as_ref().is_some_and(is_left_out) {
             FaceLook::Hidden
         } else {
             FaceLook::Whole

@@ -5,7 +5,7 @@ pub(super) use crate::{
     labs::{
         space::{
             prelude::*,
-            soup::{surface_link, surfaces_on_raster},
+            soup::{MOST_ASKED, surface_link, surfaces_on_raster},
         },
         words::pixel_formula,
     },

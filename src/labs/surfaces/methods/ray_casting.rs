@@ -33,7 +33,7 @@ impl SpaceTelling for RayCasting {
     }
 
     fn input(scene: &Scene) -> RayCastingInput {
-        let surfaces = surfaces_on_raster(scene);
+        let surfaces = surfaces_on_raster(scene).first(MOST_ASKED);
         let size = surfaces.size();
         let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
         let middle = is_long.then_some(size.map(|side| side / 2));

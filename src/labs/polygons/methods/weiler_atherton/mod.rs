@@ -259,7 +259,8 @@ impl Telling for WeilerAtherton {
 
     fn watch(at: &At<'_, Self>) -> Watch {
         let names = Self::WATCH.iter().map(|watched| at.section(watched));
-        [lists_section(&at.step)].into_iter().chain(names).collect()
+        let lists = [Subject, Clip].map(|list| list_section(&at.step, list));
+        lists.into_iter().chain(names).collect()
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {
@@ -283,43 +284,32 @@ const fn node_of(event: Event) -> Option<u32> {
     }
 }
 
-fn lists_section(step: &Step<'_, WeilerAtherton>) -> WatchSection {
-    let pages = [Subject, Clip].map(|list| page(step, list));
-    let n_rows = pages.iter().map(Vec::len).max().unwrap_or(0);
-    let rows = (0..n_rows).map(|row| {
-        let cell = |page: &Vec<(Value, _)>| Some(page.get(row)?.0.clone());
-        let node = pages.iter().find_map(|page| page.get(row)?.1);
-        let cells = pages.iter().map(cell).collect();
-        WatchRow {
-            link: node.map(names::node_link),
-            ..WatchRow::table(name((row + 1).to_string()), cells)
-        }
-    });
-    WatchSection::table(vec!["S", "C"], rows.collect()).seen_in(lists::VIEW)
-}
-
-/// The entries of the page on which a list is being built, labelled or walked: what each says, and the
-/// intersection that it is.
-fn page(step: &Step<'_, WeilerAtherton>, list: List) -> Vec<(Value, Option<u32>)> {
+/// A list about the place where it is being built, labelled or walked: of each entry what it says.
+fn list_section(step: &Step<'_, WeilerAtherton>, list: List) -> WatchSection {
     let (held, input) = (step.held, step.input);
     let entries = &held.lists.entries[list.idx()];
-    let current = current_place(step, list);
-    let first = current.unwrap_or(0) / MAX_ROWS * MAX_ROWS;
-    let places = first..entries.len().min(first + MAX_ROWS);
-    let cell = |place: usize| {
-        let entry = entries.get(place)?;
-        let arrow = if current == Some(place) { "→ " } else { "" };
-        let text = Formula::default()
-            .sym(arrow)
-            .sym(names::entry(input, list, entry));
+    let reach = ListColumn::reach_of(MAX_ROWS, entries.len(), current_place(step, list));
+    let first = reach.start;
+    let row = |place: usize| {
+        let entry = &entries[place];
+        let text = Formula::default().sym(names::entry(input, list, entry));
         let label = entry.node().and_then(|node| standing::label(held, node));
         let text = match label {
             Some(label) => text.sym(" ").term(names::label_key(label)),
             None => text,
         };
-        Some((Value::Formula(text), entry.node()))
+        WatchRow {
+            link: entry.node().map(names::node_link),
+            ..WatchRow::new(name((place + 1).to_string()), Some(Value::Formula(text)))
+        }
     };
-    places.filter_map(cell).collect()
+    let column = match list {
+        Subject => "S",
+        Clip => "C",
+    };
+    WatchSection::table(vec![column], reach.map(row).collect())
+        .part(first, entries.len())
+        .seen_in(lists::VIEW)
 }
 
 fn current_place(step: &Step<'_, WeilerAtherton>, list: List) -> Option<usize> {

@@ -121,6 +121,11 @@ impl<L: Variant> Telling for DepthBuffer<L> {
         done: Event::Done => Row::new(Accept, COMPARE, "depth-done").so(&["{average}"]);
     }
 
+    fn opening(at: &At<'_, Self>) -> &'static Row {
+        let surfaces = &at.step.input.surfaces;
+        on_raster::opening(const { &Self::OPENING }, surfaces, at.scenery)
+    }
+
     fn row_at(at: &At<'_, Self>) -> &'static Row {
         names::in_shades(at).map_or_else(|| Self::row(&at.step), |shades| shades.row)
     }

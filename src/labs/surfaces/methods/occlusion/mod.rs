@@ -30,7 +30,7 @@ impl SpaceTelling for Occlusion {
     }
 
     fn input(scene: &Scene) -> OcclusionInput {
-        let surfaces = surfaces_on_raster(scene);
+        let surfaces = surfaces_on_raster(scene).first(MOST_ASKED);
         let objects = occluders::objects_of(scene, &surfaces);
         OcclusionInput { surfaces, objects }
     }

@@ -1,0 +1,77 @@
+//! Solids of very many faces: built once for a run, of which a step only says how each face looks.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::figure::is_outlined;
+
+use super::{
+    prelude::*,
+    solids::{FaceLook, Fate, Solids},
+};
+
+/// Of more faces none is built anew at each step.
+pub const MANY: usize = 20_000;
+
+/// What was built last, for the camera's view and for the observer's.
+#[derive(Default)]
+pub struct Crowd([Mutex<Option<Arc<Built>>>; 2]);
+
+pub struct Built {
+    /// Of each object, is it cut?
+    cut: Vec<bool>,
+    facets: Arc<[Facet]>,
+    edges: Arc<[Edge3]>,
+    /// Of each facet, its object and which of its faces it is; those after them are of cameras.
+    faces: Vec<[usize; 2]>,
+}
+
+impl Crowd {
+    /// What is known of objects with these fates, or else is built.
+    pub fn known(
+        &self,
+        is_observed: bool,
+        fates: &[Fate],
+        build: impl FnOnce() -> (Solids, Vec<[usize; 2]>),
+    ) -> Arc<Built> {
+        let cut: Vec<bool> = fates.iter().map(|&fate| fate == Fate::Cut).collect();
+        let known = self.0[usize::from(is_observed)].lock();
+        let mut known = known.unwrap_or_else(PoisonError::into_inner);
+        if let Some(built) = known.as_ref().filter(|built| built.cut == cut) {
+            return built.clone();
+        }
+        let (solids, faces) = build();
+        let built = Built {
+            cut,
+            facets: solids.facets.into(),
+            edges: solids.edges.into(),
+            faces,
+        };
+        known.insert(Arc::new(built)).clone()
+    }
+}
+
+impl Built {
+    /// Each face by its look or by its object's fate. None where edges are drawn one by one: they have looks of their own.
+    pub fn looking(
+        &self,
+        fate: impl Fn(usize) -> Option<Fate>,
+        look: impl Fn(usize, usize) -> FaceLook,
+    ) -> Option<(Facets, Arc<[Edge3]>)> {
+        let looks = self.facets.iter().enumerate().map(|(i, facet)| {
+            let Some(&[object, face]) = self.faces.get(i) else {
+                return Some(facet.role);
+            };
+            let fate = fate(object)?;
+            let role = match look(object, face) {
+                FaceLook::Whole => fate.role(),
+                FaceLook::Own(role) => role,
+                FaceLook::Hidden => return None,
+            };
+            // What is cut off stays so.
+            let is_cut_off = facet.role == Role::Discarded;
+            Some(if is_cut_off { facet.role } else { role })
+        });
+        let looks = || Facets::looking(self.facets.clone(), looks.collect());
+        is_outlined(&self.edges).then(|| (looks(), self.edges.clone()))
+    }
+}
