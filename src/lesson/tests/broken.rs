@@ -185,7 +185,7 @@ fn a_problem_is_rendered_as_a_compiler_would() {
 01-a/lesson.toml:6:1: error: There is no field “窗口” here.
   6 | \"窗口\"  = 1
     | ^^^^^^
-    = Expected: one of method, compare, window, clip, bit_order, segments, random, focus.
+    = Expected: one of method, compare, window, clip, bit_order, segments, mistaken, random, focus.
 01-a/lesson.toml:7:11: error: The window is empty: xmin = 9 must be less than xmax = −1.
   7 | window = [9, -1, -1, 1] # [-1, -1, 1, 1]
     |           ^
