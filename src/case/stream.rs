@@ -93,6 +93,7 @@ pub fn trace(
 }
 
 /// Where a case stands.
+#[derive(Clone, Copy)]
 struct Place {
     line: usize,
     number: usize,

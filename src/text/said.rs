@@ -52,7 +52,9 @@ impl Alike {
     pub fn see(&mut self, said: Said<'_>) {
         let mut numbers = Vec::new();
         said.collect(&mut numbers);
-        numbers.into_iter().for_each(|number| self.add(number));
+        for number in numbers {
+            self.add(number);
+        }
     }
 }
 

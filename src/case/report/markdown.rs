@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use super::{Report, STEP_HEAD, Sheet, columns::Cell};
+use super::{Report, STEP_HEAD, columns::Cell, sheet::Sheet};
 
-impl Report<'_> {
+impl Report {
     /// The title of the whole, and of a worksheet what is to be done.
     pub fn write_title(&self, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);

@@ -3,6 +3,7 @@
 
 mod columns;
 mod markdown;
+mod sheet;
 mod steps;
 mod text;
 
@@ -15,22 +16,13 @@ use crate::{
 use super::{Case, Detail, Id, Refused, refusal::short};
 
 use columns::Cell;
+use sheet::BLANK;
 
-/// Who it is for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Sheet {
-    /// Who knows, or will check.
-    Answers,
-    /// Who works it out.
-    Questions,
-}
-
-/// Room to write an answer.
-const BLANK: &str = "…………";
+pub(super) use sheet::Sheet;
 
 /// What is told of one case, whatever it is written as.
-pub(super) struct Report<'c> {
-    catalog: &'c Catalog,
+pub(super) struct Report {
+    catalog: &'static Catalog,
     sheet: Sheet,
     name: String,
     algorithm: String,
@@ -44,7 +36,7 @@ pub(super) struct Report<'c> {
     cost: [[String; 2]; 5],
 }
 
-/// Over the columns of [`Solved::steps`].
+/// Over the columns of [`Report::steps`].
 const STEP_HEAD: [&str; 4] = [
     "report-step",
     "report-what",
@@ -52,7 +44,7 @@ const STEP_HEAD: [&str; 4] = [
     "report-changed",
 ];
 
-impl Report<'static> {
+impl Report {
     /// `number` is how many cases came before it, and one.
     pub(super) fn new(
         number: usize,

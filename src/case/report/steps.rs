@@ -8,7 +8,10 @@ use crate::{
     text::{Alike, Catalog, Formula, Message, Said, Value},
 };
 
-use super::{BLANK, Sheet, columns::Cell};
+use super::{
+    columns::Cell,
+    sheet::{BLANK, Sheet},
+};
 
 /// A step as it is told. Arithmetic that leaves the range of f64 on its way is left out.
 struct Told<'a> {

@@ -12,7 +12,7 @@ use super::{
 /// Half a wide screen, and the whole of a narrow one.
 const WIDTH: usize = 100;
 
-impl Report<'_> {
+impl Report {
     /// With an empty line after it.
     pub fn write_text(self, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);
