@@ -3,9 +3,10 @@
 use egui::Shape;
 
 use crate::{
+    figure::{Mark, Role},
     paint::round_step,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, Moved, gripped, place_at, snapped},
+    widgets::{CanvasShown, Gesture, Moved, gripped, link_at, place_at, snapped},
 };
 
 use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
@@ -195,6 +196,32 @@ pub fn click_at<'a>(
         locks,
         ..Click::default()
     }
+}
+
+/// What a click under the pointer would pick.
+pub fn pointed(
+    app: &App,
+    ui: &Ui,
+    (viewport, lens): (&Viewport, Lens),
+    locks: &[Lock],
+    marks: &[Mark],
+) -> Option<Mark> {
+    if !ui.rect_contains_pointer(viewport.rect) {
+        return None;
+    }
+    let pointer = ui.input(|input| input.pointer.hover_pos())?;
+    let there = (pointer, link_at(viewport, marks, pointer));
+    let click = click_at(viewport, lens, locks, there);
+    let shape = app.scene().document().pointed(&click)?;
+    Some(Mark::new(Role::Accent, shape))
+}
+
+/// Which of the handles a press on what is drawn with this link takes hold of.
+pub fn seized(app: &App, (handles, locks): (&[Handle], &[Lock]), link: Link) -> Option<usize> {
+    let seized = app.scene().document().seized(link)?;
+    let is_free = !Lock::any_holds(locks, seized);
+    let mut handles = handles.iter();
+    handles.position(|&handle| is_free && handle == seized)
 }
 
 fn turned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {

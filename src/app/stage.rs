@@ -6,13 +6,11 @@ use std::borrow::Cow;
 use egui::InputState;
 
 use crate::{
-    figure::{
-        Body, Caption, ColumnLayout, Frame, Layout, Mark, Raster, Role, Seer, Spacing, sentences,
-    },
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Raster, Seer, Spacing, sentences},
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
-        height_for_all, link_at, picture_viewport, place_inset, projected, rect_of, title_ground,
+        height_for_all, picture_viewport, place_inset, projected, rect_of, title_ground,
         title_of_space, under_title,
     },
 };
@@ -275,25 +273,6 @@ impl Column<'_> {
         spots(look, scene, self.handles, self.locks, &reach)
     }
 
-    fn seized(&self, link: Link) -> Option<usize> {
-        let seized = self.app.scene().document().seized(link)?;
-        let is_free = !Lock::any_holds(self.locks, seized);
-        let mut handles = self.handles.iter();
-        handles.position(|&handle| is_free && handle == seized)
-    }
-
-    /// What a click under the pointer would pick.
-    fn pointed(&self, ui: &Ui, viewport: &Viewport, marks: &[Mark]) -> Option<Mark> {
-        if !ui.rect_contains_pointer(viewport.rect) {
-            return None;
-        }
-        let pointer = ui.input(|input| input.pointer.hover_pos())?;
-        let there = (pointer, link_at(viewport, marks, pointer));
-        let click = clicks::click_at(viewport, self.drawing.1, self.locks, there);
-        let shape = self.app.scene().document().pointed(&click)?;
-        Some(Mark::new(Role::Accent, shape))
-    }
-
     fn canvas(
         &self,
         ui: &mut Ui,
@@ -325,14 +304,15 @@ impl Column<'_> {
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
         let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
-        let pointed = (!is_drawing).then(|| self.pointed(ui, &viewport, &marks));
+        let pointed = (!is_drawing)
+            .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
         let shown = Canvas {
             id,
             viewport,
             name: format!("{panel}: {method}"),
             text: caption_text(look.catalog, said),
             spots: &spots,
-            seized: &|link| self.seized(link),
+            seized: &|link| clicks::seized(app, (self.handles, self.locks), link),
             snap: app.settings.snap,
             has_grid: is_flat,
             reads_pointer: !app.has_hidden_pointer(ui.ctx()),
