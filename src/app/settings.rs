@@ -9,6 +9,10 @@ use super::{
     dialog::Figures,
 };
 
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is so or not whatever the others are"
+)]
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {

@@ -108,9 +108,8 @@ impl App {
         };
         // The keys that come next are the handle's.
         let handles = self.scene().document().handles().into_iter();
-        let handles = handles.zip(&self.stage.handle_ids);
-        let own = handles.filter(|(handle, _)| *handle == typing.handle);
-        if let Some((_, &id)) = own.last() {
+        let mut handles = handles.zip(&self.stage.handle_ids);
+        if let Some((_, &id)) = handles.find(|(handle, _)| *handle == typing.handle) {
             ctx.memory_mut(|memory| memory.request_focus(id));
         }
         let (document, is_flat) = (self.history.now().document(), self.stage.is_flat());

@@ -15,6 +15,10 @@ pub enum Snap {
     Offset,
 }
 
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is so or not whatever the others are"
+)]
 #[derive(Clone, PartialEq, Debug)]
 pub struct Spot {
     /// Which of its owner's handles it is: a canvas need not know them all.

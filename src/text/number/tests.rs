@@ -162,7 +162,9 @@ fn numbers_beside_each_other_are_of_one_kind() {
     ] {
         let numbers: Vec<Quantity> = numbers.into_iter().map(Quantity::Number).collect();
         let mut alike = Alike::default();
-        numbers.iter().for_each(|&number| alike.add(number));
+        for &number in &numbers {
+            alike.add(number);
+        }
         let kind = alike.notation();
         let written = |x: &Quantity| x.written(Lang::En, kind).to_string();
         let written: Vec<String> = numbers.iter().map(written).collect();
