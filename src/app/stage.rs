@@ -139,9 +139,9 @@ fn lay_out(
     let heights = [caption, 0.0];
     let playback = &app.playback;
     let is_beside = app.settings.picture_beside;
-    let mut needs = playback.needs.clone();
+    let mut needs = Cow::Borrowed(&playback.needs);
     if is_beside {
-        for need in needs.iter_mut().flatten() {
+        for need in needs.to_mut().iter_mut().flatten() {
             *need = need.enlarged();
         }
     }
@@ -197,13 +197,6 @@ impl Column<'_> {
         }
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
         if pixel.is_some() && is_clicked {
-            let click = Click {
-                link: pixel,
-                locks: self.locks,
-                ..Click::default()
-            };
-            let change = app.scene().document().click(&click);
-            app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
             app.push(Command::Ask(pixel));
         }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);

@@ -1,21 +1,24 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
+mod halves;
 #[cfg(test)]
 mod tests;
 
 use egui::{Rect, Ui, Vec2, vec2};
 
 use crate::{
-    figure::{Body, ColumnLayout, Eyes, Layout, Mark, Need, Spacing, ViewId, notation},
+    figure::{Body, ColumnLayout, Layout, Mark, Need, Spacing, ViewId, notation},
     labs::{Difference, Scene},
     lesson::{Lesson, Stop},
     paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
     text::{Catalog, Lang, Message, Notation},
     widgets::{
-        Album, Bars, Column, Composition, Cost, Medium, Recorded, covered, height_for_all,
-        most_of_a_kind, place_inset, rect_of, space, view,
+        Album, Bars, Column, Composition, Cost, Medium, covered, height_for_all, most_of_a_kind,
+        place_inset, rect_of, space, view,
     },
 };
+
+use halves::{Half, halves, headings};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
 /// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
@@ -82,6 +85,13 @@ pub struct Picture<'a> {
 }
 
 impl Picture<'_> {
+    /// How it was, if that is shown, and how it is.
+    fn stops(&self) -> Vec<(&Scene, usize)> {
+        let was = self.before;
+        let was = was.and_then(|stop| Some((&*stop.scene, stop.position()?)));
+        was.into_iter().chain([(self.scene, self.step)]).collect()
+    }
+
     /// The language in which it is asked what comes, if it is.
     fn asked_in(&self) -> Option<Lang> {
         self.options.asks.then_some(self.options.lang)
@@ -115,7 +125,8 @@ impl Studio {
     /// In words what the figure shows: its title, and under each method's name its sentence.
     pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
         let catalog = Catalog::of(picture.options.lang);
-        let halves = halves(album(&mut self.last, picture), picture);
+        let album = album(&mut self.last, picture);
+        let halves = halves(album, &picture.stops(), picture.asked_in());
         let headings = headings(&halves, catalog);
         let columns = halves.iter().flat_map(|half| &half.columns);
         let sentence = |(column, name): (&Column, &String)| {
@@ -182,47 +193,11 @@ fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
     needs.iter().zip(&layout.columns).flat_map(lost).collect()
 }
 
-/// A scene at a step, with each of its methods.
-struct Half<'a> {
-    recorded: &'a Recorded,
-    columns: Vec<Column>,
-}
-
-/// How it was, if that is shown, and how it is.
-fn halves<'a>(album: &'a Album, picture: &Picture<'_>) -> Vec<Half<'a>> {
-    let was = picture
-        .before
-        .and_then(|stop| Some((&*stop.scene, stop.position()?)));
-    let now = (picture.scene, picture.step);
-    let half = |(scene, step)| {
-        let recorded = album.recorded(scene);
-        let columns = recorded.columns(step, picture.asked_in());
-        Half { recorded, columns }
-    };
-    was.into_iter().chain([now]).map(half).collect()
-}
-
-/// What stands over each column.
-fn headings(halves: &[Half<'_>], catalog: &Catalog) -> Vec<String> {
-    match halves {
-        [_, _] => ["figure-before", "figure-now"]
-            .map(|key| catalog.term(key))
-            .to_vec(),
-        _ => {
-            let columns = halves.iter().flat_map(|half| &half.columns);
-            let name = |column: &Column| catalog.term(column.method.name_key);
-            columns.map(name).collect()
-        }
-    }
-}
-
 struct Page<'a> {
     picture: &'a Picture<'a>,
     look: Look<'static>,
     album: &'a Album,
     halves: Vec<Half<'a>>,
-    /// Of each half.
-    eyes: Vec<Eyes>,
     needs: Vec<Vec<Need>>,
 }
 
@@ -232,11 +207,15 @@ type Drawn<'a> = (&'a Half<'a>, usize, &'a Column);
 impl<'a> Page<'a> {
     /// With what is drawn on it, as the eyes that are found for it see it.
     fn of(album: &'a Album, picture: &'a Picture<'a>) -> Self {
-        let mut halves = halves(album, picture);
+        let mut halves = halves(album, &picture.stops(), picture.asked_in());
         let of_all = picture.options.steps == Steps::All;
-        let mut eyes = Vec::new();
-        for Half { recorded, columns } in &mut halves {
-            eyes.push(recorded.turned(columns, of_all, album.eyes()));
+        for Half {
+            recorded,
+            columns,
+            eyes,
+        } in &mut halves
+        {
+            *eyes = recorded.turned(columns, of_all, album.eyes());
             *columns = recorded.drawn(std::mem::take(columns));
         }
         let needs = match &halves[..] {
@@ -259,7 +238,6 @@ impl<'a> Page<'a> {
             look,
             album,
             halves,
-            eyes,
             needs,
         }
     }
@@ -291,9 +269,8 @@ impl<'a> Page<'a> {
             .map(|cost| Bars::new(ui.painter(), self.look, cost, width))
             .collect();
         let (mut layout, has_bars) = self.lay_out(ui, area, &composition, bars.first());
-        for (i, ((_, _, column), places)) in self.columns().zip(&mut layout.columns).enumerate() {
-            let eyes = &self.eyes[i.min(self.eyes.len() - 1)];
-            place_inset(ui, self.look, places, &column.frame.views, eyes);
+        for ((half, _, column), places) in self.columns().zip(&mut layout.columns) {
+            place_inset(ui, self.look, places, &column.frame.views, &half.eyes);
         }
         for (i, (drawn, places)) in self.columns().zip(&layout.columns).enumerate() {
             let (_, _, column) = drawn;

@@ -59,7 +59,8 @@ fn picture_size(scene: &Scene) -> [u32; 2] {
 
 pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let pixel = pixel_of(scene, about)?;
-    Some(verdict_at(scene, picture_size(scene), pixel))
+    let input = DepthBufferInput::new(surfaces_of(scene, picture_size(scene)));
+    Some(verdict_at(scene, &input, pixel))
 }
 
 /// Of a pixel of the raster: what it shows at this step, by which step; where that is not what is nearest there, what is.
@@ -71,7 +72,6 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
     if pixel[1] >= size[1] {
         return None;
     }
-    let truth = verdict_at(scene, size, pixel);
     let input = DepthBufferInput::new(surfaces_of(scene, size));
     let shown = (scene.method.info().shown_at)(scene, (step, place))?;
     let shown = u32::try_from(shown).ok();
@@ -83,7 +83,7 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
         return Some(Verdict {
             step,
             offer,
-            ..truth
+            ..verdict_at(scene, &input, pixel)
         });
     }
     let message = match shown {
@@ -114,9 +114,8 @@ fn looking_at(scene: &Scene, pixel: [u32; 2]) -> (&'static str, Own) {
     (keys[usize::from(is_alone)], change)
 }
 
-fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
-    let input = DepthBufferInput::new(surfaces_of(scene, size));
-    let story = pixel_story::<Right>(&input, pixel);
+fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2]) -> Verdict {
+    let story = pixel_story::<Right>(input, pixel);
     let seen = story.iter().rfind(|fragment| fragment.kept);
     let message = Message::new(match seen {
         Some(_) => "pixel-seen",
@@ -132,7 +131,7 @@ fn verdict_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Verdict {
         }
         None => Caption::new(message),
     };
-    let notes = other_beside(scene, &input, pixel, seen.map(|fragment| fragment.id));
+    let notes = other_beside(scene, input, pixel, seen.map(|fragment| fragment.id));
     Verdict {
         why,
         notes: notes.into_iter().collect(),
