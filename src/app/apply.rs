@@ -84,6 +84,7 @@ impl App {
             Command::Contents(open) => shown.lists_lessons = open,
             Command::OpenCourse(folder) => self.open_course(folder, ctx),
             Command::Answer(is_answered) => shown.is_answered = is_answered,
+            Command::Question => shown.asks ^= true,
             Command::Free => self.toggle_free(),
             Command::Help if shown.dialog == Some(Dialog::Help) => shown.dialog = None,
             Command::Help => shown.dialog = Some(Dialog::Help),

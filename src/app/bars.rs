@@ -1,6 +1,6 @@
 //! The bar at the top and the transport at the bottom.
 
-use egui::Popup;
+use egui::{Color32, Popup, TextStyle};
 
 use crate::{
     panels::{compare_picker, method_picker},
@@ -10,12 +10,17 @@ use crate::{
 use super::{
     App, Command, menus,
     prelude::*,
+    question::question_button,
     room::{COURSE, CoursePart, Room, transport_has_room},
 };
 
 const BETWEEN_TABS: f32 = 12.0;
 /// The program's name and a method's, before any scale.
 const BESIDE_TABS: f32 = 270.0;
+/// A method's name, before any scale.
+const METHOD: f32 = 130.0;
+/// Of the buttons for course and inspector.
+const SIDES_WIDTH: f32 = 80.0;
 
 pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let bar = ui.max_rect();
@@ -23,9 +28,15 @@ pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         ui.spacing_mut().item_spacing.x = 4.0;
         if app.is_narrow() {
             sides(app, ui);
+            question_button(app, ui);
             menus::behind_one_button(app, ui, panels);
         } else {
-            menus::in_a_row(app, ui, panels);
+            let is_row = has_room_for_menus(app, ui, panels);
+            if is_row {
+                menus::in_a_row(app, ui, panels);
+            } else {
+                menus::behind_one_button(app, ui, panels);
+            }
             let is_all = app.course_part() == CoursePart::Whole && app.settings.inspector;
             if !is_all || app.has_strip() {
                 sides(app, ui);
@@ -66,15 +77,36 @@ fn title(app: &App, ui: &mut Ui, bar: Rect, panels: &[Box<dyn LabPanel>]) {
 }
 
 fn tabs_width(ui: &Ui, look: Look<'_>, panels: &[Box<dyn LabPanel>]) -> f32 {
-    let font = theme::strong().resolve(ui.style());
-    let width = |name: String| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(name, font.clone(), look.theme.ink);
-        galley.size().x + BETWEEN_TABS
-    };
     let names = panels.iter().map(|panel| look.say(panel.lab().name_key));
+    widths(ui, &theme::strong(), names, BETWEEN_TABS)
+}
+
+/// Of names in a row, each with the white space `around` it.
+fn widths(ui: &Ui, style: &TextStyle, names: impl Iterator<Item = String>, around: f32) -> f32 {
+    let font = style.resolve(ui.style());
+    let width = |name| {
+        let galley = (ui.painter()).layout_no_wrap(name, font.clone(), Color32::PLACEHOLDER);
+        galley.size().x + around
+    };
     names.map(width).sum()
+}
+
+/// Is the method's name still read beside the tabs, where all menus stand in a row?
+fn has_room_for_menus(app: &App, ui: &Ui, panels: &[Box<dyn LabPanel>]) -> bool {
+    let around = 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x;
+    let menus = widths(
+        ui,
+        &TextStyle::Button,
+        menus::names(app).into_iter(),
+        around,
+    );
+    let before_tabs = match app.course_part() {
+        CoursePart::Whole => COURSE,
+        CoursePart::Hidden | CoursePart::Strip => 0.0,
+    };
+    let tabs = before_tabs + tabs_width(ui, app.look(), panels);
+    let method = METHOD * app.look().theme.text_scale;
+    tabs + method + SIDES_WIDTH + menus < ui.available_width()
 }
 
 fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {

@@ -24,6 +24,8 @@ pub enum Command {
     /// The course that is built in, or that of a folder.
     OpenCourse(Option<String>),
     Answer(bool),
+    /// Shows what the step asks under the stage, where its text is folded away; or no more.
+    Question,
     Free,
     Edit(Edit, Option<UndoGroup>),
     Add,

@@ -8,7 +8,11 @@ use egui::{
 
 use crate::widgets::{lesson_text, step_title};
 
-use super::{App, Command, prelude::*, question::shown_answer};
+use super::{
+    App, Command,
+    prelude::*,
+    question::{answer_button, question_button, shown_answer},
+};
 
 const GAP: f32 = 4.0;
 const CHANGED: f32 = 3.0;
@@ -70,6 +74,7 @@ pub fn strip(app: &App, ui: &mut Ui) {
         let Some(lesson) = app.bookmark.lesson() else {
             return;
         };
+        question_button(app, ui);
         ui.add_space(12.0);
         ScrollArea::vertical().show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 8.0;
@@ -110,16 +115,7 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 ui.add_space(4.0);
-                if app.has_answer() {
-                    let key = if app.shown.is_answered {
-                        "lesson-answer-hide"
-                    } else {
-                        "lesson-answer-show"
-                    };
-                    if ui.add(Button::new(accent(look, key))).clicked() {
-                        app.push(Command::Answer(!app.shown.is_answered));
-                    }
-                }
+                answer_button(app, ui);
                 if has_source {
                     let text = RichText::new(&lesson.source).small();
                     ui.add(Label::new(text.color(look.theme.soft)).truncate());

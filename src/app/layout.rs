@@ -28,7 +28,12 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
-            Room::Stage => centre(app, ui, state),
+            Room::Stage => {
+                if app.asks_on_stage() {
+                    question::show(app, ui);
+                }
+                centre(app, ui, state);
+            }
             Room::Course => {
                 panel.show(ui, |ui| left(app, ui, panels));
             }

@@ -15,6 +15,18 @@ use super::{
     room::{BESIDE_TRANSPORT, transport_has_room},
 };
 
+/// What the bar has room for, or not.
+pub fn names(app: &App) -> [String; 4] {
+    let [present, theme, scene] =
+        ["action-present", "settings-theme", "panel-scene"].map(|key| app.look().say(key));
+    [
+        present,
+        theme,
+        app.settings.lang.native_name().to_owned(),
+        scene,
+    ]
+}
+
 /// The menus of the bar, from right to left.
 pub fn in_a_row(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
@@ -31,7 +43,8 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
     let look = app.look();
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     Popup::menu(&button).style(menu_style).show(|ui| {
-        for panel in &*panels {
+        // In a wide window they are tabs.
+        for panel in panels.iter().filter(|_| app.is_narrow()) {
             let lab = panel.lab();
             let is_open = app.scene().document().lab() == lab;
             if ui.radio(is_open, look.say(lab.name_key)).clicked() && !is_open {
@@ -39,7 +52,9 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
                 ui.close();
             }
         }
-        ui.separator();
+        if app.is_narrow() {
+            ui.separator();
+        }
         menu_button(ui, look.say("panel-scene"), |ui| {
             scene(app, ui, panels);
         });

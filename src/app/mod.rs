@@ -143,6 +143,8 @@ struct Shown {
     is_measuring: bool,
     lists_lessons: bool,
     is_answered: bool,
+    /// Is the question under the stage, where no lesson text is beside it?
+    asks: bool,
     presenting: Option<window::Before>,
     /// Is the course open where it is a strip else?
     unfolded: bool,

@@ -190,7 +190,10 @@ impl App {
         let is_read = self.is_presenting()
             || match self.room() {
                 Room::Course => true,
-                Room::Stage => self.course_part() == CoursePart::Whole && !self.is_narrow(),
+                Room::Stage => {
+                    let is_beside = self.course_part() == CoursePart::Whole && !self.is_narrow();
+                    is_beside || self.asks_on_stage()
+                }
                 Room::Inspector => false,
             };
         let is_asked = self.has_answer() && (!self.is_presenting() || self.is_untouched());

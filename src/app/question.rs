@@ -1,11 +1,11 @@
-//! What the open step asks, under the stage of those who are presented it and see no lesson text; and its answer, once it is
-//! shown.
+//! What the open step asks, under the stage of those who see no lesson text, because it is presented or folded away; and its
+//! answer, once it is shown.
 
 use egui::{Frame, Panel};
 
 use crate::{lesson::Block, widgets::lesson_text};
 
-use super::{App, prelude::*};
+use super::{App, Command, prelude::*};
 
 /// Of the window's height.
 const MOST: f32 = 0.34;
@@ -38,9 +38,32 @@ pub fn show(app: &App, ui: &mut Ui) {
                 .max_height(most)
                 .show(ui, |ui| {
                     lesson_text(ui, look, id, asked, app.shown.is_answered);
+                    if !app.is_presenting() {
+                        answer_button(app, ui);
+                    }
                     shown_answer(app, ui);
                 });
         });
+}
+
+/// Shows the question where the lesson's text is folded away.
+pub fn question_button(app: &App, ui: &mut Ui) {
+    if app.has_answer() {
+        let name = app.look().say("lesson-question");
+        if icon_button(ui, app.look(), Icon::Question, &name, true).clicked() {
+            app.push(Command::Question);
+        }
+    }
+}
+
+pub fn answer_button(app: &App, ui: &mut Ui) {
+    if app.has_answer() {
+        let key = ["lesson-answer-show", "lesson-answer-hide"];
+        let key = key[usize::from(app.shown.is_answered)];
+        if ui.add(Button::new(accent(app.look(), key))).clicked() {
+            app.push(Command::Answer(!app.shown.is_answered));
+        }
+    }
 }
 
 /// Scrolls to an answer that has just been shown, once what stands above this place has been drawn.

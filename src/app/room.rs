@@ -4,8 +4,8 @@ use crate::{text::Catalog, widgets::transport_width};
 
 use super::{App, prelude::*, run_room::OnStage};
 
-/// In windows narrower than this, in points, the course and the inspector take the stage's place.
-const NARROW: f32 = 860.0;
+/// In windows narrower than this, in points of the light theme, the course and the inspector take the stage's place.
+const NARROW: f32 = 880.0;
 /// A window that is less high than this, in points, is low.
 const LOW: f32 = 420.0;
 /// Widths of the side panels: they leave the stage 60 % of 1280.
@@ -72,7 +72,7 @@ impl App {
     }
 
     pub(super) fn is_narrow(&self) -> bool {
-        self.shown.size.x < NARROW
+        self.shown.size.x < NARROW * self.look().theme.text_scale.sqrt()
     }
 
     pub(super) fn is_low(&self) -> bool {
@@ -100,6 +100,11 @@ impl App {
             (true, true) => CoursePart::Strip,
             (true, false) => CoursePart::Whole,
         }
+    }
+
+    /// Does the stage say what the step asks, because its text is folded away?
+    pub(super) fn asks_on_stage(&self) -> bool {
+        self.shown.asks && self.course_part() == CoursePart::Strip && !self.is_low()
     }
 
     pub(super) fn measures(&self) -> bool {

@@ -2,7 +2,7 @@
 
 use egui::Role;
 
-use crate::trace::Transport;
+use crate::{paint::fonts::semibold, trace::Transport};
 
 use super::{
     headings::focus_ring,
@@ -75,6 +75,7 @@ pub enum Icon {
     LeftPanel,
     RightPanel,
     More,
+    Question,
     Close,
 }
 
@@ -123,6 +124,10 @@ impl Icon {
                 for x in [-5.0, 0.0, 5.0] {
                     painter.circle_filled(c + vec2(x, 0.0), 1.6, colour);
                 }
+            }
+            Self::Question => {
+                let font = FontId::new(16.0, semibold());
+                painter.text(c, Align2::CENTER_CENTER, "?", font, colour);
             }
             Self::Close => {
                 for y in [-4.0, 4.0] {

@@ -2,6 +2,7 @@
 
 ## Walking through the course
 
+lesson-question = What is asked
 lesson-answer-show = Show the answer
 lesson-answer-hide = Hide the answer
 lesson-changed = This is your scene. The text speaks of the lesson’s own.

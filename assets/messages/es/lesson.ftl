@@ -2,6 +2,7 @@
 
 ## Walking through the course
 
+lesson-question = La pregunta
 lesson-answer-show = Mostrar la respuesta
 lesson-answer-hide = Ocultar la respuesta
 lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.

@@ -2,6 +2,7 @@
 
 ## Walking through the course
 
+lesson-question = A pergunta
 lesson-answer-show = Mostrar a resposta
 lesson-answer-hide = Ocultar a resposta
 lesson-changed = Esta é a sua cena. O texto fala da cena da lição.

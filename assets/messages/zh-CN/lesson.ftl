@@ -2,6 +2,7 @@
 
 ## Walking through the course
 
+lesson-question = 问题
 lesson-answer-show = 显示答案
 lesson-answer-hide = 隐藏答案
 lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
