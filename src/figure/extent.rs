@@ -2,6 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use crate::text::{Catalog, Lang, Value};
+
 use super::{
     frame::{Caption, Shown},
     graph::{Graph, Places, layers, size_of},
@@ -165,12 +167,34 @@ fn bits_need(bits: &Bits) -> (Stand, [f32; 2], [f32; 2]) {
     (Stand::Beside, least, natural)
 }
 
+/// What a column of names has room for, in ems.
+const WORD: f32 = 5.0;
+/// A letter, in ems: in English, whose words other languages' are as long as, give or take a few.
+const LETTER: f32 = 0.52;
+
+/// In ems, of what a column says in words.
+fn words_width(table: &Table, idx: usize) -> f32 {
+    let catalog = Catalog::of(Lang::En);
+    let values = table.rows.iter().filter_map(|row| match idx {
+        0 => Some(&row.name),
+        _ => row.cells.get(idx - 1)?.value.as_ref(),
+    });
+    let words = values.filter(|value| matches!(value, Value::Term(_) | Value::Message(_)));
+    let letters = words.map(|value| catalog.value(value).chars().count());
+    LETTER * letters.max().unwrap_or(0) as f32
+}
+
 fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
     let columns = table.header.len().saturating_sub(1) as f32;
     let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
+    let columns_of_words = (0..table.header.len()).map(|idx| words_width(table, idx));
+    let words: f32 = columns_of_words.map(|it| (it - WORD).max(0.0)).sum();
     // Rows are folded where there is no room for all.
-    let least = [4.5 + 2.8 * columns, 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes];
-    let natural = [6.0 + 3.0 * columns, 3.0 + 3.2 * rows + 2.0 * notes];
+    let least = [
+        4.5 + 2.8 * columns + 0.6 * words,
+        3.0 + 1.8 * rows.min(4.0) + 1.5 * notes,
+    ];
+    let natural = [6.0 + 3.0 * columns + words, 3.0 + 3.2 * rows + 2.0 * notes];
     (Stand::Beside, least, natural)
 }
 

@@ -35,6 +35,8 @@ const READABLE: f32 = 13.0;
 const PARTS: [f32; 3] = [1.0, 0.85, 0.7];
 /// A drawing that is smaller by less is as large.
 const SAME: f32 = 0.99;
+/// From the seats of a lecture hall, text that can be read is worth so much of a drawing that no page has to keep.
+const SEATED: f32 = 0.8;
 /// The white space of a page, or of the window's stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spacing {
@@ -165,7 +167,8 @@ impl Sheet {
             if self.em <= READABLE {
                 return all;
             }
-            SAME * all.scale
+            let least = if self.spacing.is_fixed { SEATED } else { SAME };
+            least * all.scale
         };
         let mut needs = needs.to_vec();
         let mut best = Arranged::default();
@@ -210,7 +213,7 @@ impl Sheet {
             for share in way.shares(needs) {
                 let how = (way, part, share);
                 let views = self.views_in(how, stages, needs);
-                let arranged = Arranged::new(how, views, needs);
+                let arranged = Arranged::new(how, views, (needs, self.readable()));
                 if arranged.is_better_than(&best) {
                     best = arranged;
                 }

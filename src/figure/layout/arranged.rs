@@ -1,5 +1,7 @@
 //! How good an arrangement is: by the views that it has room for, and by how large its drawings are.
 
+use std::cmp::Reverse;
+
 use super::{Slot, ViewId, groups::How};
 use crate::figure::extent::{Need, Stand};
 
@@ -14,13 +16,29 @@ pub struct Arranged {
     /// Column by column, the drawing first.
     pub views: Vec<Vec<(ViewId, Slot)>>,
     pub n_views: usize,
+    /// Those of text that is cut or set small, as they are less wide than they have to be.
+    n_narrow: usize,
     /// How long the sides of the drawings are, in points, multiplied: of two, none is large at the cost of the other.
     pub scale: f32,
 }
 
 impl Arranged {
-    pub fn new(how: How, views: Vec<Vec<(ViewId, Slot)>>, needs: &[Vec<Need>]) -> Self {
+    pub fn new(
+        how: How,
+        views: Vec<Vec<(ViewId, Slot)>>,
+        (needs, readable): (&[Vec<Need>], f32),
+    ) -> Self {
         let columns = views.iter().zip(needs);
+        let all = columns.clone().flat_map(|(views, needs)| {
+            let slot = |need: &Need| views.iter().find(|(id, _)| *id == need.id);
+            needs
+                .iter()
+                .filter_map(move |need| Some((need, slot(need)?.1)))
+        });
+        let is_narrow = |(need, slot): &(&Need, Slot)| {
+            need.aspect.is_none() && slot.size()[0] < need.least[0] * readable - 1.0
+        };
+        let n_narrow = all.filter(is_narrow).count();
         let scale = columns.flat_map(|(views, needs)| {
             let drawn = views.iter().enumerate().filter_map(|(nth, (id, slot))| {
                 let need = needs.iter().find(|need| need.id == *id)?;
@@ -39,6 +57,7 @@ impl Arranged {
             how: Some(how),
             scale: scale.product(),
             n_views: if is_whole { n_views } else { 0 },
+            n_narrow,
             views,
         }
     }
@@ -49,7 +68,8 @@ impl Arranged {
 
     pub fn is_better_than(&self, other: &Self) -> bool {
         let is_larger = self.scale > CLEARLY * other.scale;
-        self.n_views > other.n_views || self.n_views == other.n_views && is_larger
+        let [own, others] = [self, other].map(|it| (it.n_views, Reverse(it.n_narrow)));
+        own > others || own == others && is_larger
     }
 }
 

@@ -206,7 +206,7 @@ impl Sheet {
     }
 
     /// The size of text that is still read.
-    const fn readable(&self) -> f32 {
+    pub(super) const fn readable(&self) -> f32 {
         READABLE.min(self.em)
     }
 
