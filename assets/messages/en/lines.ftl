@@ -4,17 +4,17 @@
 
 line-opening = Which part of P₁P₂ lies in the window?
 line-not-on-it = { $point }: not on P₁P₂
-line-parallel = Parallel to the { $edge }: no crossing.
-line-reject-edge = Reject: both ends lie beyond the { $edge }.
-line-accept = Accept: visible from { $p1 } to { $p2 }.
-line-touch = Accept: the segment touches the window in the one point { $at }.
+line-parallel = The segment is parallel to the { $edge }: there is no crossing.
+line-reject-edge = Reject: both ends are beyond the { $edge }.
+line-accept = Accept: the segment is visible from { $p1 } to { $p2 }.
+line-touch = Accept: the segment touches the window at the one point { $at }.
 line-point = Accept: both ends are the one point { $at }, and it lies in the window.
 param-left = { $min } < { $max }: a part is left.
-param-touch = { $min } = { $max }: a single point is left, and on the border is inside.
+param-touch = { $min } = { $max }: a single point is left, and the border counts as inside.
 param-empty = { $min } > { $max }: nothing is left.
 param-put-end = { $end } = { $at } was inside and stays.
 watch-crossings = crossings
-watch-crossings-used = of use
+watch-crossings-used = used
 table-edge = edge
 table-polygon-edge = edge
 table-start = start
@@ -22,25 +22,25 @@ table-corner = corner
 
 ## Brute force
 
-bf-intersect = Meet the line of the { $edge }.
-bf-keep = Nothing lies beyond the { $edge }: this crossing was not needed.
-bf-keep-parallel = Nothing lies beyond the { $edge }: this side changes nothing.
-bf-cut = { $end } lies beyond { $border }: it moves to { $to }.
-bf-option-none = Nothing lies beyond the { $edge }.
-bf-option-one = One end lies beyond the { $edge }.
-bf-option-both = Both ends lie beyond the { $edge }.
-bf-note-tests = A point is inside if it passes all four.
-bf-in-vain = in vain
+bf-intersect = Find the crossing with the line of the { $edge }.
+bf-keep = No part is beyond the { $edge }: this crossing was not needed.
+bf-keep-parallel = No part is beyond the { $edge }: this side changes nothing.
+bf-cut = { $end } is beyond { $border }: it moves to { $to }.
+bf-option-none = No part is beyond the { $edge }.
+bf-option-one = One end is beyond the { $edge }.
+bf-option-both = Both ends are beyond the { $edge }.
+bf-note-tests = A point is inside if it passes all four tests.
+bf-in-vain = not needed
 bf-kept = { $part } of it is visible
 code-bf-each = for each side, not parallel to P₁P₂
 code-bf-intersect = X ← line P₁P₂ ∩ line of side
 code-bf-reject = if both ends are beyond: reject
-code-bf-cut = if one end is beyond: it ← X
+code-bf-cut = if one end is beyond: end ← X
 code-bf-accept = accept P₁P₂
 words-bf-each = Take the four sides in turn; skip a side that the segment runs parallel to.
-words-bf-intersect = Compute where the segment’s line meets the side’s line.
-words-bf-reject = If both ends lie beyond the side, nothing is visible.
-words-bf-cut = If one end lies beyond it, move that end to the crossing.
+words-bf-intersect = Find the crossing of the segment’s line with the side’s line.
+words-bf-reject = If both ends are beyond the side, nothing is visible.
+words-bf-cut = If one end is beyond the side, move that end to the crossing.
 words-bf-accept = What is left is visible.
 
 ## Cohen–Sutherland
@@ -48,19 +48,19 @@ words-bf-accept = What is left is visible.
 cs-code = { $end } is { $region }: { $code } = { $bits }.
 cs-or-accept = OR = { $bits }: both ends are inside.
 cs-or-open = OR = { $bits } ≠ 0000: not everything is inside.
-cs-and-reject = AND = { $bits } ≠ 0000: both ends lie beyond the { $edge }.
-cs-and-open = AND = { $bits }: no side has both ends beyond it. The codes do not decide.
-cs-choose = The lowest bit set is the { $edge }’s: { $end } lies beyond it.
-cs-cut = Cut { $end } at { $border }.
+cs-and-reject = AND = { $bits } ≠ 0000: both ends are beyond the { $edge }.
+cs-and-open = AND = { $bits }: no side has both ends beyond it. The codes cannot decide.
+cs-choose = The lowest bit that is set belongs to the { $edge }: { $end } is beyond it.
+cs-cut = { $end } is cut off at { $border }.
 cs-reject = Reject: both ends are { $region }; AND = { $and }.
 cs-option-inside = Both ends are inside.
 cs-option-not-inside = Not everything is inside.
 cs-option-undecided = No side has both ends beyond it.
-cs-option-beyond = Both ends lie beyond one side.
-cs-note-code = A 1 for each side that the point lies beyond.
-cs-note-order = In the order top, bottom, right, left it is { $other }.
-cs-note-or = OR sets a bit where either code has it.
-cs-note-and = AND keeps a bit only where both codes have it.
+cs-option-beyond = Both ends are beyond one side.
+cs-note-code = Each 1 stands for a side that the point is beyond.
+cs-note-order = In the order top, bottom, right, left the code is { $other }.
+cs-note-or = OR sets a bit that is set in either code.
+cs-note-and = AND keeps only bits that are set in both codes.
 cs-cuts = cut
 cs-this-order = this order:
 cs-usual-order = usual order:
@@ -69,17 +69,17 @@ code-cs-loop = loop
 code-cs-accept = if code₁ OR code₂ = 0: accept
 code-cs-reject = if code₁ AND code₂ ≠ 0: reject
 code-cs-choose = side ← lowest bit of code₁ OR code₂
-code-cs-end = P ← the end whose code has it
+code-cs-end = P ← the end whose code has this bit
 code-cs-cut = P ← P₁P₂ ∩ side
 code-cs-recode = code of P ← code(P)
-words-cs-codes = Give each end a code: one bit for each side that it lies beyond.
+words-cs-codes = Give each end a code: one bit for each side that the end is beyond.
 words-cs-loop = Repeat:
-words-cs-accept = If no bit is set in either code, all that is left is visible.
-words-cs-reject = If the codes share a bit, both ends lie beyond the same side.
+words-cs-accept = If no bit is set in either code, everything that is left is visible.
+words-cs-reject = If a bit is set in both codes, both ends are beyond the same side.
 words-cs-choose = Otherwise take the side of the lowest bit that is set.
-words-cs-end = Exactly one end lies beyond it.
+words-cs-end = Exactly one end is beyond it.
 words-cs-cut = Move that end to where the segment crosses the side.
-words-cs-recode = Give it a new code.
+words-cs-recode = Give this end a new code.
 settings-bit-order = Bit order
 bit-order-tbrl = top, bottom, right, left
 bit-order-lrbt = left, right, bottom, top
@@ -88,17 +88,17 @@ bit-order-lrbt = left, right, bottom, top
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): along the segment x and y change by Δx and Δy.
 lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
-lb-parallel-inside = Parallel to the { $edge } and inside it: this side alone decides nothing.
-lb-parallel-outside = Parallel to the { $edge } and outside it: no u can help.
-lb-enter = The line enters across the { $edge }: u_min goes up.
-lb-enter-idle = The line enters across the { $edge }, but not after u_min: no change.
-lb-leave = The line leaves across the { $edge }: u_max comes down.
-lb-leave-idle = The line leaves across the { $edge }, but not before u_max: no change.
+lb-parallel-inside = The segment is parallel to the { $edge } and inside it: this side alone decides nothing.
+lb-parallel-outside = The segment is parallel to the { $edge } and outside it: no u is possible.
+lb-enter = The line enters through the { $edge }: u_min goes up.
+lb-enter-idle = The line enters through the { $edge }, but not after u_min: no change.
+lb-leave = The line leaves through the { $edge }: u_max goes down.
+lb-leave-idle = The line leaves through the { $edge }, but not before u_max: no change.
 lb-put = { $end } moves to u = { $u } on { $border }.
 lb-reject = Reject at the { $edge }: nothing of the segment is left.
-lb-note-enter = p < 0 enters: { $bound } = max({ $bound }, r)
-lb-note-leave = p > 0 leaves: { $bound } = min({ $bound }, r)
-lb-note-parallel = p = 0 is parallel: inside where q ≥ 0
+lb-note-enter = p < 0 means entering: { $bound } = max({ $bound }, r)
+lb-note-leave = p > 0 means leaving: { $bound } = min({ $bound }, r)
+lb-note-parallel = p = 0 means parallel: inside if q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = for k = 1 … 4: p, q of side k
 code-lb-parallel = if p = 0 and q < 0: reject
@@ -108,23 +108,23 @@ code-lb-empty = if u_min > u_max: reject
 code-lb-accept = accept P(u_min) P(u_max)
 words-lb-start = Start with the whole segment, u from 0 to 1.
 words-lb-each = For each side, write “inside” as an inequality u · p ≤ q.
-words-lb-parallel = p = 0: the segment is parallel to the side; if it lies outside, reject.
-words-lb-enter = p < 0: the line comes in here. It cannot be visible before q/p.
-words-lb-leave = p > 0: the line goes out here. It cannot be visible after q/p.
+words-lb-parallel = p = 0: the segment is parallel to the side; if it is outside, reject it.
+words-lb-enter = p < 0: the line enters here. No part before q/p can be visible.
+words-lb-leave = p > 0: the line leaves here. No part after q/p can be visible.
 words-lb-empty = If the interval is empty, nothing is visible.
-words-lb-accept = Otherwise the interval’s two ends are the visible part’s.
+words-lb-accept = Otherwise the ends of the interval are the ends of the visible part.
 
 ## Cyrus–Beck
 
-cb-edge-entering = { $edge }: n·D > 0, the line comes in.
-cb-edge-leaving = { $edge }: n·D < 0, the line goes out.
+cb-edge-entering = { $edge }: n·D > 0, the line enters.
+cb-edge-leaving = { $edge }: n·D < 0, the line leaves.
 cb-edge-parallel = { $edge }: n·D = 0, the line is parallel to it.
-cb-parallel-inside = Parallel to { $edge } and inside it: this edge alone decides nothing.
-cb-parallel-outside = Parallel to { $edge } and outside it: no t can help.
-cb-enter = The line enters across { $edge }: t_min goes up.
-cb-enter-idle = The line enters across { $edge }, but not after t_min: no change.
-cb-leave = The line leaves across { $edge }: t_max comes down.
-cb-leave-idle = The line leaves across { $edge }, but not before t_max: no change.
+cb-parallel-inside = The segment is parallel to { $edge } and inside it: this edge alone decides nothing.
+cb-parallel-outside = The segment is parallel to { $edge } and outside it: no t is possible.
+cb-enter = The line enters through { $edge }: t_min goes up.
+cb-enter-idle = The line enters through { $edge }, but not after t_min: no change.
+cb-leave = The line leaves through { $edge }: t_max goes down.
+cb-leave-idle = The line leaves through { $edge }, but not before t_max: no change.
 cb-put = { $end } moves to t = { $t } on { $edge }.
 cb-reject = Reject at { $edge }: nothing of the segment is left.
 cb-sign-enters = { $product } > 0: the line enters
@@ -135,7 +135,7 @@ cb-sign-on = { $product } = 0: { $end } is on the edge
 cb-sign-outside = { $product } < 0: { $end } is outside
 cb-measured = Measured along { $normal }, from the edge
 alg-faulty-normals = Wrong: all normals point outside
-faulty-normals-differs = Step { $step } is the first that differs: the normal points outside, and what enters is taken for leaving.
+faulty-normals-differs = Step { $step } is the first that differs: the normal points outside, so entering is taken for leaving.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = for each edge: n; w ← P₁ − E
 code-cb-parallel = if n·D = 0 and n·w < 0: reject
@@ -143,27 +143,27 @@ code-cb-enter = if n·D > 0: t_min ← max(t_min, −n·w / n·D)
 code-cb-leave = if n·D < 0: t_max ← min(t_max, −n·w / n·D)
 code-cb-empty = if t_min > t_max: reject
 code-cb-accept = accept P(t_min) P(t_max)
-words-faulty-normals = For each edge, turn it to the left for its normal, whichever way the corners run.
+words-faulty-normals = For each edge, turn it to the left to get its normal, whichever way the vertices run.
 words-cb-start = Start with the whole segment, t from 0 to 1.
 words-cb-each = For each edge, take its normal, which points inside.
-words-cb-parallel = n·D = 0: parallel to the edge; if it lies outside, reject.
-words-cb-enter = n·D > 0: along the normal, so the line comes in here.
-words-cb-leave = n·D < 0: against the normal, so the line goes out here.
+words-cb-parallel = n·D = 0: the segment is parallel to the edge; if it is outside, reject it.
+words-cb-enter = n·D > 0: the line runs along the normal, so it enters here.
+words-cb-leave = n·D < 0: the line runs against the normal, so it leaves here.
 words-cb-empty = If the interval is empty, nothing is visible.
-words-cb-accept = Otherwise the interval’s two ends are the visible part’s.
+words-cb-accept = Otherwise the ends of the interval are the ends of the visible part.
 
 ## Nicholl–Lee–Nicholl
 
 nln-region = { $end } is { $region }.
-nln-side-enters = P₂ lies { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
-nln-side-meets = P₂ lies { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
-nln-side-leaves = P₂ lies { $turn } of the line from P₁ through { $corner }: out by the { $first }.
-nln-side-through = P₂ lies on the line from P₁ through { $corner }: both sides are crossed at once.
+nln-side-enters = P₂ is { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
+nln-side-meets = P₂ is { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
+nln-side-leaves = P₂ is { $turn } of the line from P₁ through { $corner }: the segment leaves through the { $first }.
+nln-side-through = P₂ is on the line from P₁ through { $corner }: both sides are crossed at once.
 nln-miss = Reject: the segment passes outside { $corner }, beyond the { $edge }.
 nln-sector-inside = Both ends are inside: no crossing is needed.
-nln-sector-enters = In by the { $enters }, and P₂ is inside: one crossing.
-nln-sector-leaves = P₁ is inside; out by the { $leaves }: one crossing.
-nln-sector-both = In by the { $enters }, out by the { $leaves }: two crossings, both of use.
+nln-sector-enters = The segment enters through the { $enters }, and P₂ is inside: one crossing.
+nln-sector-leaves = P₁ is inside; the segment leaves through the { $leaves }: one crossing.
+nln-sector-both = The segment enters through the { $enters } and leaves through the { $leaves }: two crossings, both used.
 nln-question-enters = in by which side
 nln-question-meets = in at all
 nln-question-leaves = out by which side
@@ -182,10 +182,10 @@ code-nln-meets = P₂ beyond the next side: if past C: reject
 code-nln-leaves = P₂ beyond two: its corner’s line → out by
 code-nln-cut = P₁, P₂ ← the one or two crossings found
 words-nln-regions = Find the region of each end.
-words-nln-shared = If both lie beyond the same side, nothing is visible.
-words-nln-enters = If P₁ lies in a corner region, the line through that corner tells by which side the segment comes in.
-words-nln-meets = If P₂ lies beyond a neighbouring side, the line through their corner tells whether the segment meets the window at all.
-words-nln-leaves = If P₂ lies in a corner region, the line through that corner tells by which side it goes out.
+words-nln-shared = If both ends are beyond the same side, nothing is visible.
+words-nln-enters = If P₁ is in a corner region, the line through that corner tells through which side the segment enters.
+words-nln-meets = If P₂ is beyond a neighbouring side, the line through their common corner tells whether the segment meets the window at all.
+words-nln-leaves = If P₂ is in a corner region, the line through that corner tells through which side the segment leaves.
 words-nln-cut = Compute only those crossings.
 
 ## Handles, by name
@@ -213,7 +213,10 @@ batch-make = Replace all segments
 ## Costs, measured
 
 cost-measure = Measure on this machine…
-cost-of-all-segments = all { $count } segments: { $divisions } divisions, { $multiplications } multiplications, { $additions } additions, { $comparisons } comparisons
+cost-of-all-segments = all { $count ->
+        [one] { $count } segment
+       *[other] { $count } segments
+    }: divisions { $divisions }, multiplications { $multiplications }, additions { $additions }, comparisons { $comparisons }
 measure-title = What a segment costs
 measure-about = Every method clips the same random segments, here and now.
 measure-start = Measure
@@ -221,13 +224,13 @@ measure-again = Measure again
 measure-nanos = Nanoseconds
 measure-operations = Operations
 measure-batch = Batch, branch-free
-measure-note = For one segment, on average over { $count }. Time is that of the fastest of five passes.
+measure-note = The numbers are for one segment, on average over { $count }. The time is that of the fastest of five passes.
 
 ## The verdict
 
-verdict-line-between = The line comes in ({ $enters }) only after it has gone out ({ $leaves }).
-verdict-line-in = Moved { $move } inwards, at right angles to the border ({ $edge }), it would be visible.
-verdict-line-back = Moved { $move } outwards, at right angles to the border ({ $edge }), it would be visible.
-verdict-line-never = No move at right angles to the border ({ $edge }) would make it visible.
-verdict-line-out = Moved outwards by more than { $move }, at right angles to the nearest border ({ $edge }), it would vanish.
-verdict-line-touch = It only touches: the least move outwards over the border ({ $edge }), and it would vanish.
+verdict-line-between = The line enters ({ $enters }) only after it has left ({ $leaves }).
+verdict-line-in = Moved { $move } inwards, at right angles to the border ({ $edge }), the segment would be visible.
+verdict-line-back = Moved { $move } outwards, at right angles to the border ({ $edge }), the segment would be visible.
+verdict-line-never = No move at right angles to the border ({ $edge }) would make the segment visible.
+verdict-line-out = Moved outwards by more than { $move }, at right angles to the nearest border ({ $edge }), the segment would disappear.
+verdict-line-touch = The segment only touches the border ({ $edge }): moved outwards by any amount, it would disappear.

@@ -20,8 +20,8 @@ space-screen-title = Screen, in pixels
 object-vertex = Vertex
 pipeline-note-world = size, turn and place of the object
 pipeline-note-view = camera at { $at }
-pipeline-note-clip = { $angle }°, { $aspect } : 1, near { $near }, far { $far }
-pipeline-note-clip-parallel = height { $height }, { $aspect } : 1, near { $near }, far { $far }
+pipeline-note-clip = { $angle }°, { $aspect } : 1, near plane { $near }, far { $far }
+pipeline-note-clip-parallel = height { $height }, { $aspect } : 1, near plane { $near }, far { $far }
 
 ## Pseudocode
 
@@ -31,35 +31,35 @@ code-pipeline-clip = clip ← clip_from_view · (view, 1)
 code-pipeline-test = inside if −w ≤ x, y, z ≤ w
 code-pipeline-divide = if w > 0: ndc ← (x, y, z) / w
 code-pipeline-screen = screen ← ((x + 1)/2 · columns, (1 − y)/2 · rows)
-code-pipeline-behind = else: no place on the screen
+code-pipeline-behind = otherwise: no place on the screen
 words-pipeline-world = The object’s own matrix puts the vertex into the world.
-words-pipeline-view = The camera’s matrix says where that is, as seen from the camera.
+words-pipeline-view = The camera’s matrix tells where the vertex is, seen from the camera.
 words-pipeline-clip = The projection scales x and y, and copies the depth into w.
-words-pipeline-test = Clipping asks this, before anything is divided.
-words-pipeline-divide = Dividing by the depth makes far things small.
-words-pipeline-screen = From −1 … 1 to pixels, counted from the top left.
-words-pipeline-behind = What is not before the eye has no image.
+words-pipeline-test = Clipping tests this, before anything is divided.
+words-pipeline-divide = Dividing by the depth makes things far away small.
+words-pipeline-screen = Scale from −1 … 1 to pixels, counted from the top left.
+words-pipeline-behind = A point that is not in front of the eye has no image.
 
 ## Steps
 
-pipeline-opening = One vertex, as its modeller put it: where on the screen will it be?
-pipeline-world-row = Row { $row } of the object’s matrix: scaled, turned and moved to its place in the world.
-pipeline-view-right = Row 1 measures along the camera’s right: P is { $value } to the right.
-pipeline-view-left = Row 1 measures along the camera’s right: P is { $value } to the left.
-pipeline-view-above = Row 2 measures along the camera’s up: P is { $value } above its axis.
-pipeline-view-under = Row 2 measures along the camera’s up: P is { $value } under its axis.
-pipeline-view-back = Row 3 measures backwards: P is { $value } behind the camera.
-pipeline-view-ahead = Row 3 measures backwards: P is { $value } ahead, and so z is negative.
-pipeline-clip-x = Row 1 scales x, so that left and right stand at x = ±w.
-pipeline-clip-y = Row 2 scales y, so that bottom and top stand at y = ±w.
-pipeline-clip-z = Row 3 puts near at z = −w and far at z = w.
-pipeline-clip-w = Row 4 copies the depth into w: { $value }, the divisor to come.
-pipeline-clip-w-parallel = Row 4 leaves w at 1: with parallel sight lines nothing is to be divided.
-pipeline-inside = Inside: x, y and z lie between −w and w.
-pipeline-outside = Outside: clipping takes P away.
-pipeline-divide = Divide by w = { $w }: what is inside lies between −1 and 1.
-pipeline-screen = From −1 … 1 to { $columns } × { $rows } pixels, rows counted from the top.
-pipeline-behind = P is not before the eye: there is nothing to divide by, and no place on the screen.
+pipeline-opening = One vertex is given as the modeller put it: where on the screen will it be?
+pipeline-world-row = Row { $row } of the object’s matrix scales, turns and moves the vertex to its place in the world.
+pipeline-view-right = Row 1 measures along the camera’s right: P lies { $value } to the right.
+pipeline-view-left = Row 1 measures along the camera’s right: P lies { $value } to the left.
+pipeline-view-above = Row 2 measures along the camera’s up: P lies { $value } above its axis.
+pipeline-view-under = Row 2 measures along the camera’s up: P lies { $value } below its axis.
+pipeline-view-back = Row 3 measures backwards: P lies { $value } behind the camera.
+pipeline-view-ahead = Row 3 measures backwards: P lies { $value } in front of the camera, so z is negative.
+pipeline-clip-x = Row 1 scales x, so that the left and right planes are at x = ±w.
+pipeline-clip-y = Row 2 scales y, so that the bottom and top planes are at y = ±w.
+pipeline-clip-z = Row 3 puts the near plane at z = −w and the far plane at z = w.
+pipeline-clip-w = Row 4 copies the depth into w: { $value }, by which the others will be divided.
+pipeline-clip-w-parallel = Row 4 leaves w at 1: with parallel lines of sight no division is needed.
+pipeline-inside = P is inside: x, y and z lie between −w and w.
+pipeline-outside = P is outside: clipping removes it.
+pipeline-divide = Divide by w = { $w }: what is inside now lies between −1 and 1.
+pipeline-screen = Scale from −1 … 1 to { $columns } × { $rows } pixels; rows are counted from the top.
+pipeline-behind = P is not in front of the eye: its w cannot be a divisor, and P has no place on the screen.
 
 ## Cases
 
@@ -71,7 +71,7 @@ case-whole-too-large = { $number } is larger than any pixel’s number.
 case-picture-side = A side of a picture is 1 to { $max } pixels, found { $found }.
 case-pipeline-inside = Inside, and on the screen at { $screen }.
 case-pipeline-outside = Outside; without clipping it would be on the screen at { $screen }.
-case-pipeline-behind = Not before the eye: no place on the screen.
+case-pipeline-behind = Not in front of the eye: no place on the screen.
 object-from = from
 object-to = to
 case-too-many-pixels = The line has { $found } pixels: at most { $max } are taken.
@@ -95,24 +95,24 @@ code-drawn-put = put the pixel; until the last one:
 code-drawn-diagonal = if e > 0, or e = 0 and across is smaller:
 code-drawn-across = one across; e ← e − 2a
 code-drawn-straight = one along; e ← e + 2b
-words-drawn-project = Project: both ends go to clip space, nothing is divided yet.
+words-drawn-project = Project: both ends go to clip space; nothing is divided yet.
 words-drawn-clip = Clip: what the camera cannot see is cut off.
 words-drawn-divide = Divide by w, and count in pixels.
-words-drawn-begin = Each end goes to its pixel; e says on which side of the first midpoint the line runs.
-words-drawn-put = Pixel by pixel along the longer axis.
-words-drawn-diagonal = Does the line run beyond the midpoint? Exactly through it, the smaller coordinate is taken.
-words-drawn-across = Then also one along the shorter axis.
-words-drawn-straight = One along the longer axis.
+words-drawn-begin = Each end goes to its pixel; e tells on which side of the first midpoint the line runs.
+words-drawn-put = Go pixel by pixel along the longer axis.
+words-drawn-diagonal = Does the line run beyond the midpoint? If it runs exactly through it, the smaller coordinate is taken.
+words-drawn-across = Then also go one pixel along the shorter axis.
+words-drawn-straight = Go one pixel along the longer axis.
 drawn-line-opening = Which pixels does the line have?
-drawn-line-project = { $end } goes to clip space: its depth { $w } becomes w.
-drawn-line-project-behind = { $end } goes to clip space. It is not before the eye: w = { $w } must not divide.
-drawn-line-clip-whole = All of it is inside: nothing is cut.
-drawn-line-clip-cut = Clipped before anything is divided: what is left has w > 0.
-drawn-line-reject = Nothing of it is inside: no pixel.
+drawn-line-project = { $end } goes to clip space, where its depth { $w } becomes w.
+drawn-line-project-behind = { $end } goes to clip space. It is not in front of the eye: w = { $w } must not be a divisor.
+drawn-line-clip-whole = The whole line is inside: nothing is cut off.
+drawn-line-clip-cut = The line is clipped before anything is divided: what is left has w > 0.
+drawn-line-reject = No part of the line is inside: no pixel is drawn.
 drawn-line-divide = Divided by w and scaled, both ends are places on the screen.
-drawn-line-round = Each end goes to the pixel it lies in; the line now runs from middle to middle.
+drawn-line-round = Each end goes to the pixel that it lies in; the line now runs from middle to middle.
 drawn-line-first = { $at } is the first pixel. e tells on which side of the next midpoint the line runs.
-drawn-line-straight = e = { $e } < 0: the line runs before the midpoint. One straight on, to { $at }.
-drawn-line-diagonal = e = { $e } > 0: the line runs beyond the midpoint. One diagonally, to { $at }.
-drawn-line-tie-straight = e = 0: exactly between two pixels, and the smaller coordinate is taken: { $at }.
-drawn-line-tie-diagonal = e = 0: exactly between two pixels, and the smaller coordinate is taken: { $at }, diagonally.
+drawn-line-straight = e = { $e } < 0: the line has not reached the midpoint. Go one pixel straight on, to { $at }.
+drawn-line-diagonal = e = { $e } > 0: the line runs beyond the midpoint. Go one pixel diagonally, to { $at }.
+drawn-line-tie-straight = e = 0: the line is exactly between two pixels, so the smaller coordinate is taken: { $at }.
+drawn-line-tie-diagonal = e = 0: the line is exactly between two pixels, so the smaller coordinate is taken: { $at }, diagonally.

@@ -4,7 +4,7 @@
 
 line-opening = ¿Qué parte de P₁P₂ queda dentro de la ventana?
 line-not-on-it = { $point }: fuera de P₁P₂
-line-parallel = Paralelo al { $edge }: no hay intersección.
+line-parallel = Es paralelo al { $edge }: no hay intersección.
 line-reject-edge = Se rechaza: los dos extremos están más allá del { $edge }.
 line-accept = Se acepta: visible desde { $p1 } hasta { $p2 }.
 line-touch = Se acepta: el segmento toca la ventana en un solo punto, { $at }.
@@ -22,15 +22,15 @@ table-corner = esquina
 
 ## Brute force
 
-bf-intersect = Intersección con la recta del { $edge }.
-bf-keep = Nada queda más allá del { $edge }: esta intersección no hacía falta.
-bf-keep-parallel = Nada queda más allá del { $edge }: este lado no cambia nada.
+bf-intersect = Halla la intersección con la recta del { $edge }.
+bf-keep = Ninguna parte queda más allá del { $edge }: esta intersección no hacía falta.
+bf-keep-parallel = Ninguna parte queda más allá del { $edge }: este borde no cambia nada.
 bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
-bf-option-none = Nada queda más allá del { $edge }.
+bf-option-none = Ninguna parte queda más allá del { $edge }.
 bf-option-one = Un extremo está más allá del { $edge }.
 bf-option-both = Los dos extremos están más allá del { $edge }.
 bf-note-tests = Un punto está dentro si cumple las cuatro condiciones.
-bf-in-vain = en vano
+bf-in-vain = no hacía falta
 bf-kept = { $part } es visible
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
@@ -57,7 +57,7 @@ cs-option-inside = Los dos extremos están dentro.
 cs-option-not-inside = No todo está dentro.
 cs-option-undecided = Ningún lado deja fuera los dos extremos.
 cs-option-beyond = Los dos extremos están más allá de un mismo lado.
-cs-note-code = Un 1 por cada borde más allá del cual está el punto.
+cs-note-code = Cada 1 indica un borde más allá del cual está el punto.
 cs-note-order = En el orden superior, inferior, derecho, izquierdo es { $other }.
 cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.
 cs-note-and = AND conserva un 1 solo donde lo tienen los dos.
@@ -98,7 +98,7 @@ lb-put = { $end } pasa a u = { $u }, en { $border }.
 lb-reject = Se rechaza en el { $edge }: del segmento no queda nada.
 lb-note-enter = p < 0, entra: { $bound } = max({ $bound }; r)
 lb-note-leave = p > 0, sale: { $bound } = min({ $bound }; r)
-lb-note-parallel = p = 0, es paralelo: dentro si q ≥ 0
+lb-note-parallel = p = 0: paralelo; dentro si q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = para cada borde k = 1 … 4: p, q
 code-lb-parallel = si p = 0 y q < 0: rechazar
@@ -135,7 +135,7 @@ cb-sign-on = { $product } = 0: { $end } está en la arista
 cb-sign-outside = { $product } < 0: { $end } está fuera
 cb-measured = Medido a lo largo de { $normal }, desde la arista
 alg-faulty-normals = Erróneo: todas las normales apuntan hacia fuera
-faulty-normals-differs = El paso { $step } es el primero que difiere: la normal apunta hacia fuera, y lo que entra se toma por lo que sale.
+faulty-normals-differs = El paso { $step } es el primero que difiere: la normal apunta hacia fuera, y entrar se toma por salir.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada arista: n; w ← P₁ − E
 code-cb-parallel = si n·D = 0 y n·w < 0: rechazar
@@ -176,7 +176,7 @@ watch-region-2 = región de P₂
 watch-enters = entra por
 watch-leaves = sale por
 code-nln-regions = región de P₁, región de P₂
-code-nln-shared = si ambos más allá de un borde: rechazar
+code-nln-shared = si ambos más allá de un mismo borde: rechazar
 code-nln-enters = si P₁ en una esquina: su recta → entra por
 code-nln-meets = si pasa por fuera de la esquina: rechazar
 code-nln-leaves = si P₂ en una esquina: su recta → sale por
@@ -213,7 +213,10 @@ batch-make = Reemplazar todos los segmentos
 ## Costs, measured
 
 cost-measure = Medir en este equipo…
-cost-of-all-segments = los { $count } segmentos: { $divisions } divisiones, { $multiplications } multiplicaciones, { $additions } sumas, { $comparisons } comparaciones
+cost-of-all-segments = { $count ->
+        [one] el segmento ({ $count })
+       *[other] los { $count } segmentos
+    }: divisiones { $divisions }, multiplicaciones { $multiplications }, sumas { $additions }, comparaciones { $comparisons }
 measure-title = Lo que cuesta un segmento
 measure-about = Todos los métodos recortan los mismos segmentos al azar, aquí y ahora.
 measure-start = Medir

@@ -32,19 +32,19 @@ space-line-and-open = AND = { $bits }: ninguna cara deja fuera los dos extremos.
 space-line-and-reject = AND = { $bits } ≠ 000000: los dos extremos están más allá del plano { $plane }.
 space-line-choose = El último 1 es el del plano { $plane }: { $end } está más allá.
 space-line-reject-codes = Se rechaza: los dos extremos están más allá del plano { $plane }; AND = { $and }.
-space-line-note-code = Un 1 por cada cara más allá de la cual está el punto.
+space-line-note-code = Cada 1 indica una cara más allá de la cual está el punto.
 
 ## One inequality a plane
 
 space-line-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x, y, z cambian en Δx, Δy, Δz.
 space-line-before = Los dos extremos tienen w ≥ 0: ninguno está detrás del ojo.
-space-line-behind = { $end } tiene w < 0: está detrás del ojo. No debe dividirse.
+space-line-behind = { $end } tiene w < 0: está detrás del ojo y no debe dividirse entre w.
 space-line-all-behind = Los dos extremos tienen w < 0: todo el segmento está detrás del ojo.
 space-line-option-behind = Un extremo tiene w < 0.
 space-line-divided = Los dos extremos se dividen entre w y se recortan después.
 space-line-row = Plano { $plane }: { $direction }.
 space-line-parallel-inside = Paralelo al plano { $plane } y por dentro: por sí solo no decide nada.
-space-line-parallel-outside = Paralelo al plano { $plane } y por fuera: nada sirve.
+space-line-parallel-outside = Paralelo al plano { $plane } y por fuera: no puede verse nada.
 space-line-enter = La recta entra por el plano { $plane }: { $bound } sube.
 space-line-enter-idle = La recta entra por el plano { $plane }, pero no después de { $bound }: nada cambia.
 space-line-leave = La recta sale por el plano { $plane }: { $bound } baja.
@@ -62,8 +62,8 @@ w-lens-eye = ojo
 w-lens-screen = pantalla, w = 1
 screen-divide-first = Dividir primero
 screen-clip-first = Recortar primero
-screen-wrong = mal: un trozo que nunca existió
-screen-same = lo mismo: ningún extremo está detrás
+screen-wrong = mal: una parte que nunca existió
+screen-same = lo mismo: ningún extremo está detrás del ojo
 screen-no-image = un extremo no tiene imagen: w = 0
 screen-so-far = lo que queda hasta ahora
 screen-right = bien: lo que está delante del ojo
@@ -86,7 +86,7 @@ code-pl-leave = si d₁ > d₂: a_max ← min(a_max; d₁/(d₁ − d₂))
 code-pl-empty = si a_min > a_max: rechazar
 code-pl-accept = aceptar P(a_min) P(a_max)
 words-pl-start = Empieza con el segmento entero, a de 0 a 1.
-words-pl-each = Pregunta a cada plano cuánto están dentro los dos extremos.
+words-pl-each = Calcula, para cada plano, cuánto están dentro los dos extremos.
 words-pl-enter = d crece: la recta entra por aquí. Antes de a no puede verse nada.
 words-pl-leave = d disminuye: la recta sale por aquí. Después de a no puede verse nada.
 code-hl-start = si w₁ < 0 y w₂ < 0: rechazar
@@ -96,10 +96,10 @@ code-hl-leave = si d₁ > d₂: t_max ← min(t_max; d₁/(d₁ − d₂))
 code-hl-empty = si t_min > t_max: rechazar
 code-hl-accept = aceptar P(t_min) P(t_max); solo ahora dividir entre w
 words-hl-start = Si los dos extremos están detrás del ojo, no se ve nada.
-words-hl-each = Cada lado es w ± una coordenada: dice cuánto está dentro un punto.
+words-hl-each = Para cada lado, w más o menos una coordenada dice cuánto está dentro un punto.
 words-hl-enter = d crece: la recta entra por aquí.
 words-hl-leave = d disminuye: la recta sale por aquí.
-words-hl-accept = Lo que queda tiene w ≥ near > 0: ahora se puede dividir.
+words-hl-accept = Lo que queda tiene w ≥ near > 0: ahora se puede dividir entre w.
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
 words-faulty-divide = Divide los dos extremos entre w.
 faulty-divide-first-differs = El paso { $step } es el primero que difiere: los dos extremos se dividieron entre w antes de recortar.

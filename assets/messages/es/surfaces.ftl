@@ -9,33 +9,33 @@ alg-faulty-depth-straight = Búfer de profundidad, distancia lineal en pantalla
 ## Pseudocode
 
 code-depth-clear = imagen ← fondo, z ← ∞
-words-depth-clear = Borra la imagen con el fondo y pon cada profundidad a infinito.
+words-depth-clear = Pon la imagen al fondo y cada profundidad a infinito.
 code-depth-clear-reversed = imagen ← fondo, z ← −∞
-words-depth-clear-reversed = Borra la imagen con el fondo y pon cada profundidad a menos infinito: nada está más lejos.
+words-depth-clear-reversed = Pon la imagen al fondo y cada profundidad a menos infinito: nada está más lejos.
 code-depth-triangle = para cada triángulo T
 words-depth-triangle = Toma los triángulos, en cualquier orden.
 code-depth-fragment = para cada píxel de T: z_T ← profundidad de T ahí
 words-depth-fragment = Para cada píxel cuyo centro cubre el triángulo, halla allí su profundidad.
 code-depth-compare = si z_T < z[píxel]
-words-depth-compare = Compárala con la profundidad guardada.
+words-depth-compare = Compara esta profundidad con la guardada.
 code-depth-compare-reversed = si z_T > z[píxel]
 code-depth-write = imagen[píxel] ← T, z[píxel] ← z_T
 words-depth-write = Si es menor, escribe el triángulo y su profundidad.
-words-depth-write-reversed = Si es mayor, escribe el triángulo y su profundidad: 1 es cerca.
+words-depth-write-reversed = Si es mayor, escribe el triángulo y su profundidad: 1 significa cerca.
 code-faulty-depth-clear = imagen ← fondo, z ← 0
 words-faulty-depth-clear = Pon cada profundidad a 0, la del plano cercano.
 code-faulty-depth-clear-reversed = imagen ← fondo, z ← 1
 words-faulty-depth-clear-reversed = Pon cada profundidad a 1, la del plano cercano.
 code-faulty-depth-compare = si z_T > z[píxel]
-words-faulty-depth-compare = Escribe cuando la nueva profundidad es mayor.
-words-faulty-depth-compare-reversed = Escribe cuando la nueva profundidad es menor, aunque 1 sea cerca.
+words-faulty-depth-compare = Escribe el triángulo donde la nueva profundidad es mayor.
+words-faulty-depth-compare-reversed = Escribe el triángulo donde la nueva profundidad es menor, aunque 1 significa cerca.
 code-faulty-depth-always = siempre
-words-faulty-depth-always = No compares nada.
+words-faulty-depth-always = Escribe todos los fragmentos, sin comparar profundidades.
 code-faulty-depth-straight = para cada píxel de T: z_T ← distancia, interpolada en la pantalla
 words-faulty-depth-straight = Interpola la distancia en el espacio de vista linealmente en la pantalla, sin la división.
 faulty-depth-clear-differs = El paso { $step } es el primero que difiere: ninguna profundidad es menor que 0, así que no se escribirá nada.
-faulty-depth-compare-differs = El paso { $step } es el primero que difiere: se escribe el más lejano.
-faulty-depth-always-differs = El paso { $step } es el primero que difiere: se escribe aunque allí hay algo más cercano.
+faulty-depth-compare-differs = El paso { $step } es el primero que difiere: se escribe el triángulo más lejano.
+faulty-depth-always-differs = El paso { $step } es el primero que difiere: el triángulo se escribe aunque allí hay algo más cercano.
 faulty-depth-straight-differs = El paso { $step } es el primero que difiere: esta no es la profundidad de la superficie, pues la distancia no es lineal en la pantalla.
 
 ## The depth buffer
@@ -43,32 +43,41 @@ faulty-depth-straight-differs = El paso { $step } es el primero que difiere: est
 depth-opening = { $triangles ->
     [one] Un triángulo
    *[other] { $triangles } triángulos
-  } en { $columns } × { $rows } píxeles: { $pixels } profundidades, una por píxel, de { $bits } bits cada una: { $bytes } bytes.
-depth-clear = Borrado: ninguno de los { $pixels } píxeles tiene triángulo.
+  } en { $columns } × { $rows } píxeles. Profundidades guardadas, una por píxel: { $pixels }, de { $bits } bits cada una, { $bytes } bytes en total.
+depth-clear = La imagen está vacía: { $pixels ->
+    [one] el píxel no muestra
+   *[other] ninguno de los { $pixels } píxeles muestra
+  } aún un triángulo.
 depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
 depth-answer-drawn = { $triangle } se dibuja.
-depth-triangle-whole = Dibujado { $triangle }: de { $fragments } fragmentos, { $writes } están más cerca que lo que había.
-depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: de { $fragments } fragmentos se escriben { $writes }.
+depth-triangle-whole = { $triangle } está dibujado. Sus fragmentos: { $fragments }; más cerca que lo guardado: { $writes }.
+depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: { $fragments ->
+    [one] de { $fragments } fragmento
+   *[other] de { $fragments } fragmentos
+  } se escriben { $writes }.
 depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.
 depth-fragment-kept = En el píxel { $at }, { $triangle } está más cerca que { $other }: se escribe.
-depth-fragment-lost = En el píxel { $at }, { $triangle } no está más cerca que { $other }: { $other } se queda.
-depth-fragment-tie = En el píxel { $at }, { $triangle } está tan cerca como { $other }: { $other } llegó antes y se queda.
+depth-fragment-lost = En el píxel { $at }, { $triangle } no está más cerca que { $other }: { $other } no cambia.
+depth-fragment-tie = En el píxel { $at }, { $triangle } está tan cerca como { $other }: { $other } llegó antes y se conserva.
 depth-fragment-lost-to-nothing = En el píxel { $at } no se escribe { $triangle }, aunque allí no había nada.
 depth-nothing = nada
 depth-done = Terminado: { $fragments ->
     [one] un fragmento
    *[other] { $fragments } fragmentos
-  }, { $writes } de ellos escritos, para { $pixels ->
+  }, { $writes ->
+    [one] uno escrito
+   *[other] { $writes } escritos
+  }, para { $pixels ->
     [one] un píxel
    *[other] { $pixels } píxeles
-  }. Veces que se calculó cada uno, en promedio:
+  }. Veces que se calculó cada píxel, en promedio:
 
 ## Views
 
 raster-depth = Profundidad en milésimas
 raster-depth-unit = Profundidad en unidades de { $unit }
-raster-straight = Distancia de cercano a lejano, en milésimas
+raster-straight = Distancia del plano cercano al lejano, en milésimas
 raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
 raster-distance = Distancia a la cámara
 raster-counts-none = Veces que se calcula cada píxel
@@ -76,16 +85,16 @@ raster-counts = Veces calculado: { $seen } a la vista, { $vain } en vano
 raster-counts-before = Todas las caras: { $seen } a la vista, { $vain } en vano
 raster-counts-after = Sin caras traseras: { $seen } a la vista, { $vain } en vano
 painter-depths = Distancia de cada triángulo, del vértice más cercano al más lejano
-asks-what = pregunta
+asks-what = pruebas
 asks-now = ahora
 asks-so-far = hasta ahora
 asks-done = terminado
 asks-of = { $count } de { $all }
 asks-ray-casting = cada píxel: ¿qué triángulo?
 asks-depth-buffer = cada triángulo: ¿qué píxeles?
-asks-painter = cada par: ¿cuál antes?
-raster-pairs = { $pairs } preguntas por parejas de { $triangles } triángulos
-raster-questions = { $questions } preguntas de { $pixels } rayos
+asks-painter = cada par: ¿cuál va antes?
+raster-pairs = { $pairs } pruebas de parejas de { $triangles } triángulos
+raster-questions = { $questions } pruebas de { $pixels } rayos
 occlusion-triangles = Triángulos de cada objeto
 scale-near = cerca { $value }
 scale-far = { $value } lejos
@@ -101,13 +110,16 @@ depth-done-distance = Terminado: las distancias de { $pixels ->
     [one] un píxel
    *[other] { $pixels } píxeles
   } van de { $least } a { $most }.
-depth-done-nothing = Terminado: de { $fragments } fragmentos no se escribió ninguno.
+depth-done-nothing = Terminado: { $fragments ->
+    [one] { $fragments } fragmento,
+   *[other] { $fragments } fragmentos,
+  } ninguno escrito.
 curve-whole = Profundidad según la distancia
 curve-enlarged = Ampliado
 curve-forward = Sin invertir
 curve-reversed = Invertida
 curve-near = Plano cercano en { $near }
-curve-step = un paso: { $step }
+curve-step = paso de la profundidad: { $step }
 curve-distance = distancia
 curve-depth = profundidad
 story-title = Píxel { $at }, por orden de llegada
@@ -129,55 +141,55 @@ watch-pixels = píxeles
 
 alg-ray-casting = Lanzamiento de rayos
 code-ray-pixel = para cada píxel: rayo o + t · r por su centro
-words-ray-pixel = Para cada píxel toma el rayo desde el ojo por su centro.
+words-ray-pixel = Para cada píxel, toma el rayo que va del ojo a través de su centro.
 code-ray-triangle = para cada triángulo T, plano n·p + d = 0
-words-ray-triangle = Pregunta a cada triángulo.
+words-ray-triangle = Prueba todos los triángulos.
 code-ray-parallel = si n·r = 0: sin impacto
 words-ray-parallel = Un rayo paralelo al plano no lo corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Halla dónde corta el rayo el plano.
-code-ray-range = si t < 1 o más allá de far: sin impacto
-words-ray-range = Detrás del ojo, delante del plano cercano y más allá del lejano no se ve nada.
+code-ray-range = si t < 1 o más allá del plano lejano: sin impacto
+words-ray-range = Detrás del ojo, antes del plano cercano y más allá del lejano no se ve nada.
 code-ray-inside = si o + t · r está en T: impacto
 words-ray-inside = Si ese punto está en el triángulo, hay impacto.
 code-ray-nearest = imagen[píxel] ← T del menor t
-words-ray-nearest = Se ve el impacto de menor t.
+words-ray-nearest = Se ve el impacto con el menor t.
 ray-opening = { $rays ->
     [one] Un rayo
    *[other] { $rays } rayos
-  } para { $columns } × { $rows } píxeles; cada uno pregunta a { $triangles ->
+  } para { $columns } × { $rows } píxeles; cada uno se prueba con { $triangles ->
     [one] un triángulo.
    *[other] { $triangles } triángulos.
   }
-ray-pixel = El rayo por el centro del píxel { $at }: en t = 0 el ojo, en t = 1 el plano cercano.
-ray-hit-first = El rayo da en { $triangle }: el impacto más cercano hasta ahora.
-ray-hit-nearer = El rayo da en { $triangle } antes que en { $other }, que está en t = { $t }: ahora es el más cercano.
+ray-pixel = El rayo que pasa por el centro del píxel { $at }: en t = 0 está en el ojo; en t = 1, en el plano cercano.
+ray-hit-first = El rayo da en { $triangle }: es el impacto más cercano hasta ahora.
+ray-hit-nearer = El rayo da en { $triangle }, delante de { $other }, que está en t = { $t }: ahora { $triangle } es el más cercano.
 ray-hit-farther = El rayo da también en { $triangle }, detrás de { $other }, que está en t = { $t }.
 ray-answer-farther = El rayo da en { $triangle }, detrás del impacto más cercano.
-ray-says-culled = No se pregunta a { $triangle }: está de canto o de espaldas.
+ray-says-culled = { $triangle } no se prueba: está de canto o de espaldas.
 ray-says-parallel = El rayo es paralelo al plano de { $triangle }: n·r = 0, nunca se cortan.
-ray-says-behind = El plano de { $triangle } se corta detrás del ojo: t < 0.
-ray-says-before-near = { $triangle } se corta antes del plano cercano: t < 1.
-ray-says-beyond-far = { $triangle } se corta más allá del plano lejano.
+ray-says-behind = La recta del rayo corta el plano de { $triangle } detrás del ojo: t < 0.
+ray-says-before-near = El rayo corta { $triangle } antes del plano cercano: t < 1.
+ray-says-beyond-far = El rayo corta { $triangle } más allá del plano lejano.
 ray-says-beside = El rayo corta el plano de { $triangle } fuera del triángulo: no hay impacto.
-ray-seen = El píxel { $at } toma { $triangle }: el menor t de { $hits ->
+ray-seen = El píxel { $at } muestra { $triangle }: tiene el menor t de { $hits ->
     [one] un impacto.
    *[other] { $hits } impactos.
   }
-ray-seen-nothing = El píxel { $at } queda como fondo: ningún triángulo recibe el rayo.
+ray-seen-nothing = El píxel { $at } conserva el fondo: su rayo no da en ningún triángulo.
 ray-done = Terminado: { $rays ->
-    [one] un rayo, que
-   *[other] { $rays } rayos, cada uno de los cuales
-  } preguntó a { $triangles ->
-    [one] un triángulo
-   *[other] { $triangles } triángulos
-  }.
-ray-culled = sin preguntar
+    [one] un rayo, probado con
+   *[other] { $rays } rayos, cada uno probado con
+  } { $triangles ->
+    [one] un triángulo.
+   *[other] { $triangles } triángulos.
+  }
+ray-culled = no se prueba
 ray-parallel = paralelo
 ray-behind = tras el ojo
-ray-before-near = antes de cerca
-ray-beyond-far = tras lejos
-ray-beside = fuera
+ray-before-near = antes del plano cercano
+ray-beyond-far = más allá del plano lejano
+ray-beside = fuera del triángulo
 ray-hit = detrás
 ray-nearest = el más cercano
 ray-eye = ojo
@@ -185,39 +197,39 @@ ray-raster = ráster
 raster-so-far = Imagen hasta ahora
 watch-hits = impactos
 watch-nearest = más cercano
-watch-asked = preguntas
+watch-asked = pruebas
 
 ## Painter's algorithm
 
 alg-painter = Algoritmo del pintor
 alg-faulty-painter-nearest = Pintor, ordenado por el vértice más cercano
-alg-faulty-painter-keys = Pintor, ordenado sin preguntar nada más
+alg-faulty-painter-keys = Pintor, ordenado sin más pruebas
 code-paint-key = para cada triángulo T: clave ← distancia de su vértice más lejano
 words-paint-key = La clave de un triángulo es la distancia de su vértice más lejano.
 code-paint-sort = ordenar por clave, el más lejano primero
-words-paint-sort = Ordena los triángulos, primero el más lejano.
-code-paint-ask = para cada P de la lista: ¿va P antes que todo Q que queda?
-words-paint-ask = Toma el primero que queda y pregunta a los demás si puede ir antes que ellos.
+words-paint-sort = Ordena los triángulos por su clave, primero el más lejano.
+code-paint-ask = para cada P de la lista: ¿puede ir P antes que todo Q que queda?
+words-paint-ask = Toma el primer triángulo que queda y comprueba si puede ir antes que todos los demás.
 code-paint-object = si P tapa parte de Q: Q va antes que P
-words-paint-object = Si tapa parte de uno, ese debe ir antes y pregunta a su vez.
+words-paint-object = Si tapa una parte de otro, ese debe ir antes y se comprueba a continuación.
 code-paint-cycle = si Q espera a P: ciclo
-words-paint-cycle = Si ese ya está esperando, no hay orden.
+words-paint-cycle = Si ese ya está esperando, no hay ningún orden correcto.
 code-paint-place = si no, P es el siguiente
-words-paint-place = Si nadie se opone, es el siguiente.
+words-paint-place = Si no tapa parte de ningún otro, es el siguiente.
 code-paint-paint = pintar todos, en ese orden
 words-paint-paint = Píntalos en ese orden, cada uno sobre lo que hay.
-code-faulty-painter-nearest = para cada triángulo T: clave ← su z más cercano
+code-faulty-painter-nearest = para cada triángulo T: clave ← distancia de su vértice más cercano
 words-faulty-painter-nearest = La clave de un triángulo es la distancia de su vértice más cercano.
 code-faulty-painter-keys = para cada P de la lista: P es el siguiente
-words-faulty-painter-keys = Toma la lista tal como está ordenada, sin preguntar.
-faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es el vértice más cercano, no el más lejano.
-faulty-painter-keys-differs = El paso { $step } es el primero que difiere: a nadie se le pregunta si este puede ser el siguiente.
-surfaces-first = Solo los primeros { $triangles } de { $all } triángulos: nadie podría seguir los pasos de todos.
+words-faulty-painter-keys = Toma los triángulos tal como están ordenados, sin comprobar nada.
+faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es la distancia del vértice más cercano, no la del más lejano.
+faulty-painter-keys-differs = El paso { $step } es el primero que difiere: no se comprueba si este triángulo puede ser el siguiente.
+surfaces-first = Solo los primeros { $triangles } de { $all } triángulos: los pasos de todos serían demasiados para seguirlos.
 painter-opening = { $triangles ->
     [one] Hay un triángulo
    *[other] Hay { $triangles } triángulos
-  } por pintar, primero el más lejano: lo que se pinta después tapa lo que hay.
-painter-key = { $triangle } tiene la clave { $key }. Está entre estas distancias:
+  } por pintar, primero el más lejano: lo que se pinta después tapa lo anterior.
+painter-key = { $triangle } tiene la clave { $key }. Sus vértices están entre estas distancias:
 painter-sort = { $triangle } es el número { $place } de la lista, primero el más lejano.
 painter-pair-depths = { $triangle } está más lejos que todo { $other }: puede ir antes.
 painter-pair-screen = { $triangle } y { $other } están separados en la pantalla: cualquiera puede ir antes.
@@ -225,28 +237,31 @@ painter-pair-behind = { $triangle } está detrás del plano de { $other }: puede
 painter-pair-before = { $other } está delante del plano de { $triangle }: { $triangle } puede ir antes.
 painter-pair-overlap = { $triangle } no está en ningún punto de la pantalla más cerca que { $other }: puede ir antes.
 painter-pair-hides = { $triangle } tapa una parte de { $other }: no puede ir antes.
-painter-ask-depths = 1  ¿{ $triangle } está más lejos que todo { $other }?
+painter-ask-depths = 1  ¿Está { $triangle } más lejos que todo { $other }?
 painter-ask-screen = 2  ¿Están separados en la pantalla?
-painter-ask-behind = 3  ¿{ $triangle } está detrás del plano de { $other }?
-painter-ask-before = 4  ¿{ $other } está delante del plano de { $triangle }?
-painter-ask-overlap = 5  ¿{ $triangle } no está más cerca en ningún punto?
+painter-ask-behind = 3  ¿Está { $triangle } detrás del plano de { $other }?
+painter-ask-before = 4  ¿Está { $other } delante del plano de { $triangle }?
+painter-ask-overlap = 5  ¿No está { $triangle } más cerca en ningún punto?
 painter-yes = sí
 painter-no = no
-painter-not-asked = sin preguntar
+painter-not-asked = sin comprobar
 painter-constraint = { $before } debe pintarse antes que { $after }.
-painter-place = Nadie de los que quedan se opone a { $triangle }: es el número { $place } de { $triangles }.
-painter-cycle-first = Un ciclo: { $triangle } se espera a sí mismo.
+painter-place = { $triangle } no tapa parte de ninguno de los que quedan: es el número { $place } de { $triangles }.
+painter-cycle-first = Hay un ciclo: { $triangle } se espera a sí mismo.
 painter-cycle-next = { $before } debe pintarse antes que { $triangle }.
 painter-cycle-closes = { $before } debe pintarse antes que { $triangle }, y { $triangle } antes que { $first }: el ciclo se cierra.
 painter-paint = { $triangle } se pinta sobre todo: { $place } de { $triangles }.
-painter-done = Terminado: se preguntó por { $pairs ->
-    [one] un par
-   *[other] { $pairs } pares
-  } de { $triangles } triángulos.
-painter-done-cycle = No existe ningún orden: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
+painter-done = Terminado: { $pairs ->
+    [one] se comprobó un par
+   *[other] se comprobaron { $pairs } pares
+  } de { $triangles ->
+    [one] un triángulo.
+   *[other] { $triangles } triángulos.
+  }
+painter-done-cycle = Ningún orden es correcto: cada uno de { $cycle } triángulos debe ir antes que el siguiente, y el último antes que el primero.
 painter-must = Debe ir antes
 painter-cycle = ciclo
-watch-pairs = pares preguntados
+watch-pairs = pares comprobados
 watch-depth-extents = por profundidad
 watch-screen-extents = por lugar en pantalla
 watch-behind-plane = por el plano del otro
@@ -257,19 +272,19 @@ watch-overlap = por solapamiento
 
 alg-bsp = Árbol BSP
 code-bsp-node = construir(lista): nodo ← plano del primer triángulo
-words-bsp-node = El plano del primer triángulo es un nodo.
+words-bsp-node = El plano del primer triángulo pasa a ser un nodo.
 code-bsp-ask = para cada otro T: delante, detrás o en el plano
-words-bsp-ask = Cada uno de los demás está delante, detrás o en él.
+words-bsp-ask = Cada uno de los demás está delante del plano, detrás o en él.
 code-bsp-cut = T a ambos lados: cortar en dos; construir(delante), construir(detrás)
-words-bsp-cut = El que está a ambos lados se corta en dos; luego construye lo de delante y lo de detrás.
+words-bsp-cut = El triángulo que está a ambos lados se corta en dos; luego se construye lo de delante y lo de detrás.
 code-bsp-visit = recorrer(nodo): ¿de qué lado está el ojo?
-words-bsp-visit = Al recorrer, pregunta en cada nodo de qué lado está el ojo.
+words-bsp-visit = Al recorrer el árbol, averigua en cada nodo de qué lado está el ojo.
 code-bsp-paint = recorrer(otro lado); pintar nodo; recorrer(lado del ojo)
 words-bsp-paint = Primero el otro lado, después el nodo y al final el lado del ojo.
 bsp-opening = { $triangles ->
     [one] Un triángulo se convierte
    *[other] { $triangles } triángulos se convierten
-  } en un árbol de planos, que se construye una vez y se recorre para cada ojo.
+  } en un árbol de planos, que se construye una vez y se recorre para cada punto de vista.
 bsp-node-root = El plano de { $triangle } es el primer nodo.
 bsp-node-front = De lo que está delante de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.
 bsp-node-back = De lo que está detrás de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.
@@ -277,12 +292,27 @@ bsp-ask-front = { $piece } está delante del plano de { $triangle }. Distancias 
 bsp-ask-back = { $piece } está detrás del plano de { $triangle }. Distancias de sus vértices:
 bsp-ask-on = { $piece } está en el plano de { $triangle }. Distancias de sus vértices:
 bsp-ask-cut = { $piece } está a ambos lados del plano de { $triangle }: se corta en { $first } y { $second }. Distancias de sus vértices:
-bsp-built = El árbol está construido: { $triangles } triángulos son { $pieces } piezas en { $nodes } nodos.
+bsp-built = El árbol está construido: { $triangles ->
+    [one] un triángulo queda
+   *[other] { $triangles } triángulos quedan
+  } en { $pieces ->
+    [one] una pieza,
+   *[other] { $pieces } piezas,
+  } en { $nodes ->
+    [one] un nodo.
+   *[other] { $nodes } nodos.
+  }
 bsp-visit-front = El ojo está delante del plano de { $triangle }: primero lo de detrás, después { $triangle } y al final lo de delante.
 bsp-visit-back = El ojo está detrás del plano de { $triangle }: primero lo de delante, después { $triangle } y al final lo de detrás.
 bsp-visit-on = El ojo está en el plano de { $triangle } o mira a lo largo de él: cualquier lado puede ir antes.
 bsp-paint = { $piece } se pinta sobre todo: { $place } de { $pieces }.
-bsp-done = Terminado: { $pieces } piezas pintadas de atrás hacia delante con { $nodes } preguntas.
+bsp-done = Terminado: { $pieces ->
+    [one] una pieza pintada
+   *[other] { $pieces } piezas pintadas
+  } de atrás hacia delante, con { $nodes ->
+    [one] una prueba.
+   *[other] { $nodes } pruebas.
+  }
 bsp-tree = Árbol: ← delante, detrás →
 bsp-before = delante
 bsp-behind = detrás
@@ -298,19 +328,19 @@ watch-painted = pintadas
 
 alg-occlusion = Consulta de oclusión
 code-occlusion-occluders = para cada oclusor: dibujarlo
-words-occlusion-occluders = Dibuja los objetos que tapan mucho.
-code-occlusion-others = para cada otro objeto P, si caja(P) llega al cercano: dibujar P
-words-occlusion-others = Toma los demás uno a uno. Si su caja llega al plano cercano, se dibuja sin consultar.
+words-occlusion-occluders = Dibuja los objetos que tapan mucho de la imagen.
+code-occlusion-others = para cada otro objeto P, si caja(P) llega al plano cercano: dibujar P
+words-occlusion-others = Toma los demás objetos uno a uno. Si su caja llega al plano cercano, dibuja el objeto sin consultar.
 code-occlusion-ask = n ← píxeles de caja(P) con z_caja ≤ z[píxel]
-words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No se escribe nada.
+words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No escribas nada.
 code-occlusion-skip = si n = 0: saltar P
-words-occlusion-skip = En ninguno: sáltalo.
+words-occlusion-skip = Si no hay ninguno, sáltate el objeto.
 code-occlusion-draw = si no, dibujar P
-words-occlusion-draw = Si no, dibújalo.
+words-occlusion-draw = Si no, dibuja el objeto.
 occlusion-opening = { $objects ->
     [one] Un objeto
    *[other] { $objects } objetos
-  } en { $columns } × { $rows } píxeles. De los que están en la imagen, el tercio (redondeado hacia arriba) que cubre más píxeles puede tapar a los demás y se dibuja primero: { $occluders }.
+  } en { $columns } × { $rows } píxeles. De los que están en la imagen, primero se dibuja un tercio (redondeado hacia arriba), los que cubren más píxeles, pues pueden tapar a los demás: { $occluders }.
 occlusion-none = ninguno
 occlusion-occluder = { $object } es un oclusor y se dibuja sin consultar: { $triangles ->
     [one] un triángulo,
@@ -328,7 +358,7 @@ occlusion-hidden = La caja de { $object } cubre { $asked ->
    *[other] { $asked } píxeles
   } y no se vería en ninguno: en todas partes hay algo más cercano.
 occlusion-beside = La caja de { $object } no cubre ningún píxel.
-occlusion-unasked = La caja de { $object } llega al plano cercano, que puede cortar su frente: no se compara nada.
+occlusion-unasked = La caja de { $object } llega al plano cercano, que puede cortar su parte delantera: no se compara nada.
 occlusion-answer-seen = La caja de { $object } se vería.
 occlusion-answer-hidden = La caja de { $object } queda oculta: en todas partes hay algo más cercano.
 occlusion-skip = { $object } se salta: { $triangles ->
@@ -348,14 +378,14 @@ occlusion-in-vain = { $object } se dibuja en vano, { $triangles ->
   } su caja se vería en { $passed ->
     [one] un píxel,
    *[other] { $passed } píxeles,
-  } { $object } mismo en ninguno. Una caja puede decir de más, nunca de menos.
+  } { $object } mismo en ninguno. La consulta puede conservar un objeto oculto, pero nunca descarta uno visible.
 occlusion-done = Terminado: { $drawn ->
     [one] uno dibujado
    *[other] { $drawn } dibujados
   }, { $skipped ->
     [one] uno saltado
    *[other] { $skipped } saltados
-  }. Se ahorran { $spared } de { $triangles } triángulos, y la imagen es la misma que si se hubiera dibujado todo.
+  }. Triángulos ahorrados: { $spared } de { $triangles }. La imagen es la misma que si se hubiera dibujado todo.
 occlusion-objects = objetos
 occlusion-asked = píxeles de la caja
 occlusion-passed = visibles
@@ -378,7 +408,10 @@ owns-all = { $surface } cubre { $covered ->
     [one] un píxel y se ve en él.
    *[other] { $covered } píxeles y se ve en todos.
   }
-owns-some = { $surface } cubre { $covered } píxeles y se ve en { $seen }; en { $hidden ->
+owns-some = { $surface } cubre { $covered ->
+    [one] un píxel
+   *[other] { $covered } píxeles
+  } y se ve en { $seen }; en { $hidden ->
     [one] uno
    *[other] { $hidden }
   } hay otra cosa delante.
@@ -388,11 +421,11 @@ owns-some = { $surface } cubre { $covered } píxeles y se ve en { $seen }; en { 
 surface-costs-title = Lo que cuesta saber qué está delante
 surface-costs-about = Contado, no cronometrado, en { $columns } × { $rows } píxeles: calles de cajas, de doce triángulos cada una.
 surface-costs-triangles = Triángulos
-surface-costs-counts = Pares, preguntas, fragmentos
-surface-costs-pairs = Pintor: { $count } pares con { $triangles } triángulos; crecen como n elevado a { $exponent }.
-surface-costs-questions = Lanzamiento de rayos: { $count } preguntas de los rayos a { $triangles } triángulos; como n elevado a { $exponent }.
-surface-costs-fragments = Búfer de profundidad: { $count } fragmentos de { $triangles } triángulos; como n elevado a { $exponent }.
-surface-costs-overdraw = Sobredibujado: { $fragments } fragmentos para { $pixels } píxeles, cada uno calculado { $overdraw } veces.
+surface-costs-counts = Pares, pruebas, fragmentos
+surface-costs-pairs = Pintor: { $count } pares comprobados con { $triangles } triángulos; crecen como n elevado a { $exponent }.
+surface-costs-questions = Lanzamiento de rayos: { $count } pruebas de un rayo con uno de { $triangles } triángulos; crecen como n elevado a { $exponent }.
+surface-costs-fragments = Búfer de profundidad: { $count } fragmentos de { $triangles } triángulos; crecen como n elevado a { $exponent }.
+surface-costs-overdraw = Sobredibujado: { $fragments } fragmentos para { $pixels } píxeles; cada píxel se calcula { $overdraw } veces de media.
 surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los logaritmos. Los pares se cuentan hasta 1000 triángulos, y solo donde hay un orden; más allá, la línea termina.
 
 ## The raster's form
@@ -410,7 +443,7 @@ raster-tones = Los tonos muestran
 raster-tones-triangles = qué triángulo
 raster-tones-counts = cuántas veces se calculan
 raster-tones-stored = la profundidad guardada
-raster-tones-distance = su distancia
+raster-tones-distance = la distancia
 raster-number = Profundidad
-raster-reversed = Invertida: 1 es cerca
+raster-reversed = Invertida: 1 significa cerca
 raster-cull = Descartar caras traseras

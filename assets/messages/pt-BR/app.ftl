@@ -40,7 +40,7 @@ transport-speed-value = { $speed } passos por segundo
 transport-step = passo { $step } de { $total }
 transport-steps =
     { $count ->
-        [one] { $count } passo
+        [1] { $count } passo
        *[other] { $count } passos
     }
 
@@ -137,7 +137,7 @@ status-mesh-plain = A textura que { $library } indica não pôde ser obtida: a m
 status-mesh-picture = { $name } está ao lado da malha e é usada como sua textura.
 status-mesh-added =
     { $count ->
-        [one] { $name }, de { $count } triângulo, está na cena.
+        [1] { $name }, de { $count } triângulo, está na cena.
        *[other] { $name }, de { $count } triângulos, está na cena.
     }
 status-reloaded = { $path } mudou e foi lido de novo.
@@ -175,7 +175,7 @@ help-verdict = Ir ao passo que decidiu o destino do que foi clicado
 status-last-good = É exibida a última versão que funcionava.
 status-more-problems =
     { $count ->
-        [one] … e mais { $count } problema.
+        [1] … e mais { $count } problema.
        *[other] … e mais { $count } problemas.
     }
 

@@ -4,27 +4,27 @@
 
 cli-exported =
     { $count ->
-        [one] { $count } figura exportada para { $path }
+        [1] { $count } figura exportada para { $path }
        *[other] { $count } figuras exportadas para { $path }
     }
 cli-checked =
     { $count ->
-        [one] { $count } lição sem erros
+        [1] { $count } lição sem erros
        *[other] { $count } lições sem erros
     }
 cli-checked-scenes =
     { $count ->
-        [one] { $count } arquivo de cena em ordem
+        [1] { $count } arquivo de cena em ordem
        *[other] { $count } arquivos de cena em ordem
     }
 cli-refused =
     { $count ->
-        [one] { $count } entrada foi recusada
+        [1] { $count } entrada foi recusada
        *[other] { $count } entradas foram recusadas
     }
 cli-untranslated =
     { $count ->
-        [one] nota: { $count } lição mostra o inglês no lugar de { $languages }; esses idiomas são opcionais
+        [1] nota: { $count } lição mostra o inglês no lugar de { $languages }; esses idiomas são opcionais
        *[other] nota: { $count } lições mostram o inglês no lugar de { $languages }; esses idiomas são opcionais
     }
 cli-unreadable = Não foi possível ler { $path }: { $reason }

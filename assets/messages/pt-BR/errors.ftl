@@ -42,7 +42,7 @@ error-no-segments = Não há nenhum segmento.
 error-too-many-segments = Há segmentos demais: { $count }; são aceitos no máximo { $limit }.
 error-no-such-focus =
     { $count ->
-        [one] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
+        [1] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
        *[other] Não existe o segmento { $focus }: há { $count } segmentos, contando a partir de 0.
     }
 error-last-three = O vértice fica: um polígono precisa de pelo menos três.

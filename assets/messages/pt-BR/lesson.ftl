@@ -41,7 +41,7 @@ problem-missing-field = Falta o campo “{ $name }”.
 problem-wrong-type = O valor é do tipo errado: é { $found }.
 problem-wrong-length =
     { $count ->
-        [one] A lista não tem o comprimento certo: { $count } valor.
+        [1] A lista não tem o comprimento certo: { $count } valor.
        *[other] A lista não tem o comprimento certo: { $count } valores.
     }
 problem-not-finite = Deve ser um número finito.
@@ -96,7 +96,7 @@ problem-unsupported-markdown = Este tipo de Markdown não é aceito em uma liç�
 problem-stray-emphasis = Estes asteriscos não deixam o texto em negrito.
 problem-more =
     { $count ->
-        [one] Mais { $count } problema deste arquivo não é mostrado.
+        [1] Mais { $count } problema deste arquivo não é mostrado.
        *[other] Mais { $count } problemas deste arquivo não são mostrados.
     }
 
@@ -166,7 +166,7 @@ problem-face-too-long = Esta face tem { $count } vértices, mais que { $limit }:
 problem-face-not-simple = Esta face cruza a si mesma ou não tem área: fica de fora.
 problem-flat-faces =
     { $count ->
-        [one] { $count } triângulo não tem área: nada dele é visto.
+        [1] { $count } triângulo não tem área: nada dele é visto.
        *[other] { $count } triângulos não têm área, o primeiro deles aqui: nada deles é visto.
     }
 problem-no-faces = O arquivo não tem nenhuma face que possa ser desenhada.

@@ -4,13 +4,13 @@
 
 line-opening = Que parte de P₁P₂ está na janela?
 line-not-on-it = { $point }: fora de P₁P₂
-line-parallel = Paralelo à { $edge }: não há interseção.
+line-parallel = É paralelo à { $edge }: não há interseção.
 line-reject-edge = Rejeitado: os dois extremos estão além da { $edge }.
 line-accept = Aceito: visível de { $p1 } a { $p2 }.
 line-touch = Aceito: o segmento toca a janela em um único ponto, { $at }.
 line-point = Aceito: os dois extremos são o mesmo ponto { $at }, e ele está na janela.
 param-left = { $min } < { $max }: sobra uma parte.
-param-touch = { $min } = { $max }: sobra um único ponto, e na borda ainda é dentro.
+param-touch = { $min } = { $max }: sobra um único ponto, e a borda conta como dentro.
 param-empty = { $min } > { $max }: não sobra nada.
 param-put-end = { $end } = { $at } já estava dentro e permanece.
 watch-crossings = interseções
@@ -22,20 +22,20 @@ table-corner = canto
 
 ## Brute force
 
-bf-intersect = Interseção com a reta da { $edge }.
-bf-keep = Nada está além da { $edge }: esta interseção não era necessária.
-bf-keep-parallel = Nada está além da { $edge }: este lado não muda nada.
+bf-intersect = Ache a interseção com a reta da { $edge }.
+bf-keep = Nenhuma parte está além da { $edge }: esta interseção não era necessária.
+bf-keep-parallel = Nenhuma parte está além da { $edge }: este lado não muda nada.
 bf-cut = { $end } está além de { $border }: passa para { $to }.
-bf-option-none = Nada está além da { $edge }.
+bf-option-none = Nenhuma parte está além da { $edge }.
 bf-option-one = Um extremo está além da { $edge }.
 bf-option-both = Os dois extremos estão além da { $edge }.
 bf-note-tests = Um ponto está dentro se cumpre as quatro condições.
-bf-in-vain = em vão
+bf-in-vain = desnecessária
 bf-kept = { $part } é visível
 code-bf-each = para cada lado não paralelo a P₁P₂
 code-bf-intersect = X ← reta P₁P₂ ∩ reta do lado
 code-bf-reject = se os dois extremos estão além: rejeite
-code-bf-cut = se um extremo está além: ele ← X
+code-bf-cut = se um extremo está além: extremo ← X
 code-bf-accept = aceite P₁P₂
 words-bf-each = Tome os quatro lados, um de cada vez; pule o que for paralelo ao segmento.
 words-bf-intersect = Calcule onde a reta do segmento encontra a reta do lado.
@@ -57,7 +57,7 @@ cs-option-inside = Os dois extremos estão dentro.
 cs-option-not-inside = Nem tudo está dentro.
 cs-option-undecided = Nenhum lado deixa os dois extremos de fora.
 cs-option-beyond = Os dois extremos estão além de um mesmo lado.
-cs-note-code = Um 1 para cada lado além do qual o ponto está.
+cs-note-code = Cada 1 indica um lado além do qual o ponto está.
 cs-note-order = Na ordem superior, inferior, direita, esquerda é { $other }.
 cs-note-or = OR põe um 1 onde algum dos dois códigos o tem.
 cs-note-and = AND mantém um 1 só onde os dois códigos o têm.
@@ -88,7 +88,7 @@ bit-order-lrbt = esquerda, direita, inferior, superior
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x varia Δx e y varia Δy.
 lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
-lb-parallel-inside = Paralelo à { $edge }, do lado de dentro: sozinha, ela não decide nada.
+lb-parallel-inside = Paralelo à { $edge }, do lado de dentro: este lado, sozinho, não decide nada.
 lb-parallel-outside = Paralelo à { $edge }, do lado de fora: nenhum u serve.
 lb-enter = A reta entra pela { $edge }: u_min sobe.
 lb-enter-idle = A reta entra pela { $edge }, mas não depois de u_min: nada muda.
@@ -98,7 +98,7 @@ lb-put = { $end } vai para u = { $u }, em { $border }.
 lb-reject = Rejeitado na { $edge }: não sobra nada do segmento.
 lb-note-enter = p < 0, entra: { $bound } = max({ $bound }; r)
 lb-note-leave = p > 0, sai: { $bound } = min({ $bound }; r)
-lb-note-parallel = p = 0, é paralelo: dentro se q ≥ 0
+lb-note-parallel = p = 0: paralelo; dentro se q ≥ 0
 code-lb-start = u_min ← 0; u_max ← 1; Δ ← P₂ − P₁
 code-lb-each = para cada k = 1 … 4: p, q do lado k
 code-lb-parallel = se p = 0 e q < 0: rejeite
@@ -119,7 +119,7 @@ words-lb-accept = Senão, os extremos do intervalo são os da parte visível.
 cb-edge-entering = { $edge }: n·D > 0, a reta entra.
 cb-edge-leaving = { $edge }: n·D < 0, a reta sai.
 cb-edge-parallel = { $edge }: n·D = 0, a reta é paralela à aresta.
-cb-parallel-inside = Paralelo a { $edge }, do lado de dentro: sozinha, esta aresta não decide nada.
+cb-parallel-inside = Paralelo a { $edge }, do lado de dentro: esta aresta, sozinha, não decide nada.
 cb-parallel-outside = Paralelo a { $edge }, do lado de fora: nenhum t serve.
 cb-enter = A reta entra por { $edge }: t_min sobe.
 cb-enter-idle = A reta entra por { $edge }, mas não depois de t_min: nada muda.
@@ -134,8 +134,8 @@ cb-sign-inside = { $product } > 0: { $end } está dentro
 cb-sign-on = { $product } = 0: { $end } está na aresta
 cb-sign-outside = { $product } < 0: { $end } está fora
 cb-measured = Medido ao longo de { $normal }, a partir da aresta
-alg-faulty-normals = Errado: todos os vetores normais apontam para fora
-faulty-normals-differs = O passo { $step } é o primeiro que difere: o vetor normal aponta para fora, e o que entra é tomado como o que sai.
+alg-faulty-normals = Errado: todas as normais apontam para fora
+faulty-normals-differs = O passo { $step } é o primeiro que difere: a normal aponta para fora, e entrar é tomado por sair.
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = para cada aresta: n; w ← P₁ − E
 code-cb-parallel = se n·D = 0 e n·w < 0: rejeite
@@ -143,9 +143,9 @@ code-cb-enter = se n·D > 0: t_min ← max(t_min; −n·w / n·D)
 code-cb-leave = se n·D < 0: t_max ← min(t_max; −n·w / n·D)
 code-cb-empty = se t_min > t_max: rejeite
 code-cb-accept = aceite P(t_min) P(t_max)
-words-faulty-normals = Para cada aresta, gire-a para a esquerda e tome-a como vetor normal, seja qual for o sentido dos vértices.
+words-faulty-normals = Para cada aresta, gire-a para a esquerda e tome-a como normal, seja qual for o sentido dos vértices.
 words-cb-start = Comece com o segmento inteiro, t de 0 a 1.
-words-cb-each = Para cada aresta, tome o vetor normal que aponta para dentro.
+words-cb-each = Para cada aresta, tome a normal, que aponta para dentro.
 words-cb-parallel = n·D = 0: paralelo à aresta; se está do lado de fora, rejeite.
 words-cb-enter = n·D > 0: no sentido da normal; a reta entra por aqui.
 words-cb-leave = n·D < 0: contra a normal; a reta sai por aqui.
@@ -213,7 +213,10 @@ batch-make = Substituir todos os segmentos
 ## Costs, measured
 
 cost-measure = Medir neste computador…
-cost-of-all-segments = os { $count } segmentos: { $divisions } divisões, { $multiplications } multiplicações, { $additions } somas, { $comparisons } comparações
+cost-of-all-segments = { $count ->
+        [1] o segmento ({ $count })
+       *[other] os { $count } segmentos
+    }: divisões { $divisions }, multiplicações { $multiplications }, somas { $additions }, comparações { $comparisons }
 measure-title = Quanto custa um segmento
 measure-about = Todos os métodos recortam os mesmos segmentos aleatórios, aqui e agora.
 measure-start = Medir

@@ -13,7 +13,7 @@ alg-faulty-divide-first = Errado: dividido primeiro
 space-line-opening-box = Que parte de P₁P₂ está na caixa de −1 a 1?
 space-line-opening-planes =
     Que parte de P₁P₂ está do lado de dentro { $planes ->
-        [one] do plano
+        [1] do plano
        *[other] dos { $planes } planos
     }?
 space-line-opening-clip = Que parte de P₁P₂ satisfaz −w ≤ x, y, z ≤ w?
@@ -32,19 +32,19 @@ space-line-and-open = AND = { $bits }: nenhuma face deixa os dois extremos de fo
 space-line-and-reject = AND = { $bits } ≠ 000000: os dois extremos estão além do plano { $plane }.
 space-line-choose = O último bit 1 é o do plano { $plane }: { $end } está além dele.
 space-line-reject-codes = Rejeitado: os dois extremos estão além do plano { $plane }; AND = { $and }.
-space-line-note-code = Um 1 para cada face além da qual o ponto está.
+space-line-note-code = Cada 1 indica uma face além da qual o ponto está.
 
 ## One inequality a plane
 
 space-line-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x, y e z variam Δx, Δy e Δz.
 space-line-before = Os dois extremos têm w ≥ 0: nenhum está atrás do olho.
-space-line-behind = { $end } tem w < 0: está atrás do olho. Não se deve dividi-lo.
+space-line-behind = { $end } tem w < 0: está atrás do olho e não se deve dividi-lo por w.
 space-line-all-behind = Os dois extremos têm w < 0: todo o segmento está atrás do olho.
 space-line-option-behind = Um extremo tem w < 0.
 space-line-divided = Os dois extremos são divididos por w e recortados depois.
 space-line-row = Plano { $plane }: { $direction }.
 space-line-parallel-inside = Paralelo ao plano { $plane }, do lado de dentro: sozinho, ele não decide nada.
-space-line-parallel-outside = Paralelo ao plano { $plane }, do lado de fora: nada adianta.
+space-line-parallel-outside = Paralelo ao plano { $plane }, do lado de fora: nada pode ser visível.
 space-line-enter = A reta entra pelo plano { $plane }: { $bound } sobe.
 space-line-enter-idle = A reta entra pelo plano { $plane }, mas não depois de { $bound }: nada muda.
 space-line-leave = A reta sai pelo plano { $plane }: { $bound } desce.
@@ -62,8 +62,8 @@ w-lens-eye = olho
 w-lens-screen = tela, w = 1
 screen-divide-first = Dividir primeiro
 screen-clip-first = Recortar primeiro
-screen-wrong = errado: um trecho que nunca existiu
-screen-same = o mesmo: nenhum extremo está atrás
+screen-wrong = errado: uma parte que nunca existiu
+screen-same = o mesmo: nenhum extremo está atrás do olho
 screen-no-image = um extremo não tem imagem: w = 0
 screen-so-far = o que resta até agora
 screen-right = certo: o que está à frente do olho
@@ -86,7 +86,7 @@ code-pl-leave = se d₁ > d₂: a_max ← min(a_max; d₁/(d₁ − d₂))
 code-pl-empty = se a_min > a_max: rejeite
 code-pl-accept = aceite P(a_min) P(a_max)
 words-pl-start = Comece com o segmento inteiro, a de 0 a 1.
-words-pl-each = Pergunte a cada plano quanto os dois extremos estão para dentro.
+words-pl-each = Calcule, para cada plano, quanto os dois extremos estão para dentro.
 words-pl-enter = d cresce: a reta entra por aqui. Antes de a, nada pode ser visível.
 words-pl-leave = d diminui: a reta sai por aqui. Depois de a, nada pode ser visível.
 code-hl-start = se w₁ < 0 e w₂ < 0: rejeite
@@ -96,10 +96,10 @@ code-hl-leave = se d₁ > d₂: t_max ← min(t_max; d₁/(d₁ − d₂))
 code-hl-empty = se t_min > t_max: rejeite
 code-hl-accept = aceite P(t_min) P(t_max); só agora divida por w
 words-hl-start = Se os dois extremos estão atrás do olho, nada é visível.
-words-hl-each = Cada lado é w ± uma coordenada: diz quanto um ponto está para dentro.
+words-hl-each = Para cada lado, w mais ou menos uma coordenada diz quanto um ponto está para dentro.
 words-hl-enter = d cresce: a reta entra por aqui.
 words-hl-leave = d diminui: a reta sai por aqui.
-words-hl-accept = O que sobra tem w ≥ near > 0: agora se pode dividir.
+words-hl-accept = O que sobra tem w ≥ near > 0: agora se pode dividir por w.
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
 words-faulty-divide = Divida os dois extremos por w.
 faulty-divide-first-differs = O passo { $step } é o primeiro que difere: os dois extremos foram divididos por w antes de recortar.

@@ -9,33 +9,33 @@ alg-faulty-depth-straight = Buffer de profundidade, distância linear na tela
 ## Pseudocode
 
 code-depth-clear = imagem ← fundo, z ← ∞
-words-depth-clear = Limpe a imagem com o fundo e ponha cada profundidade em infinito.
+words-depth-clear = Ponha a imagem na cor de fundo e cada profundidade em infinito.
 code-depth-clear-reversed = imagem ← fundo, z ← −∞
-words-depth-clear-reversed = Limpe a imagem com o fundo e ponha cada profundidade em menos infinito: nada está mais longe.
+words-depth-clear-reversed = Ponha a imagem na cor de fundo e cada profundidade em menos infinito: nada está mais longe.
 code-depth-triangle = para cada triângulo T
-words-depth-triangle = Pegue os triângulos, em qualquer ordem.
+words-depth-triangle = Tome os triângulos, em qualquer ordem.
 code-depth-fragment = para cada pixel de T: z_T ← profundidade de T ali
-words-depth-fragment = Para cada pixel cujo centro o triângulo cobre, ache ali a sua profundidade.
+words-depth-fragment = Para cada pixel cujo centro o triângulo cobre, calcule ali a sua profundidade.
 code-depth-compare = se z_T < z[pixel]
-words-depth-compare = Compare-a com a profundidade guardada.
+words-depth-compare = Compare esta profundidade com a guardada.
 code-depth-compare-reversed = se z_T > z[pixel]
 code-depth-write = imagem[pixel] ← T, z[pixel] ← z_T
 words-depth-write = Se for menor, escreva o triângulo e a sua profundidade.
-words-depth-write-reversed = Se for maior, escreva o triângulo e a sua profundidade: 1 é perto.
+words-depth-write-reversed = Se for maior, escreva o triângulo e a sua profundidade: 1 significa perto.
 code-faulty-depth-clear = imagem ← fundo, z ← 0
 words-faulty-depth-clear = Ponha cada profundidade em 0, a do plano próximo.
 code-faulty-depth-clear-reversed = imagem ← fundo, z ← 1
 words-faulty-depth-clear-reversed = Ponha cada profundidade em 1, a do plano próximo.
 code-faulty-depth-compare = se z_T > z[pixel]
-words-faulty-depth-compare = Escreva quando a nova profundidade é maior.
-words-faulty-depth-compare-reversed = Escreva quando a nova profundidade é menor, embora 1 seja perto.
+words-faulty-depth-compare = Escreva o triângulo onde a nova profundidade é maior.
+words-faulty-depth-compare-reversed = Escreva o triângulo onde a nova profundidade é menor, embora 1 signifique perto.
 code-faulty-depth-always = sempre
-words-faulty-depth-always = Não compare nada.
+words-faulty-depth-always = Escreva todos os fragmentos, sem comparar profundidades.
 code-faulty-depth-straight = para cada pixel de T: z_T ← distância, interpolada na tela
-words-faulty-depth-straight = Interpole a distância no espaço da câmera linearmente na tela, sem a divisão.
+words-faulty-depth-straight = Interpole a distância no espaço de visão linearmente na tela, sem a divisão.
 faulty-depth-clear-differs = O passo { $step } é o primeiro que difere: nenhuma profundidade é menor que 0, então nada será escrito.
-faulty-depth-compare-differs = O passo { $step } é o primeiro que difere: escreve-se o mais distante.
-faulty-depth-always-differs = O passo { $step } é o primeiro que difere: escreve-se, embora ali haja algo mais próximo.
+faulty-depth-compare-differs = O passo { $step } é o primeiro que difere: escreve-se o triângulo mais distante.
+faulty-depth-always-differs = O passo { $step } é o primeiro que difere: o triângulo é escrito, embora ali haja algo mais próximo.
 faulty-depth-straight-differs = O passo { $step } é o primeiro que difere: esta não é a profundidade da superfície, pois a distância não é linear na tela.
 
 ## The depth buffer
@@ -43,32 +43,41 @@ faulty-depth-straight-differs = O passo { $step } é o primeiro que difere: esta
 depth-opening = { $triangles ->
     [1] Um triângulo
    *[other] { $triangles } triângulos
-  } em { $columns } × { $rows } pixels: { $pixels } profundidades, uma por pixel, de { $bits } bits cada uma: { $bytes } bytes.
-depth-clear = Limpo: nenhum dos { $pixels } pixels tem triângulo.
+  } em { $columns } × { $rows } pixels. Profundidades guardadas, uma por pixel: { $pixels }, de { $bits } bits cada uma, { $bytes } bytes ao todo.
+depth-clear = A imagem está vazia: { $pixels ->
+    [1] o pixel ainda não mostra
+   *[other] nenhum dos { $pixels } pixels mostra ainda
+  } um triângulo.
 depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
 depth-answer-drawn = { $triangle } é desenhado.
-depth-triangle-whole = Desenhado { $triangle }: de { $fragments } fragmentos, { $writes } estão mais próximos do que o que havia.
-depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: de { $fragments } fragmentos escrevem-se { $writes }.
+depth-triangle-whole = { $triangle } está desenhado. Seus fragmentos: { $fragments }; mais perto que o guardado: { $writes }.
+depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: { $fragments ->
+    [1] de { $fragments } fragmento
+   *[other] de { $fragments } fragmentos
+  } escrevem-se { $writes }.
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
 depth-fragment-kept = No pixel { $at }, { $triangle } está mais próximo que { $other }: escreve-se.
-depth-fragment-lost = No pixel { $at }, { $triangle } não está mais próximo que { $other }: { $other } fica.
-depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e fica.
+depth-fragment-lost = No pixel { $at }, { $triangle } não está mais próximo que { $other }: { $other } não muda.
+depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e é mantido.
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
 depth-done = Pronto: { $fragments ->
     [1] um fragmento
    *[other] { $fragments } fragmentos
-  }, { $writes } deles escritos, para { $pixels ->
+  }, { $writes ->
+    [1] um escrito
+   *[other] { $writes } escritos
+  }, para { $pixels ->
     [1] um pixel
    *[other] { $pixels } pixels
-  }. Em média, cada um foi calculado tantas vezes:
+  }. Em média, quantas vezes cada pixel foi calculado:
 
 ## Views
 
 raster-depth = Profundidade em milésimos
 raster-depth-unit = Profundidade em unidades de { $unit }
-raster-straight = Distância do próximo ao distante, em milésimos
+raster-straight = Distância do plano próximo ao distante, em milésimos
 raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
 raster-distance = Distância até a câmera
 raster-counts-none = Vezes que cada pixel é calculado
@@ -76,16 +85,16 @@ raster-counts = Vezes calculado: { $seen } à vista, { $vain } em vão
 raster-counts-before = Todas as faces: { $seen } à vista, { $vain } em vão
 raster-counts-after = Sem faces traseiras: { $seen } à vista, { $vain } em vão
 painter-depths = Distância de cada triângulo, do vértice mais próximo ao mais distante
-asks-what = pergunta
+asks-what = testes
 asks-now = agora
 asks-so-far = até agora
 asks-done = concluído
 asks-of = { $count } de { $all }
 asks-ray-casting = cada pixel: qual triângulo?
 asks-depth-buffer = cada triângulo: quais pixels?
-asks-painter = cada par: qual antes?
-raster-pairs = { $pairs } perguntas por pares de { $triangles } triângulos
-raster-questions = { $questions } perguntas de { $pixels } raios
+asks-painter = cada par: qual vem antes?
+raster-pairs = { $pairs } testes de pares de { $triangles } triângulos
+raster-questions = { $questions } testes de { $pixels } raios
 occlusion-triangles = Triângulos de cada objeto
 scale-near = perto { $value }
 scale-far = { $value } longe
@@ -101,13 +110,16 @@ depth-done-distance = Pronto: as distâncias de { $pixels ->
     [1] um pixel
    *[other] { $pixels } pixels
   } vão de { $least } a { $most }.
-depth-done-nothing = Pronto: de { $fragments } fragmentos nenhum foi escrito.
+depth-done-nothing = Pronto: { $fragments ->
+    [1] { $fragments } fragmento,
+   *[other] { $fragments } fragmentos,
+  } nenhum escrito.
 curve-whole = Profundidade pela distância
 curve-enlarged = Ampliado
 curve-forward = Sem inverter
 curve-reversed = Invertida
 curve-near = Plano próximo em { $near }
-curve-step = um passo: { $step }
+curve-step = passo da profundidade: { $step }
 curve-distance = distância
 curve-depth = profundidade
 story-title = Pixel { $at }, por ordem de chegada
@@ -129,55 +141,55 @@ watch-pixels = pixels
 
 alg-ray-casting = Lançamento de raios
 code-ray-pixel = para cada pixel: raio o + t · r pelo seu centro
-words-ray-pixel = Para cada pixel, pegue o raio que sai do olho pelo seu centro.
+words-ray-pixel = Para cada pixel, tome o raio que sai do olho e passa pelo seu centro.
 code-ray-triangle = para cada triângulo T, plano n·p + d = 0
-words-ray-triangle = Pergunte a cada triângulo.
-code-ray-parallel = se n·r = 0: sem acerto
+words-ray-triangle = Teste todos os triângulos.
+code-ray-parallel = se n·r = 0: sem interseção
 words-ray-parallel = Um raio paralelo ao plano não o corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
-words-ray-plane = Ache onde o raio corta o plano.
-code-ray-range = se t < 1 ou além de far: sem acerto
-words-ray-range = Atrás do olho, na frente do plano próximo e além do distante nada se vê.
-code-ray-inside = se o + t · r está em T: acerto
-words-ray-inside = Se o ponto está no triângulo, o raio o atinge.
+words-ray-plane = Calcule onde o raio corta o plano.
+code-ray-range = se t < 1 ou além do plano distante: sem interseção
+words-ray-range = Atrás do olho, antes do plano próximo e além do distante nada se vê.
+code-ray-inside = se o + t · r está em T: atingido
+words-ray-inside = Se esse ponto está no triângulo, o raio o atinge.
 code-ray-nearest = imagem[pixel] ← T do menor t
-words-ray-nearest = Vê-se o ponto atingido de menor t.
+words-ray-nearest = Vê-se o ponto atingido com o menor t.
 ray-opening = { $rays ->
     [1] Um raio
    *[other] { $rays } raios
-  } para { $columns } × { $rows } pixels; cada um pergunta a { $triangles ->
+  } para { $columns } × { $rows } pixels; cada um é testado com { $triangles ->
     [1] um triângulo.
    *[other] { $triangles } triângulos.
   }
-ray-pixel = O raio pelo centro do pixel { $at }: em t = 0 o olho, em t = 1 o plano próximo.
-ray-hit-first = O raio atinge { $triangle }: o mais próximo até agora.
-ray-hit-nearer = O raio atinge { $triangle } antes de { $other }, que está em t = { $t }: agora é o mais próximo.
+ray-pixel = O raio que passa pelo centro do pixel { $at }: em t = 0 está no olho; em t = 1, no plano próximo.
+ray-hit-first = O raio atinge { $triangle }: é o ponto mais próximo até agora.
+ray-hit-nearer = O raio atinge { $triangle }, na frente de { $other }, que está em t = { $t }: agora { $triangle } é o mais próximo.
 ray-hit-farther = O raio também atinge { $triangle }, atrás de { $other }, que está em t = { $t }.
-ray-answer-farther = O raio atinge { $triangle }, atrás do mais próximo até agora.
-ray-says-culled = { $triangle } não é perguntado: está de perfil ou de costas.
+ray-answer-farther = O raio atinge { $triangle }, atrás do ponto mais próximo até agora.
+ray-says-culled = { $triangle } não é testado: está de perfil ou de costas.
 ray-says-parallel = O raio é paralelo ao plano de { $triangle }: n·r = 0, nunca se cortam.
-ray-says-behind = O plano de { $triangle } é cortado atrás do olho: t < 0.
-ray-says-before-near = { $triangle } é cortado antes do plano próximo: t < 1.
-ray-says-beyond-far = { $triangle } é cortado além do plano distante.
+ray-says-behind = A reta do raio corta o plano de { $triangle } atrás do olho: t < 0.
+ray-says-before-near = O raio corta { $triangle } antes do plano próximo: t < 1.
+ray-says-beyond-far = O raio corta { $triangle } além do plano distante.
 ray-says-beside = O raio corta o plano de { $triangle } fora do triângulo: não o atinge.
-ray-seen = O pixel { $at } fica com { $triangle }: o menor t de { $hits ->
+ray-seen = O pixel { $at } mostra { $triangle }: ele tem o menor t de { $hits ->
     [1] um ponto atingido.
    *[other] { $hits } pontos atingidos.
   }
-ray-seen-nothing = O pixel { $at } continua fundo: nenhum triângulo é atingido.
+ray-seen-nothing = O pixel { $at } continua com a cor de fundo: nenhum triângulo é atingido.
 ray-done = Pronto: { $rays ->
-    [1] um raio, que
-   *[other] { $rays } raios, cada um dos quais
-  } perguntou a { $triangles ->
-    [1] um triângulo
-   *[other] { $triangles } triângulos
-  }.
-ray-culled = não perguntado
+    [1] um raio, testado com
+   *[other] { $rays } raios, cada um testado com
+  } { $triangles ->
+    [1] um triângulo.
+   *[other] { $triangles } triângulos.
+  }
+ray-culled = não testado
 ray-parallel = paralelo
 ray-behind = atrás do olho
-ray-before-near = antes do próximo
-ray-beyond-far = além do distante
-ray-beside = fora
+ray-before-near = antes do plano próximo
+ray-beyond-far = além do plano distante
+ray-beside = fora do triângulo
 ray-hit = atrás
 ray-nearest = mais próximo
 ray-eye = olho
@@ -185,68 +197,71 @@ ray-raster = raster
 raster-so-far = Imagem até agora
 watch-hits = atingidos
 watch-nearest = mais próximo
-watch-asked = perguntas
+watch-asked = testes
 
 ## Painter's algorithm
 
 alg-painter = Algoritmo do pintor
 alg-faulty-painter-nearest = Pintor, ordenado pelo vértice mais próximo
-alg-faulty-painter-keys = Pintor, ordenado sem perguntar mais nada
+alg-faulty-painter-keys = Pintor, ordenado sem outros testes
 code-paint-key = para cada triângulo T: chave ← distância do seu vértice mais distante
 words-paint-key = A chave de um triângulo é a distância do seu vértice mais distante.
 code-paint-sort = ordene pela chave, o mais distante primeiro
-words-paint-sort = Ordene os triângulos, primeiro o mais distante.
-code-paint-ask = para cada P da lista: P vem antes de todo Q que resta?
-words-paint-ask = Pegue o primeiro que resta e pergunte aos demais se ele pode vir antes deles.
+words-paint-sort = Ordene os triângulos pela chave, primeiro o mais distante.
+code-paint-ask = para cada P da lista: P pode vir antes de todo Q que resta?
+words-paint-ask = Tome o primeiro triângulo que resta e teste se ele pode vir antes de todos os demais.
 code-paint-object = se P esconde parte de Q: Q vem antes de P
-words-paint-object = Se ele esconde parte de um, esse deve vir antes e pergunta por sua vez.
+words-paint-object = Se ele esconde uma parte de outro, esse deve vir antes e é testado em seguida.
 code-paint-cycle = se Q espera por P: ciclo
-words-paint-cycle = Se esse já está esperando, não há ordem.
+words-paint-cycle = Se esse já está esperando, não há ordem certa.
 code-paint-place = senão, P é o próximo
-words-paint-place = Se ninguém se opõe, ele é o próximo.
+words-paint-place = Se não esconde parte de nenhum outro, ele é o próximo.
 code-paint-paint = pinte todos, nessa ordem
 words-paint-paint = Pinte-os nessa ordem, cada um sobre o que já está lá.
-code-faulty-painter-nearest = para cada triângulo T: chave ← seu z mais próximo
+code-faulty-painter-nearest = para cada triângulo T: chave ← distância do seu vértice mais próximo
 words-faulty-painter-nearest = A chave de um triângulo é a distância do seu vértice mais próximo.
 code-faulty-painter-keys = para cada P da lista: P é o próximo
-words-faulty-painter-keys = Pegue a lista como está ordenada, sem perguntar.
-faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é o vértice mais próximo, não o mais distante.
-faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
-surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: ninguém poderia acompanhar os passos de todos.
+words-faulty-painter-keys = Tome os triângulos como estão ordenados, sem nenhum teste.
+faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é a distância do vértice mais próximo, não a do mais distante.
+faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se testa se este triângulo pode ser o próximo.
+surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: os passos de todos seriam muitos para acompanhar.
 painter-opening = { $triangles ->
     [1] Há um triângulo
    *[other] Há { $triangles } triângulos
-  } para pintar, primeiro o mais distante: o que se pinta depois esconde o que está lá.
-painter-key = { $triangle } tem a chave { $key }. Fica entre estas distâncias:
+  } para pintar, primeiro o mais distante: o que se pinta depois esconde o anterior.
+painter-key = { $triangle } tem a chave { $key }. Seus vértices ficam entre estas distâncias:
 painter-sort = { $triangle } é o número { $place } da lista, primeiro o mais distante.
-painter-pair-depths = { $triangle } está mais fundo que todo o { $other }: pode vir antes.
+painter-pair-depths = { $triangle } está mais longe que todo o { $other }: pode vir antes.
 painter-pair-screen = { $triangle } e { $other } estão separados na tela: qualquer um pode vir antes.
 painter-pair-behind = { $triangle } está atrás do plano de { $other }: pode vir antes.
 painter-pair-before = { $other } está na frente do plano de { $triangle }: { $triangle } pode vir antes.
 painter-pair-overlap = Em nenhum ponto da tela { $triangle } está mais próximo que { $other }: pode vir antes.
 painter-pair-hides = { $triangle } esconde uma parte de { $other }: não pode vir antes.
-painter-ask-depths = 1  { $triangle } está mais fundo que todo o { $other }?
+painter-ask-depths = 1  { $triangle } está mais longe que todo o { $other }?
 painter-ask-screen = 2  Estão separados na tela?
 painter-ask-behind = 3  { $triangle } está atrás do plano de { $other }?
 painter-ask-before = 4  { $other } está na frente do plano de { $triangle }?
 painter-ask-overlap = 5  { $triangle } não está mais próximo em nenhum ponto?
 painter-yes = sim
 painter-no = não
-painter-not-asked = não perguntada
+painter-not-asked = não testada
 painter-constraint = { $before } deve ser pintado antes de { $after }.
-painter-place = Nenhum dos que restam se opõe a { $triangle }: ele é o número { $place } de { $triangles }.
-painter-cycle-first = Um ciclo: { $triangle } espera por si mesmo.
+painter-place = { $triangle } não esconde parte de nenhum dos que restam: ele é o número { $place } de { $triangles }.
+painter-cycle-first = Há um ciclo: { $triangle } espera por si mesmo.
 painter-cycle-next = { $before } deve ser pintado antes de { $triangle }.
 painter-cycle-closes = { $before } deve ser pintado antes de { $triangle }, e { $triangle } antes de { $first }: o ciclo se fecha.
 painter-paint = { $triangle } é pintado sobre tudo: { $place } de { $triangles }.
-painter-done = Pronto: perguntou-se por { $pairs ->
-    [1] um par
-   *[other] { $pairs } pares
-  } de { $triangles } triângulos.
-painter-done-cycle = Não existe ordem: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
+painter-done = Pronto: { $pairs ->
+    [1] foi testado um par
+   *[other] foram testados { $pairs } pares
+  } de { $triangles ->
+    [1] um triângulo.
+   *[other] { $triangles } triângulos.
+  }
+painter-done-cycle = Nenhuma ordem é certa: cada um de { $cycle } triângulos deve vir antes do seguinte, e o último antes do primeiro.
 painter-must = Deve vir antes
 painter-cycle = ciclo
-watch-pairs = pares perguntados
+watch-pairs = pares testados
 watch-depth-extents = pela profundidade
 watch-screen-extents = pelo lugar na tela
 watch-behind-plane = pelo plano do outro
@@ -257,19 +272,19 @@ watch-overlap = pela sobreposição
 
 alg-bsp = Árvore BSP
 code-bsp-node = construa(lista): nó ← plano do primeiro triângulo
-words-bsp-node = O plano do primeiro triângulo é um nó.
+words-bsp-node = O plano do primeiro triângulo passa a ser um nó.
 code-bsp-ask = para cada outro T: na frente, atrás ou no plano
-words-bsp-ask = Cada um dos outros está na frente, atrás ou nele.
-code-bsp-cut = T dos dois lados: corte em dois; construa(frente), construa(atrás)
-words-bsp-cut = O que está dos dois lados é cortado em dois; depois construa o que está na frente e o que está atrás.
+words-bsp-ask = Cada um dos outros está na frente do plano, atrás ou nele.
+code-bsp-cut = T dos dois lados: corte em dois; depois construa(frente), construa(atrás)
+words-bsp-cut = O triângulo que está dos dois lados é cortado em dois; depois se constrói o que está na frente e o que está atrás.
 code-bsp-visit = percorra(nó): de que lado está o olho?
-words-bsp-visit = Ao percorrer, pergunte em cada nó de que lado está o olho.
+words-bsp-visit = Ao percorrer a árvore, determine em cada nó de que lado está o olho.
 code-bsp-paint = percorra(outro lado); pinte o nó; percorra(lado do olho)
 words-bsp-paint = Primeiro o outro lado, depois o próprio nó e por fim o lado do olho.
 bsp-opening = { $triangles ->
     [1] Um triângulo vira
    *[other] { $triangles } triângulos viram
-  } uma árvore de planos, construída uma vez e percorrida para cada olho.
+  } uma árvore de planos, construída uma vez e percorrida para cada ponto de vista.
 bsp-node-root = O plano de { $triangle } é o primeiro nó.
 bsp-node-front = Do que está na frente de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.
 bsp-node-back = Do que está atrás de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.
@@ -277,12 +292,27 @@ bsp-ask-front = { $piece } está na frente do plano de { $triangle }. Distância
 bsp-ask-back = { $piece } está atrás do plano de { $triangle }. Distâncias dos seus vértices:
 bsp-ask-on = { $piece } está no plano de { $triangle }. Distâncias dos seus vértices:
 bsp-ask-cut = { $piece } está dos dois lados do plano de { $triangle }: é cortado em { $first } e { $second }. Distâncias dos seus vértices:
-bsp-built = A árvore está construída: { $triangles } triângulos são { $pieces } peças em { $nodes } nós.
+bsp-built = A árvore está construída: { $triangles ->
+    [1] um triângulo fica
+   *[other] { $triangles } triângulos ficam
+  } em { $pieces ->
+    [1] uma peça,
+   *[other] { $pieces } peças,
+  } em { $nodes ->
+    [1] um nó.
+   *[other] { $nodes } nós.
+  }
 bsp-visit-front = O olho está na frente do plano de { $triangle }: primeiro o que está atrás, depois { $triangle }, por fim o que está na frente.
 bsp-visit-back = O olho está atrás do plano de { $triangle }: primeiro o que está na frente, depois { $triangle }, por fim o que está atrás.
 bsp-visit-on = O olho está no plano de { $triangle } ou olha ao longo dele: qualquer lado pode vir antes.
 bsp-paint = { $piece } é pintado sobre tudo: { $place } de { $pieces }.
-bsp-done = Pronto: { $pieces } peças pintadas de trás para a frente, com { $nodes } perguntas.
+bsp-done = Pronto: { $pieces ->
+    [1] uma peça pintada
+   *[other] { $pieces } peças pintadas
+  } de trás para a frente, com { $nodes ->
+    [1] um teste.
+   *[other] { $nodes } testes.
+  }
 bsp-tree = Árvore: ← na frente, atrás →
 bsp-before = na frente
 bsp-behind = atrás
@@ -298,19 +328,19 @@ watch-painted = pintadas
 
 alg-occlusion = Consulta de oclusão
 code-occlusion-occluders = para cada oclusor: desenhe-o
-words-occlusion-occluders = Desenhe os objetos que escondem muito.
-code-occlusion-others = para cada outro objeto P, se caixa(P) chega ao próximo: desenhe P
-words-occlusion-others = Tome os demais um a um. Se a caixa chega ao plano próximo, o objeto é desenhado sem consulta.
+words-occlusion-occluders = Desenhe os objetos que escondem muito da imagem.
+code-occlusion-others = para cada outro P, se caixa(P) alcança o plano próximo: desenhe P
+words-occlusion-others = Tome os demais objetos um a um. Se a caixa alcança o plano próximo, desenhe o objeto sem consulta.
 code-occlusion-ask = n ← pixels de caixa(P) com z_caixa ≤ z[pixel]
-words-occlusion-ask = Conte os pixels em que a caixa seria vista. Nada é escrito.
-code-occlusion-skip = se n = 0: pule P
-words-occlusion-skip = Em nenhum: pule-o.
+words-occlusion-ask = Conte os pixels em que a caixa seria vista. Não escreva nada.
+code-occlusion-skip = se n = 0: ignore P
+words-occlusion-skip = Se não há nenhum, ignore o objeto.
 code-occlusion-draw = senão, desenhe P
-words-occlusion-draw = Senão, desenhe-o.
+words-occlusion-draw = Senão, desenhe o objeto.
 occlusion-opening = { $objects ->
     [1] Um objeto
    *[other] { $objects } objetos
-  } em { $columns } × { $rows } pixels. Dos que estão na imagem, o terço (arredondado para cima) que cobre mais pixels pode esconder os demais e é desenhado primeiro: { $occluders }.
+  } em { $columns } × { $rows } pixels. Dos que estão na imagem, desenha-se primeiro um terço (arredondado para cima), os que cobrem mais pixels, pois podem esconder os demais: { $occluders }.
 occlusion-none = nenhum
 occlusion-occluder = { $object } é um oclusor e é desenhado sem consulta: { $triangles ->
     [1] um triângulo,
@@ -328,11 +358,11 @@ occlusion-hidden = A caixa de { $object } cobre { $asked ->
    *[other] { $asked } pixels
   } e não seria vista em nenhum: em toda parte há algo mais próximo.
 occlusion-beside = A caixa de { $object } não cobre nenhum pixel.
-occlusion-unasked = A caixa de { $object } chega ao plano próximo, que pode cortar a sua frente: nada é comparado.
+occlusion-unasked = A caixa de { $object } alcança o plano próximo, que pode cortar a sua parte da frente: nada é comparado.
 occlusion-answer-seen = A caixa de { $object } seria vista.
 occlusion-answer-hidden = A caixa de { $object } fica oculta: em toda parte há algo mais próximo.
-occlusion-skip = { $object } é pulado: { $triangles ->
-    [one] seu triângulo não é desenhado.
+occlusion-skip = { $object } é ignorado: { $triangles ->
+    [1] seu triângulo não é desenhado.
    *[other] seus { $triangles } triângulos não são desenhados.
   }
 occlusion-draw = { $object } é desenhado: { $triangles ->
@@ -348,22 +378,22 @@ occlusion-in-vain = { $object } é desenhado em vão, { $triangles ->
   } sua caixa seria vista em { $passed ->
     [1] um pixel,
    *[other] { $passed } pixels,
-  } o próprio { $object } em nenhum. Uma caixa pode dizer demais, nunca de menos.
+  } o próprio { $object } em nenhum. A consulta pode manter um objeto escondido, mas nunca descarta um visível.
 occlusion-done = Pronto: { $drawn ->
     [1] um desenhado
    *[other] { $drawn } desenhados
   }, { $skipped ->
-    [1] um pulado
-   *[other] { $skipped } pulados
-  }. { $spared } de { $triangles } triângulos são poupados, e a imagem é a mesma que se tudo tivesse sido desenhado.
+    [1] um ignorado
+   *[other] { $skipped } ignorados
+  }. Triângulos poupados: { $spared } de { $triangles }. A imagem é a mesma que se tudo tivesse sido desenhado.
 occlusion-objects = objetos
 occlusion-asked = pixels da caixa
 occlusion-passed = visíveis
 occlusion-drawn = desenhado
-occlusion-skipped = pulado
+occlusion-skipped = ignorado
 occlusion-is-occluder = oclusor
 watch-objects-drawn = objetos desenhados
-watch-objects-skipped = objetos pulados
+watch-objects-skipped = objetos ignorados
 watch-pixels-asked = pixels consultados
 watch-triangles-spared = triângulos poupados
 
@@ -378,7 +408,10 @@ owns-all = { $surface } cobre { $covered ->
     [1] um pixel e é visto nele.
    *[other] { $covered } pixels e é visto em todos.
   }
-owns-some = { $surface } cobre { $covered } pixels e é visto em { $seen }; em { $hidden ->
+owns-some = { $surface } cobre { $covered ->
+    [1] um pixel
+   *[other] { $covered } pixels
+  } e é visto em { $seen }; em { $hidden ->
     [1] um
    *[other] { $hidden }
   } há outra coisa na frente.
@@ -388,11 +421,11 @@ owns-some = { $surface } cobre { $covered } pixels e é visto em { $seen }; em {
 surface-costs-title = Quanto custa saber o que está na frente
 surface-costs-about = Contado, não cronometrado, em { $columns } × { $rows } pixels: ruas de caixas, de doze triângulos cada uma.
 surface-costs-triangles = Triângulos
-surface-costs-counts = Pares, perguntas, fragmentos
-surface-costs-pairs = Pintor: { $count } pares com { $triangles } triângulos; crescem como n elevado a { $exponent }.
-surface-costs-questions = Lançamento de raios: { $count } perguntas dos raios a { $triangles } triângulos; como n elevado a { $exponent }.
-surface-costs-fragments = Buffer de profundidade: { $count } fragmentos de { $triangles } triângulos; como n elevado a { $exponent }.
-surface-costs-overdraw = Redesenho: { $fragments } fragmentos para { $pixels } pixels, cada um calculado { $overdraw } vezes.
+surface-costs-counts = Pares, testes, fragmentos
+surface-costs-pairs = Pintor: { $count } pares testados com { $triangles } triângulos; crescem como n elevado a { $exponent }.
+surface-costs-questions = Lançamento de raios: { $count } testes de um raio com um de { $triangles } triângulos; crescem como n elevado a { $exponent }.
+surface-costs-fragments = Buffer de profundidade: { $count } fragmentos de { $triangles } triângulos; crescem como n elevado a { $exponent }.
+surface-costs-overdraw = Sobredesenho: { $fragments } fragmentos para { $pixels } pixels; cada pixel é calculado { $overdraw } vezes em média.
 surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos logaritmos. Os pares são contados até 1000 triângulos, e só onde há uma ordem; além disso, a linha termina.
 
 ## The raster's form
@@ -410,7 +443,7 @@ raster-tones = Os tons mostram
 raster-tones-triangles = qual triângulo
 raster-tones-counts = quantas vezes são calculados
 raster-tones-stored = a profundidade guardada
-raster-tones-distance = a sua distância
+raster-tones-distance = a distância
 raster-number = Profundidade
-raster-reversed = Invertida: 1 é perto
+raster-reversed = Invertida: 1 significa perto
 raster-cull = Descartar faces traseiras

@@ -24,7 +24,7 @@ table-corner = 角点
 
 bf-intersect = 求与{ $edge }所在直线的交点。
 bf-keep = { $edge }外侧没有线段的任何部分：这个交点没有用上。
-bf-keep-parallel = { $edge }外侧没有线段的任何部分：不变。
+bf-keep-parallel = { $edge }外侧没有线段的任何部分：这条边界不改变什么。
 bf-cut = { $end } 在 { $border } 外侧：移到 { $to }。
 bf-option-none = { $edge }外侧没有线段的任何部分。
 bf-option-one = 一个端点在{ $edge }外侧。
@@ -135,7 +135,7 @@ cb-sign-on = { $product } = 0：{ $end } 在边所在直线上
 cb-sign-outside = { $product } < 0：{ $end } 在外侧
 cb-measured = 沿 { $normal } 从边量起
 alg-faulty-normals = 错误：法向量全部朝外
-faulty-normals-differs = 第 { $step } 步首次出现差别：法向量朝外，于是进入被当作离开。
+faulty-normals-differs = 从第 { $step } 步起出现差别：法向量朝外，于是进入被当作离开。
 code-cb-start = t_min ← 0; t_max ← 1; D ← P₂ − P₁
 code-cb-each = 对每条边：取 n；w ← P₁ − E
 code-cb-parallel = 若 n·D = 0 且 n·w < 0，则舍弃

@@ -20,8 +20,8 @@ space-screen-title = 屏幕，以像素计
 object-vertex = 顶点
 pipeline-note-world = 物体的大小、转动和位置
 pipeline-note-view = 相机位于 { $at }
-pipeline-note-clip = { $angle }°，{ $aspect } : 1，近 { $near }，远 { $far }
-pipeline-note-clip-parallel = 高 { $height }，{ $aspect } : 1，近 { $near }，远 { $far }
+pipeline-note-clip = { $angle }°，{ $aspect } : 1，近平面 { $near }，远平面 { $far }
+pipeline-note-clip-parallel = 高 { $height }，{ $aspect } : 1，近平面 { $near }，远平面 { $far }
 
 ## 伪代码
 
@@ -33,9 +33,9 @@ code-pipeline-divide = 若 w > 0：ndc ← (x, y, z) / w
 code-pipeline-screen = screen ← ((x + 1)/2 · 列数, (1 − y)/2 · 行数)
 code-pipeline-behind = 否则：在屏幕上没有位置
 words-pipeline-world = 物体自己的矩阵把顶点放进世界。
-words-pipeline-view = 相机的矩阵给出从相机看来它在哪里。
-words-pipeline-clip = 投影缩放 x 和 y，并把深度抄进 w。
-words-pipeline-test = 裁剪在做任何除法之前问这一句。
+words-pipeline-view = 相机的矩阵给出从相机看来顶点在哪里。
+words-pipeline-clip = 投影缩放 x 和 y，并把深度复制到 w。
+words-pipeline-test = 裁剪检验的就是这个条件，此时还没有做除法。
 words-pipeline-divide = 除以深度，远处的东西就变小。
 words-pipeline-screen = 从 −1 … 1 变到像素，从左上角数起。
 words-pipeline-behind = 不在视点前方的点没有像。
@@ -43,23 +43,23 @@ words-pipeline-behind = 不在视点前方的点没有像。
 ## 步骤
 
 pipeline-opening = 一个顶点，坐标如建模者所给：它会落在屏幕的哪里？
-pipeline-world-row = 物体矩阵的第 { $row } 行：缩放、转动、平移到世界中的位置。
+pipeline-world-row = 物体矩阵的第 { $row } 行：把顶点缩放、转动、平移到它在世界中的位置。
 pipeline-view-right = 第 1 行沿相机的右方量：P 偏右 { $value }。
 pipeline-view-left = 第 1 行沿相机的右方量：P 偏左 { $value }。
 pipeline-view-above = 第 2 行沿相机的上方量：P 比光轴高 { $value }。
 pipeline-view-under = 第 2 行沿相机的上方量：P 比光轴低 { $value }。
 pipeline-view-back = 第 3 行向后量：P 在相机后方 { $value } 处。
-pipeline-view-ahead = 第 3 行向后量：P 在前方 { $value } 处，所以 z 为负。
+pipeline-view-ahead = 第 3 行向后量：P 在相机前方 { $value } 处，所以 z 为负。
 pipeline-clip-x = 第 1 行缩放 x，使左右两面落在 x = ±w。
 pipeline-clip-y = 第 2 行缩放 y，使下上两面落在 y = ±w。
 pipeline-clip-z = 第 3 行把近平面放到 z = −w，远平面放到 z = w。
-pipeline-clip-w = 第 4 行把深度抄进 w：{ $value }，接下来要除以它。
-pipeline-clip-w-parallel = 第 4 行让 w 保持为 1：视线平行时没有什么要除。
-pipeline-inside = 在内部：x、y、z 都在 −w 与 w 之间。
-pipeline-outside = 在外部：P 会被裁掉。
+pipeline-clip-w = 第 4 行把深度复制到 w：{ $value }，接下来要除以它。
+pipeline-clip-w-parallel = 第 4 行让 w 保持为 1：视线平行时不需要除法。
+pipeline-inside = P 在内部：x、y、z 都在 −w 与 w 之间。
+pipeline-outside = P 在外部：会被裁掉。
 pipeline-divide = 除以 w = { $w }：内部的点落在 −1 与 1 之间。
 pipeline-screen = 从 −1 … 1 变到 { $columns } × { $rows } 个像素，行从上往下数。
-pipeline-behind = P 不在视点前方：没有可除的 w，屏幕上也没有它的位置。
+pipeline-behind = P 不在视点前方：它的 w 不能作除数，屏幕上也没有它的位置。
 
 ## 题目
 
@@ -102,9 +102,9 @@ words-drawn-straight = 沿较长的轴走一格。
 drawn-line-opening = 这条线段有哪些像素？
 drawn-line-project = { $end } 进入裁剪空间：它的深度 { $w } 成为 w。
 drawn-line-project-behind = { $end } 进入裁剪空间。它不在视点前方：不可除以 w = { $w }。
-drawn-line-clip-whole = 全部在内部：什么也不裁。
-drawn-line-clip-cut = 在除法之前裁剪：留下的部分 w > 0。
-drawn-line-reject = 没有一点在内部：没有像素。
+drawn-line-clip-whole = 整条线段在内部：什么也不裁。
+drawn-line-clip-cut = 线段在做除法之前裁剪：剩下的部分 w > 0。
+drawn-line-reject = 线段没有一点在内部：不画任何像素。
 drawn-line-divide = 除以 w 并缩放之后，两个端点成为屏幕上的位置。
 drawn-line-round = 每个端点归入它所在的像素；直线现在从中心到中心。
 drawn-line-first = { $at } 是第一个像素。e 说明直线在下一个中点的哪一侧。

@@ -14,7 +14,7 @@ space-line-opening-box = P₁P₂ 的哪一部分在 −1 到 1 的盒内？
 space-line-opening-planes = P₁P₂ 的哪一部分在全部 { $planes } 个平面的内侧？
 space-line-opening-clip = P₁P₂ 的哪一部分满足 −w ≤ x, y, z ≤ w？
 space-line-touch = 接受：只有一个公共点 { $at }。
-space-line-point = 接受：两端点是同一个点 { $at }，它在内侧。
+space-line-point = 接受：两端点是同一个点 { $at }，它在内部。
 
 ## Six-bit codes
 
@@ -34,13 +34,13 @@ space-line-note-code = 点在哪个面外侧，哪一位就是 1。
 
 space-line-delta = P(u) = P₁ + u (P₂ − P₁)：沿线段从头到尾，x、y、z 的变化量为 Δx、Δy、Δz。
 space-line-before = 两端点都有 w ≥ 0：都不在视点后方。
-space-line-behind = { $end } 的 w < 0：它在视点后方，不能拿去除。
+space-line-behind = { $end } 的 w < 0：它在视点后方，不能做除法。
 space-line-all-behind = 两端点都有 w < 0：整条线段在视点后方。
 space-line-option-behind = 一个端点的 w < 0。
 space-line-divided = 两端点先除以 w，然后再裁剪。
 space-line-row = { $plane }平面：{ $direction }。
-space-line-parallel-inside = 与{ $plane }平面平行且在其内侧：单凭它还不能判定。
-space-line-parallel-outside = 与{ $plane }平面平行且在其外侧：无可挽回。
+space-line-parallel-inside = 与{ $plane }平面平行且在其内侧：单凭这个平面还不能判定。
+space-line-parallel-outside = 与{ $plane }平面平行且在其外侧：哪一部分都看不见。
 space-line-enter = 直线由{ $plane }平面进入：{ $bound } 增大。
 space-line-enter-idle = 直线由{ $plane }平面进入，但不晚于 { $bound }：不变。
 space-line-leave = 直线由{ $plane }平面离开：{ $bound } 减小。
@@ -82,7 +82,7 @@ code-pl-leave = 若 d₁ > d₂，则 a_max ← min(a_max, d₁/(d₁ − d₂))
 code-pl-empty = 若 a_min > a_max，则舍弃
 code-pl-accept = 接受 P(a_min) P(a_max)
 words-pl-start = 从整条线段开始，a 从 0 到 1。
-words-pl-each = 对每个平面，求两端点在内侧多远。
+words-pl-each = 对每个平面，求两端点各在内侧多远。
 words-pl-enter = d 增大：直线由此进入，在 a 之前不可能可见。
 words-pl-leave = d 减小：直线由此离开，在 a 之后不可能可见。
 code-hl-start = 若 w₁ < 0 且 w₂ < 0，则舍弃
@@ -92,10 +92,10 @@ code-hl-leave = 若 d₁ > d₂，则 t_max ← min(t_max, d₁/(d₁ − d₂))
 code-hl-empty = 若 t_min > t_max，则舍弃
 code-hl-accept = 接受 P(t_min) P(t_max)；此时才除以 w
 words-hl-start = 两端点都在视点后方时，什么也看不见。
-words-hl-each = 每个面都是 w ± 坐标：说明点在内侧多远。
+words-hl-each = 对每个面，w 加或减一个坐标说明点在内侧多远。
 words-hl-enter = d 增大：直线由此进入。
 words-hl-leave = d 减小：直线由此离开。
-words-hl-accept = 剩下的部分 w ≥ near > 0：现在可以除了。
+words-hl-accept = 剩下的部分 w ≥ near > 0：现在可以除以 w。
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
 words-faulty-divide = 两端点都除以 w。
-faulty-divide-first-differs = 第 { $step } 步最先不同：还没裁剪，两端点就除以了 w。
+faulty-divide-first-differs = 从第 { $step } 步起出现差别：还没裁剪，两端点就除以了 w。
