@@ -47,7 +47,11 @@ pub fn run_native(opening: Opening) -> Result<(), Message> {
             if let Some(said) = said {
                 app.complain(app.catalog().message(&said));
             }
-            Ok(Box::new(NativeWindow { app, memory }))
+            Ok(Box::new(NativeWindow {
+                app,
+                memory,
+                fits: false,
+            }))
         }),
     );
     // What eframe says is the system's own; its frame is the reader's.
@@ -121,10 +125,29 @@ fn icon() -> egui::IconData {
 struct NativeWindow {
     app: App,
     memory: Memory,
+    /// Has been looked whether the window, with the frame around it, fits its screen?
+    fits: bool,
+}
+
+/// A window that is larger than its screen becomes as small; false as long as the sizes are not known.
+fn fit_screen(ctx: &Context) -> bool {
+    let sizes = ctx.input(|input| {
+        let viewport = input.viewport();
+        let [outer, inner] = [viewport.outer_rect?, viewport.inner_rect?].map(|it| it.size());
+        Some((outer, inner, viewport.monitor_size?))
+    });
+    if let Some((outer, inner, screen)) = sizes {
+        let over = (outer - screen).max(egui::Vec2::ZERO);
+        if over != egui::Vec2::ZERO {
+            ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(inner - over));
+        }
+    }
+    sizes.is_some()
 }
 
 impl eframe::App for NativeWindow {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.fits = self.fits || fit_screen(ui.ctx());
         self.app.ui(ui);
         self.app.note_window(ui.ctx());
         self.memory.pass(&mut self.app, ui.ctx());

@@ -86,8 +86,17 @@ impl Comparison {
             (Self::Same, [first, others @ ..]) => {
                 let drawings = first.iter().filter(|need| need.is_drawing());
                 let counts = vec![Counts::default(); 1 + others.len()];
-                let costs = View::costs(Vec::new(), counts);
-                vec![drawings.copied().chain([costs.need()]).collect()]
+                let mut costs = View::costs(Vec::new(), counts).need();
+                // On the way what they ask stands where their costs come to stand.
+                let begun: Vec<Frame> = runs
+                    .iter()
+                    .map(|it| it.frame(it.n_steps().min(1)))
+                    .collect();
+                if let Some(table) = asked(&begun) {
+                    let (id, body) = (View::COSTS, Body::Table(table));
+                    costs.widen(&View { id, body }.need());
+                }
+                vec![drawings.copied().chain([costs]).collect()]
             }
             (Self::Over { wrong }, [_, _]) => {
                 let own = needs[wrong]
