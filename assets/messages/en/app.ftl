@@ -19,7 +19,7 @@ lab-surfaces-about = See which surface is in front, pixel by pixel.
 
 panel-course = Course
 panel-stage = Stage
-stage-boundary = Boundary between the drawing and what stands beside it: drag it, or press the arrow keys.
+stage-boundary = Boundary between the drawing and the part beside it: drag it, or press the arrow keys.
 panel-inspector = Inspector
 panel-algorithm = Algorithm
 panel-pseudocode = Pseudocode
@@ -36,7 +36,7 @@ transport-play = Play
 transport-pause = Pause
 transport-forward = One step forward
 transport-last = Last step
-transport-speed-value = { $speed } steps per second
+transport-speed-value = Steps per second: { $speed }
 transport-step = step { $step } of { $total }
 transport-steps =
     { $count ->
@@ -52,7 +52,7 @@ pseudocode-hidden = Hidden
 pseudocode-hidden-note = Hidden: what comes next?
 watch-empty = Nothing has been computed yet.
 verdict-title = Why?
-verdict-go = Go to its step (Enter)
+verdict-go = Go to that step (Enter)
 cost-additions = additions and subtractions
 cost-sums = additions
 cost-multiplications = multiplications
@@ -114,31 +114,31 @@ help-ends = First or last step
 help-play = Play or pause
 help-reset = Reset the scene
 help-lesson-step = Previous or next lesson step
-help-drag = Drag any handle, at any step: the run is recorded again
+help-drag = Drag any handle, at any step: the run is then recorded again
 
 ## What the program reports
 
 status-exported = Exported to { $path }
-status-exporting = Exported { $count } of { $total } steps. Escape stops.
+status-exporting = Exported { $count } of { $total } steps. Esc stops the export.
 status-export-failed = The figure could not be exported: { $reason }
-greeting = ← and → walk through the run, Space plays it. Whatever has a handle can be dragged, at any step.
-status-restored = Your work from last time is back; undo takes it away.
+greeting = ← and → step through the run, Space plays it. Everything that has a handle can be dragged, at any step.
+status-restored = Your work from last time is back; undo removes it.
 status-saved = Saved to { $path }
-status-memory-aside = { $path } could not be read: { $reason } It is now { $aside }, and settings begin anew.
+status-memory-aside = { $path } could not be read: { $reason } The file is now called { $aside }, and the settings start again from the beginning.
 status-memory-unread = { $path } could not be read: { $reason } Settings and work will not be kept.
 status-memory-unkept = Settings and work cannot be kept in { $path }: { $reason }.
 status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
 status-no-window = The window could not be opened: it needs a display and OpenGL. Without them, clipscope export draws the figures to files. The system says: “{ $reason }”
 status-kept = The scene is as it was.
-status-mesh-reading = Reading { $path }… Escape gives it up.
-status-mesh-given-up = { $path } was given up: the scene is as it was.
-status-mesh-plain = The texture that { $library } names could not be had: the mesh is drawn without.
-status-mesh-picture = { $name } lies beside the mesh and is taken as its texture.
+status-mesh-reading = Reading { $path }… Esc cancels.
+status-mesh-given-up = Reading { $path } was cancelled: the scene is as it was.
+status-mesh-plain = The texture that { $library } names could not be read: the mesh is drawn without it.
+status-mesh-picture = { $name } is beside the mesh and is used as its texture.
 status-mesh-added =
     { $count ->
-        [one] { $name }, of { $count } triangle, stands in the scene.
-       *[other] { $name }, of { $count } triangles, stands in the scene.
+        [one] { $name } with { $count } triangle is now in the scene.
+       *[other] { $name } with { $count } triangles is now in the scene.
     }
 status-reloaded = { $path } changed and was read again.
 
@@ -160,18 +160,18 @@ export-steps = Steps
 export-this-step = this step
 export-all-steps = all steps of the run
 save-path = File
-help-zoom = Zoom in or out; also Ctrl and wheel
+help-zoom = Zoom in or out; also Ctrl and the wheel
 help-course = Show or hide the course
 help-inspector = Show or hide the inspector
 help-leave = Close, or leave the presentation
 help-tab = To the next handle or button
-help-nudge = Move the handle that has the focus; Shift: ten times as far
-help-deeper = In space: move that handle away from the eye, or nearer
-help-axis = In space, held while a handle moves: along that axis only
-help-type = Type the place of the selected handle
-help-alt = While dragging: off the grid
+help-nudge = Move the handle that has the focus; with Shift, ten times as far
+help-deeper = In space: move that handle away from the eye or towards it
+help-axis = In space, held while a handle moves: only along that axis
+help-type = Type the position of the selected handle
+help-alt = While dragging: do not snap to the grid
 help-pen = While presenting, held: draw over the stage, until the next step
-help-verdict = Go to the step that decided what was clicked
+help-verdict = Go to the step that decided about what was clicked
 status-last-good = The last version that worked is shown.
 status-more-problems =
     { $count ->
@@ -184,12 +184,12 @@ status-more-problems =
 help-add = Another segment, or a vertex after the selected one
 help-remove = Remove the segment, or the selected vertex
 help-draw-close = While drawing: close the outline
-help-draw-back = While drawing: take the last vertex back
-help-edge = Double click or Ctrl and click on an edge: a new vertex there
+help-draw-back = While drawing: remove the last vertex
+help-edge = Double click, or Ctrl and click, on an edge: a new vertex there
 faulty-title = What is wrong here?
 faulty-unnamed = A student’s program
 differs-from = differs from step { $step } on
-differs-nowhere = same steps on this input
+differs-nowhere = the same steps for this input
 not-so = × { $what }
 wrong-and-right = Wrong: { $wrong } Right: { $right }
 part-missing = missing
@@ -198,7 +198,7 @@ result-wrong = × Wrong result: { $n }
 again = { $what } again
 is-missing = { $what } missing
 refused = refused
-run-later = The scene is too large to follow a drag: its run is recorded when you let go.
+run-later = The scene is too large to be run while you drag: its run is recorded when you let go.
 
 ## Views beside the drawing
 

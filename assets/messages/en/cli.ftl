@@ -9,13 +9,13 @@ cli-exported =
     }
 cli-checked =
     { $count ->
-        [one] { $count } lesson is in order
-       *[other] { $count } lessons are in order
+        [one] { $count } lesson without errors
+       *[other] { $count } lessons without errors
     }
 cli-checked-scenes =
     { $count ->
-        [one] { $count } scene file is in order
-       *[other] { $count } scene files are in order
+        [one] { $count } scene file without errors
+       *[other] { $count } scene files without errors
     }
 cli-refused =
     { $count ->
@@ -33,15 +33,15 @@ export-same-name = { $first } and { $second } would both be { $path }: nothing h
 ## Wrong usage
 
 usage-no-such-command = There is no command “{ $name }”.
-usage-no-such-argument = “{ $name }” is not taken here.
+usage-no-such-argument = “{ $name }” is not accepted here.
 usage-value-missing = { $name } needs a value.
 usage-wrong-value = { $name } cannot be “{ $value }”.
 usage-argument-missing = { $name } is missing.
-usage-conflict = { $name } does not go with { $other }.
-usage-expected = Possible: { $expected }.
+usage-conflict = { $name } cannot be used with { $other }.
+usage-expected = Possible values: { $expected }.
 usage-expected-size = Expected WIDTHxHEIGHT, from 64x64 to { $most }, such as 1920x1080.
 usage-expected-scale = Expected a number from 0.25 to 8.
-usage-see-help = --help says what there is, with examples.
+usage-see-help = --help shows the commands and options, with examples.
 
 ## What the refusal of a case says; the JSON answer has the English sentence
 
@@ -71,10 +71,10 @@ case-uv-length = Expected one [u, v] for each of the { $expected } vertices, fou
 object-triangles = triangles
 object-object = object
 object-culled = left out
-case-backs = what shows its back
+case-backs = triangles that show their back
 case-too-many-raster-pixels = { $found } pixels: a report of every step takes at most { $max }. With --events false any number is taken, and the answer given alone.
 case-too-many-steps = { $found } steps: a report takes at most { $max }. With --events false any number is taken, and the answer given alone.
-case-over-budget = The run would have more than { $max } steps. The budget of this algorithm is so many, on every machine.
+case-over-budget = The run would have more than { $max } steps, which is the limit of this algorithm on every machine.
 case-too-many-fragments = The triangles cover { $found } pixels, those behind others counted too: at most { $max } are drawn.
 json-number = a number
 json-numbers = a list of numbers
@@ -88,29 +88,29 @@ json-null = null
 ## The answer to a case
 
 case-visible = Visible from { $p1 } to { $p2 }.
-case-touch = Visible in one point: { $at }.
+case-touch = Only one point is visible: { $at }.
 case-invisible = Nothing is visible.
 case-nothing-left = Nothing is left.
-case-no-area = What is left has no area: nothing to fill.
-case-point-inside = Inside: no plane has the point outside.
-case-point-outside = Outside: at least one plane has the point outside.
+case-no-area = What is left has no area: there is nothing to fill.
+case-point-inside = Inside: the point is outside no plane.
+case-point-outside = Outside: the point is outside at least one plane.
 case-cull-inside = Inside: no plane cuts it.
-case-cull-outside = Outside: plane { $plane } rejects it, at a distance of { $distance }.
-case-box-outside = Outside: one plane has all eight corners on its outer side.
-case-cull-straddles = Straddles: at least one plane cuts it, and none rejects it.
-case-cull-in-vain = Straddles by the planes, and yet no point of it lies inside: kept in vain.
-case-front = Shows its front: n·e = { $dot }.
-case-back = Shows no front: n·e = { $dot }.
+case-cull-outside = Outside: plane { $plane } rejects it, at the distance { $distance }.
+case-box-outside = Outside: all eight corners are outside one plane.
+case-cull-straddles = It straddles: at least one plane cuts it, and no plane rejects it.
+case-cull-in-vain = By the planes it straddles, and yet no point of it is inside: it is kept for nothing.
+case-front = It shows its front: n·e = { $dot }.
+case-back = It does not show its front: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] One polygon: { $rings }
        *[other] { $n } polygons: { $rings }
     }
-case-surfaces-seen = { $seen } of { $pixels } pixels show a surface.
+case-surfaces-seen = Pixels that show a surface: { $seen } of { $pixels }.
 case-painted = Painted in this order: { $ids }.
 case-painter-cycle = No order is right: each of { $ids } must be painted before the next, and the last before the first.
-case-bsp-pieces = The tree holds { $pieces } pieces; { $seen } of { $pixels } pixels show a surface.
-case-occlusion = { $seen } of { $pixels } pixels show an object; objects skipped: { $skipped } of { $objects }.
+case-bsp-pieces = Pieces in the tree: { $pieces }. Pixels that show a surface: { $seen } of { $pixels }.
+case-occlusion = Pixels that show an object: { $seen } of { $pixels }. Objects skipped: { $skipped } of { $objects }.
 case-bsp-too-large = The planes would cut these triangles into more than { $pieces } pieces, or sort pieces more than { $questions } times: no tree is built of so many.
 case-triangles =
     { $n ->
@@ -122,12 +122,12 @@ case-triangles =
 
 report-title = Answer key
 worksheet-title = Worksheet
-worksheet-how = Fill in what each step finds. Where there are boxes, tick what happens.
+worksheet-how = Fill in what each step finds. Where there are boxes, tick the one that is true.
 report-case = Case { $number }
 report-case-id = Case { $number } ({ $id })
 report-source = source
 report-symbols = symbols
-case-symbols-weiler-atherton = a₁, a₂: how far the ends of the subject’s edge lie from the line of the clip edge, times that edge’s length, > 0 to its left, which is inside. t, u: where on the subject’s edge and on the clip edge they meet, from 0 at its start to 1 at its end.
+case-symbols-weiler-atherton = a₁, a₂: the distances of the ends of the subject’s edge from the line of the clip edge, times the length of the clip edge; > 0 on its left, which is inside. t, u: where the two edges meet, on the subject’s edge and on the clip edge, from 0 at the start to 1 at the end.
 report-step = step
 report-what = what happens
 report-formula = formula
@@ -144,7 +144,7 @@ trace-more-refused =
         [one] and { $count } more
        *[other] and { $count } more
     }
-trace-from-terminal = Reading cases from the keyboard, one a line; Ctrl+D ends.
+trace-from-terminal = Reading cases from the keyboard, one per line; Ctrl+D ends.
 trace-not-written = The answers could not be written: { $reason }
 list-algorithms = Algorithms that cases can name
 list-lessons = Lessons

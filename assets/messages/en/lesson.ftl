@@ -5,7 +5,7 @@
 lesson-question = What is asked
 lesson-answer-show = Show the answer
 lesson-answer-hide = Hide the answer
-lesson-changed = This is your scene. The text speaks of the lesson’s own.
+lesson-changed = This is your scene. The text is about the lesson’s own scene.
 lesson-has-changes = has your changes
 lesson-contents = All lessons, and the free scene
 lesson-restore = Restore the lesson’s scene
@@ -20,14 +20,14 @@ lesson-warning = warning
 ## What is wrong with a lesson file; the last part of the key is the problem’s code
 
 problem-toml = This is not valid TOML.
-problem-toml-deep = The values are nested too deep.
+problem-toml-deep = The values are nested too deeply.
 problem-toml-comma = A comma is missing between two values.
-problem-toml-extra = This “,” or “=” is one too many.
+problem-toml-extra = There is one “,” or “=” too many here.
 problem-toml-number = A number cannot be written like this.
 problem-toml-escape = This character cannot follow “\” in a text.
 problem-toml-duplicate = This name is given twice.
 problem-toml-value = This is not a value.
-problem-toml-no-value = A “=” and a value are missing after the name.
+problem-toml-no-value = An “=” and a value are missing after the name.
 problem-toml-name = A name cannot have this character.
 problem-toml-unclosed = A closing { $closer } is missing.
 problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
@@ -50,19 +50,19 @@ problem-empty-text = This text is empty.
 problem-two-kinds-of-segments = Both “segments” and “random” are given: only one of the two may be.
 problem-two-kinds-of-polygons = Both “polygon” and “random” are given: only one of the two may be.
 problem-two-kinds-of-objects = Both “objects” and “street” are given: only one of the two may be.
-problem-too-many-beside = { $count } methods beside the first: at most { $most } have room there.
-problem-too-few-places = There are { $count } places here.
+problem-too-many-beside = Methods beside the first one: { $count }; at most { $most } fit there.
+problem-too-few-places = Places given here: { $count }.
 problem-two-openings = Both “fov_y_deg” and “height” are given: the first is for perspective, the second for a parallel camera.
 problem-two-models = Both “solid” and “mesh” are given: only one of the two may be.
 problem-two-meshes = Both “obj” and lists of numbers are given: only one of the two may be.
-problem-no-picture = This is no picture.
+problem-no-picture = This is not a picture.
 problem-mesh-plain = The mesh is drawn without its texture.
 problem-too-many-texels = The textures of this file have { $count } texels together, more than { $limit }.
-picture-elsewhere = “{ $name }” does not lie beside the mesh.
+picture-elsewhere = “{ $name }” is not beside the mesh.
 picture-unread = “{ $name }”: { $reason }
 picture-no-material = “{ $library }” has no material “{ $name }”.
-picture-broken = “{ $name }” is no PNG or JPEG of at most { $most } texels a side, or it is broken.
-problem-mesh-too-large = The list has { $count } entries, where { $limit } are the most that a scene file holds.
+picture-broken = “{ $name }” is not a PNG or JPEG of at most { $most } texels a side, or it is broken.
+problem-mesh-too-large = The list has { $count } entries, but a scene file holds at most { $limit }.
 problem-no-such-mesh = There is no mesh “{ $name }” beside this file.
 problem-unknown-method = There is no method “{ $name }”.
 problem-unknown-lab = There is no lab “{ $name }”.
@@ -75,14 +75,14 @@ problem-bad-step-id = “{ $name }” cannot be the id of a step.
 problem-duplicate-step = There are two steps “{ $name }”.
 problem-bad-figure = “{ $name }” cannot be the name of a figure.
 problem-duplicate-figure = There are two figures “{ $name }”.
-problem-moment-never-happens = The moment “{ $name }” never comes in the run of this scene.
+problem-moment-never-happens = The moment “{ $name }” never happens in the run of this scene.
 problem-unused-scene = No step shows this scene.
 problem-bad-reference = This reference cannot be read.
-problem-reference-outside = The title of a lesson takes no reference.
+problem-reference-outside = The title of a lesson cannot have a reference.
 problem-unknown-name = No value is called “{ $name }” at this step.
-problem-no-value = “{ $name }” stands for nothing that a sentence can say.
+problem-no-value = “{ $name }” is not a value that a sentence can say.
 problem-unknown-form = A number has no form “{ $name }”.
-problem-like-itself = The scene “{ $name }” is like itself.
+problem-like-itself = The scene “{ $name }” takes itself as its model.
 problem-missing-title = The text has no title.
 problem-second-title = A lesson has one title, at the top.
 problem-bad-heading = This heading does not say which step it belongs to.
@@ -92,7 +92,7 @@ problem-missing-section = The text of the step “{ $name }” is missing.
 problem-duplicate-section = The step “{ $name }” has two texts.
 problem-empty-section = The step “{ $name }” has a heading but no text.
 problem-long-paragraph = The paragraph has { $count } characters, more than { $limit }.
-problem-unsupported-markdown = This kind of Markdown has no place in a lesson.
+problem-unsupported-markdown = This kind of Markdown cannot be used in a lesson.
 problem-stray-emphasis = These asterisks do not make the text bold.
 problem-more =
     { $count ->
@@ -116,16 +116,16 @@ expect-window = Expected: [xmin, ymin, xmax, ymax], with xmin < xmax and ymin < 
 expect-point = Expected: the two numbers of a point, [x, y].
 expect-segment = Expected: the four numbers of a segment, [x1, y1, x2, y2].
 expect-segments = Expected: a list of segments, [[x1, y1, x2, y2], …], or “random” with “count” and “seed”.
-expect-clip = Expected: at least three corners of a convex polygon, [[x, y], …], in either direction.
+expect-clip = Expected: at least three vertices of a convex polygon, [[x, y], …], in either direction.
 expect-polygon = Expected: at least three vertices of a polygon, [[x, y], …].
 expect-holes = Expected: a list of holes, each a list of at least three vertices, [[[x, y], …], …].
 expect-place = Expected: the three numbers of a place, [x, y, z].
 expect-space-segment = Expected: the two ends of a segment, [[x, y, z], [x, y, z]].
-expect-space-triangle = Expected: the three corners of a triangle, [[x, y, z], [x, y, z], [x, y, z]].
+expect-space-triangle = Expected: the three vertices of a triangle, [[x, y, z], [x, y, z], [x, y, z]].
 expect-camera = Expected: position, target, up, fov_y_deg (or height), aspect, near and far, with 0 < near < far in perspective.
 expect-eye = Expected: pitch_deg from −89 to 89, distance from 1e-6 to 1e6, fov_y_deg from 1 to 120.
 expect-objects = Expected: a list of objects, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], or “street” with “count” and “seed”.
-expect-mesh = Expected: name, vertices [[x, y, z], …] and faces [[i, j, k], …], whose indices count from 0; uvs [[u, v], …] may stand there too, one for each vertex. In place of the lists there may be obj, the text of an OBJ file; picture is its texture, a PNG or JPEG file in base64.
+expect-mesh = Expected: name, vertices [[x, y, z], …] and faces [[i, j, k], …], whose indices count from 0; there can also be uvs [[u, v], …], one for each vertex. In place of the lists there can be obj, the text of an OBJ file; picture is its texture, a PNG or JPEG file in base64.
 expect-picture = Expected: a PNG or a JPEG file in base64.
 expect-pixel = Expected: a pixel [column, row], counted from 0 at the top left.
 expect-mesh-file = Expected: the name of an OBJ file in the lesson’s folder, such as "cow.obj", or a table with name, vertices and faces.
@@ -158,17 +158,20 @@ type-table = a table of fields
 ## Mesh files
 
 problem-no-number = “{ $word }” is not a finite number.
-problem-too-few-numbers = Only { $count } numbers stand here, of { $needed }.
+problem-too-few-numbers = Numbers in this line: only { $count } of { $needed }.
 problem-no-such-vertex = There is no vertex { $index }: the file has { $count }.
-problem-no-such-uv = There are no texture coordinates { $index }: the file has { $count }. The face is drawn without.
-problem-face-too-short = This face has only { $count } corners: it is left out.
-problem-face-too-long = This face has { $count } corners, more than { $limit }: it is left out.
-problem-face-not-simple = This face meets itself or has no area: it is left out.
+problem-no-such-uv = There are no texture coordinates { $index }: the file has { $count }. The face is drawn without them.
+problem-face-too-short = This face has only { $count ->
+        [one] { $count } vertex
+       *[other] { $count } vertices
+    }: it is left out.
+problem-face-too-long = This face has { $count } vertices, more than { $limit }: it is left out.
+problem-face-not-simple = This face crosses itself or has no area: it is left out.
 problem-flat-faces =
     { $count ->
-        [one] { $count } triangle has no area: nothing of it is seen.
-       *[other] { $count } triangles have no area, the first of them here: nothing of them is seen.
+        [one] { $count } triangle has no area: it cannot be seen.
+       *[other] { $count } triangles have no area, the first of them here: they cannot be seen.
     }
-problem-no-faces = The file has no face that could be drawn.
+problem-no-faces = The file has no face that can be drawn.
 problem-too-many-faces = The file has more than { $limit } triangles: it is too large to be drawn.
 expect-obj-index = Expected: 1 for the first vertex of the file, 2 for the next; −1 for the one before this line.

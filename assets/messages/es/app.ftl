@@ -36,7 +36,7 @@ transport-play = Reproducir
 transport-pause = Pausar
 transport-forward = Un paso adelante
 transport-last = Último paso
-transport-speed-value = { $speed } pasos por segundo
+transport-speed-value = Pasos por segundo: { $speed }
 transport-step = paso { $step } de { $total }
 transport-steps =
     { $count ->
@@ -119,7 +119,7 @@ help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuel
 ## What the program reports
 
 status-exported = Exportado en { $path }
-status-exporting = Exportados { $count } de { $total } pasos. Escape detiene la exportación.
+status-exporting = Exportados { $count } de { $total } pasos. Esc detiene la exportación.
 status-export-failed = No se pudo exportar la figura: { $reason }
 greeting = ← y → recorren la ejecución paso a paso, Espacio la reproduce. Todo lo que tiene un tirador se puede arrastrar, en cualquier paso.
 status-restored = Tu trabajo de la última vez está de vuelta; deshacer lo quita.
@@ -131,14 +131,14 @@ status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
 status-no-window = No se pudo abrir la ventana: necesita una pantalla y OpenGL. Sin ellas, clipscope export dibuja las figuras en archivos. El sistema dice: «{ $reason }»
 status-kept = La escena queda como estaba.
-status-mesh-reading = Leyendo { $path }… Esc lo abandona.
-status-mesh-given-up = Se abandonó { $path }: la escena sigue como estaba.
-status-mesh-plain = No se pudo obtener la textura que nombra { $library }: la malla se dibuja sin ella.
-status-mesh-picture = { $name } está junto a la malla y se toma como su textura.
+status-mesh-reading = Leyendo { $path }… Esc cancela.
+status-mesh-given-up = Se canceló la lectura de { $path }: la escena sigue como estaba.
+status-mesh-plain = No se pudo leer la textura que nombra { $library }: la malla se dibuja sin ella.
+status-mesh-picture = { $name } está junto a la malla y se usa como su textura.
 status-mesh-added =
     { $count ->
-        [one] { $name }, de { $count } triángulo, está en la escena.
-       *[other] { $name }, de { $count } triángulos, está en la escena.
+        [one] { $name }, con { $count } triángulo, ya está en la escena.
+       *[other] { $name }, con { $count } triángulos, ya está en la escena.
     }
 status-reloaded = { $path } cambió y se volvió a leer.
 
@@ -166,8 +166,8 @@ help-inspector = Mostrar u ocultar el inspector
 help-leave = Cerrar, o salir de la presentación
 help-tab = Al siguiente tirador o botón
 help-nudge = Mover el tirador que tiene el foco; con Mayús, diez veces más lejos
-help-deeper = En el espacio: alejar o acercar ese control respecto al ojo
-help-axis = En el espacio, pulsada mientras se mueve un control: solo a lo largo de ese eje
+help-deeper = En el espacio: alejar o acercar ese tirador respecto al ojo
+help-axis = En el espacio, pulsada mientras se mueve un tirador: solo a lo largo de ese eje
 help-type = Escribir la posición del tirador elegido
 help-alt = Al arrastrar: sin ajustar a la cuadrícula
 help-pen = Al presentar, mantenida: dibujar sobre la escena, hasta el paso siguiente

@@ -14,8 +14,8 @@ cli-checked =
     }
 cli-checked-scenes =
     { $count ->
-        [one] { $count } archivo de escena en orden
-       *[other] { $count } archivos de escena en orden
+        [one] { $count } archivo de escena sin errores
+       *[other] { $count } archivos de escena sin errores
     }
 cli-refused =
     { $count ->
@@ -71,10 +71,10 @@ case-uv-length = Se esperaba un [u, v] para cada uno de los { $expected } vérti
 object-triangles = triángulos
 object-object = objeto
 object-culled = se descarta
-case-backs = lo que muestra su cara trasera
+case-backs = triángulos que muestran su cara trasera
 case-too-many-raster-pixels = { $found } píxeles: un informe de cada paso admite como máximo { $max }. Con --events false se admite cualquier número y se da solo la respuesta.
 case-too-many-steps = { $found } pasos: un informe admite como máximo { $max }. Con --events false se admite cualquier número y se da solo la respuesta.
-case-over-budget = La ejecución tendría más de { $max } pasos. El presupuesto de este algoritmo es ese, en cualquier máquina.
+case-over-budget = La ejecución tendría más de { $max } pasos, que es el límite de este algoritmo en cualquier equipo.
 case-too-many-fragments = Los triángulos cubren { $found } píxeles, contando también los que quedan detrás de otros: se dibujan como máximo { $max }.
 json-number = un número
 json-numbers = una lista de números
@@ -96,22 +96,22 @@ case-point-inside = Dentro: ningún plano deja el punto fuera.
 case-point-outside = Fuera: al menos un plano deja el punto fuera.
 case-cull-inside = Dentro: ningún plano lo corta.
 case-cull-outside = Fuera: el plano { $plane } lo descarta, a una distancia de { $distance }.
-case-box-outside = Fuera: un plano tiene los ocho vértices en su lado exterior.
-case-cull-straddles = Cruza: al menos un plano lo corta y ninguno lo descarta.
-case-cull-in-vain = Cruza según los planos, y sin embargo ningún punto suyo está dentro: se conserva en vano.
-case-front = Muestra su cara frontal: n·e = { $dot }.
-case-back = No muestra su cara frontal: n·e = { $dot }.
+case-box-outside = Fuera: los ocho vértices están por fuera de un mismo plano.
+case-cull-straddles = Cruza el borde: al menos un plano lo corta y ninguno lo descarta.
+case-cull-in-vain = Según los planos cruza el borde y, sin embargo, ningún punto suyo está dentro: se conserva en vano.
+case-front = Muestra su cara delantera: n·e = { $dot }.
+case-back = No muestra su cara delantera: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] Un polígono: { $rings }
        *[other] { $n } polígonos: { $rings }
     }
-case-surfaces-seen = { $seen } de { $pixels } píxeles muestran una superficie.
-case-painted = Se pintan en este orden: { $ids }.
+case-surfaces-seen = Píxeles que muestran una superficie: { $seen } de { $pixels }.
+case-painted = Pintados en este orden: { $ids }.
 case-painter-cycle = Ningún orden es correcto: cada uno de { $ids } debe pintarse antes que el siguiente, y el último antes que el primero.
-case-bsp-pieces = El árbol contiene { $pieces } piezas; { $seen } de { $pixels } píxeles muestran una superficie.
-case-occlusion = { $seen } de { $pixels } píxeles muestran un objeto; objetos saltados: { $skipped } de { $objects }.
-case-bsp-too-large = Los planos cortarían estos triángulos en más de { $pieces } trozos, o clasificarían trozos más de { $questions } veces: de tantos no se construye un árbol.
+case-bsp-pieces = Piezas del árbol: { $pieces }. Píxeles que muestran una superficie: { $seen } de { $pixels }.
+case-occlusion = Píxeles que muestran un objeto: { $seen } de { $pixels }. Objetos saltados: { $skipped } de { $objects }.
+case-bsp-too-large = Los planos cortarían estos triángulos en más de { $pieces } piezas, o clasificarían piezas más de { $questions } veces: de tantas no se construye un árbol.
 case-triangles =
     { $n ->
         [one] Un triángulo: { $triangles }
@@ -122,12 +122,12 @@ case-triangles =
 
 report-title = Solucionario
 worksheet-title = Hoja de ejercicios
-worksheet-how = Completa lo que halla cada paso. Donde haya casillas, marca lo que ocurre.
+worksheet-how = Completa lo que halla cada paso. Donde haya casillas, marca la que sea cierta.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fuente
 report-symbols = símbolos
-case-symbols-weiler-atherton = a₁, a₂: a qué distancia están los extremos de la arista que se recorta de la recta de la arista de recorte, por la longitud de esta; > 0 a su izquierda, que es dentro. t, u: en qué lugar de la arista que se recorta y de la de recorte se encuentran, de 0 en su inicio a 1 en su final.
+case-symbols-weiler-atherton = a₁, a₂: distancias de los extremos de la arista que se recorta a la recta de la arista de recorte, por la longitud de esta; > 0 a su izquierda, que es dentro. t, u: dónde se encuentran las dos aristas, en la que se recorta y en la de recorte, de 0 en su inicio a 1 en su final.
 report-step = paso
 report-what = qué ocurre
 report-formula = fórmula

@@ -5,11 +5,11 @@
 error-not-finite = Todas las coordenadas deben ser números finitos.
 error-empty-window = La ventana está vacía: { $low } = { $min } debe ser menor que { $high } = { $max }.
 error-too-few-vertices = Un polígono necesita al menos tres vértices.
-error-degenerate = La figura es degenerada: no tiene extensión donde la necesita.
+error-degenerate = La figura es degenerada: no tiene longitud o área donde la necesita.
 error-not-convex = El polígono de recorte debe ser convexo: este algoritmo conserva lo que queda en el lado interior de todas sus aristas.
 error-self-intersecting = El polígono se corta a sí mismo.
 error-edges-meet = El contorno no debe tocarse ni cortarse a sí mismo: las aristas { $first } y { $second } se cortan, se tocan o se superponen.
-error-misplaced-hole = El agujero { $hole } debe quedar dentro del contorno, sin tocar sus aristas ni ningún otro agujero.
+error-misplaced-hole = El agujero { $hole } debe quedar dentro del contorno, sin tocarlo ni tocar ningún otro agujero.
 error-at = { $place }: { $problem }
 
 ## Shapes in space
@@ -25,19 +25,19 @@ error-size = Un tamaño debe ser mayor que 0, pero este es { $size }.
 error-height = La altura del volumen de visión debe ser mayor que 0, pero es { $height }.
 error-aspect = La relación de aspecto, anchura entre altura, debe ser mayor que 0 y dejar anchura al volumen de visión, pero es { $aspect }.
 error-near = El plano cercano debe estar delante del ojo, a una distancia mayor que 0, pero está a { $near }.
-error-far = El plano lejano debe estar más allá del cercano: far = { $far } debe ser mayor que near = { $near }.
+error-far = El plano lejano debe estar más allá del plano cercano: far = { $far } debe ser mayor que near = { $near }.
 error-not-affine = La última fila de esta matriz debe ser 0 0 0 1.
 error-face-vertex = La cara { $face }, contando desde 0, nombra un vértice que no existe.
 error-no-mesh-faces = Una malla necesita al menos una cara.
-error-uv-length = Una malla necesita tantas coordenadas de textura como vértices, o ninguna: hay { $uvs }, y { $vertices } vértices.
+error-uv-length = Una malla necesita tantas coordenadas de textura como vértices, o ninguna. Coordenadas de textura: { $uvs }; vértices: { $vertices }.
 
 ## Scenes
 
 error-no-objects = Una escena necesita al menos un objeto.
-error-too-many-objects = Una escena admite hasta { $limit } objetos; estos son { $count }.
-error-no-such-object = No hay objeto { $focus }: la escena tiene { $count }.
-error-no-such-face = No hay cara { $face }: el objeto tiene { $count }.
-error-no-such-vertex = No hay vértice { $vertex }: el objeto tiene { $count }.
+error-too-many-objects = Una escena admite como máximo { $limit } objetos, pero hay { $count }.
+error-no-such-object = No hay objeto { $focus }; objetos de la escena: { $count }.
+error-no-such-face = No hay cara { $face }; caras del objeto: { $count }.
+error-no-such-vertex = No hay vértice { $vertex }; vértices del objeto: { $count }.
 error-no-segments = No hay ningún segmento.
 error-too-many-segments = Hay demasiados segmentos: { $count }; se admiten { $limit } como máximo.
 error-no-such-focus =
@@ -45,7 +45,7 @@ error-no-such-focus =
         [one] No existe el segmento { $focus }: hay { $count } segmento, contando desde 0.
        *[other] No existe el segmento { $focus }: hay { $count } segmentos, contando desde 0.
     }
-error-last-three = El vértice se queda: un polígono necesita al menos tres.
+error-last-three = El vértice se conserva: un polígono necesita al menos tres.
 error-too-many-vertices = Hay demasiados vértices: { $count }; se admiten { $limit } como máximo.
 
 ## Moments of a run
@@ -79,4 +79,4 @@ system-silent = el sistema no da ningún motivo
 error-typed-place = { $count ->
     [1] se esperaba un número
    *[other] se esperaban { $count } números
-}, como −1.5 o 1/4, pero se escribió { $typed }
+}, como −1,5 o 1/4, pero se escribió { $typed }

@@ -50,7 +50,7 @@ problem-empty-text = Este texto está vacío.
 problem-two-kinds-of-segments = Se dan a la vez «segments» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-polygons = Se dan a la vez «polygon» y «random»: solo puede haber uno de los dos.
 problem-two-kinds-of-objects = Se dan a la vez «objects» y «street»: solo puede haber uno de los dos.
-problem-too-many-beside = { $count } métodos junto al primero: caben como máximo { $most }.
+problem-too-many-beside = Métodos junto al primero: { $count }; caben como máximo { $most }.
 problem-too-few-places = Lugares dados aquí: { $count }.
 problem-two-openings = Se dan a la vez «fov_y_deg» y «height»: el primero es para la perspectiva, el segundo para una cámara paralela.
 problem-two-models = Se dan a la vez «solid» y «mesh»: solo puede haber uno de los dos.
@@ -75,7 +75,7 @@ problem-bad-step-id = «{ $name }» no puede ser el id de un paso.
 problem-duplicate-step = Hay dos pasos «{ $name }».
 problem-bad-figure = «{ $name }» no puede ser el nombre de una figura.
 problem-duplicate-figure = Hay dos figuras «{ $name }».
-problem-moment-never-happens = El momento «{ $name }» no llega nunca en la ejecución de esta escena.
+problem-moment-never-happens = El momento «{ $name }» no ocurre nunca en la ejecución de esta escena.
 problem-unused-scene = Ningún paso muestra esta escena.
 problem-bad-reference = Esta referencia no se puede leer.
 problem-reference-outside = El título de una lección no admite referencias.
@@ -158,16 +158,19 @@ type-table = una tabla de campos
 ## Archivos de malla
 
 problem-no-number = «{ $word }» no es un número finito.
-problem-too-few-numbers = Aquí hay solo { $count } números, de { $needed }.
+problem-too-few-numbers = Números en esta línea: solo { $count } de { $needed }.
 problem-no-such-vertex = No existe el vértice { $index }: el archivo tiene { $count }.
 problem-no-such-uv = No existen las coordenadas de textura { $index }: el archivo tiene { $count }. La cara se dibuja sin ellas.
-problem-face-too-short = Esta cara tiene solo { $count } vértices: se omite.
+problem-face-too-short = Esta cara tiene solo { $count ->
+        [one] { $count } vértice
+       *[other] { $count } vértices
+    }: se omite.
 problem-face-too-long = Esta cara tiene { $count } vértices, más de { $limit }: se omite.
 problem-face-not-simple = Esta cara se corta a sí misma o no tiene área: se omite.
 problem-flat-faces =
     { $count ->
-        [one] { $count } triángulo no tiene área: no se ve nada de él.
-       *[other] { $count } triángulos no tienen área, el primero de ellos aquí: no se ve nada de ellos.
+        [one] { $count } triángulo no tiene área: no se ve.
+       *[other] { $count } triángulos no tienen área, el primero de ellos aquí: no se ven.
     }
 problem-no-faces = El archivo no tiene ninguna cara que se pueda dibujar.
 problem-too-many-faces = El archivo tiene más de { $limit } triángulos: es demasiado grande para dibujarlo.

@@ -10,9 +10,9 @@ texture-kept = sin interpolar (erróneo)
 part-subject = el polígono que se recorta
 part-hole = un agujero
 part-clip = el polígono de recorte
-refused-not-convex = Este algoritmo exige una región de recorte convexa: { $part } gira hacia el lado equivocado en { $vertex }.
-refused-winds-twice = Este algoritmo exige un contorno simple: { $part } ya ha dado más de una vuelta en { $vertex }.
-refused-edges-meet = Este algoritmo exige un contorno simple: en { $part }, las aristas { $first } y { $second } se encuentran.
+refused-not-convex = Este algoritmo exige una región de recorte convexa, pero { $part } gira hacia el otro lado en { $vertex }.
+refused-winds-twice = Este algoritmo exige un contorno simple, pero { $part } ya ha dado más de una vuelta en { $vertex }.
+refused-edges-meet = Este algoritmo exige un contorno simple, pero en { $part } las aristas { $first } y { $second } se encuentran.
 refused-misplaced-hole = Este algoritmo exige que cada agujero quede dentro del polígono, sin tocar el borde ni otros agujeros: { $part } no lo cumple.
 refused-degenerate = No hay nada que recortar: { $part } no tiene área.
 
@@ -22,11 +22,11 @@ action-draw-subject = Dibujar el polígono
 action-draw-clip = Dibujar el polígono de recorte
 action-draw-hole = Dibujar un agujero
 action-no-holes = Quitar todos los agujeros
-draw-subject = Haz clic para poner el vértice { $number } del nuevo polígono; Retroceso quita el último; Escape cancela.
-draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de recorte; Retroceso quita el último; Escape cancela.
-draw-hole = Haz clic para poner el vértice { $number } del nuevo agujero; Retroceso quita el último; Escape cancela.
+draw-subject = Haz clic para poner el vértice { $number } del nuevo polígono; Retroceso quita el último; Esc cancela.
+draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de recorte; Retroceso quita el último; Esc cancela.
+draw-hole = Haz clic para poner el vértice { $number } del nuevo agujero; Retroceso quita el último; Esc cancela.
 draw-close = Haz clic para poner el vértice { $number }; Intro, un doble clic o un clic en el primer vértice cierra el contorno.
-draw-no-use = Los algoritmos en escena no saben usar { $part }.
+draw-no-use = Los algoritmos en escena no pueden usar { $part }.
 
 ## Polígonos y regiones para empezar
 
@@ -56,7 +56,7 @@ region-octagon = Octógono
 region-bracket = Forma de L (cóncava)
 ## Ear clipping
 
-ear-opening = Este polígono de { $n } vértices se va a cortar en triángulos.
+ear-opening = Este polígono de { $n } vértices se va a dividir en triángulos.
 ear-classify = { $vertex } es { $corner }.
 ear-classify-again = Con su nuevo vecino, { $vertex } es { $corner }.
 ear-convex = convexo
@@ -74,8 +74,8 @@ ear-cut = Se corta { $triangle } por la diagonal { $diagonal }: quedan { $n } v�
 ear-last = Quedan tres vértices: { $triangle } es el último triángulo.
 ear-done =
     { $n ->
-        [one] Listo: un triángulo, tal como se dio.
-       *[other] Listo: { $n } triángulos, dos menos que los vértices que había.
+        [one] Terminado: un triángulo, tal como se dio.
+       *[other] Terminado: { $n } triángulos, dos menos que vértices tenía el polígono.
     }
 ear-list-ring = Lo que queda
 ear-list-triangles = Triángulos
@@ -86,24 +86,24 @@ ear-n-left = vértices restantes
 ear-n-triangles = triángulos
 code-ear-classify = para cada v: corner(v) ← signo de turn(a, v, b)
 code-ear-round = mientras queden más de 3 vértices
-code-ear-each = para cada v cuya esquina sea nueva
+code-ear-each = para cada v cuyo ángulo sea nuevo
 code-ear-convex = si corner(v) > 0
 code-ear-empty = y ningún vértice con corner ≤ 0 está en avb
 code-ear-cut = emitir avb; quitar v
-code-ear-again = corner(a), corner(b) de nuevo
+code-ear-again = calcular otra vez corner(a), corner(b)
 code-ear-last = emitir los tres que quedan
-words-ear-classify = En cada vértice v, entre el anterior, a, y el siguiente, b: ¿gira el contorno a la izquierda, a la derecha o no gira?
+words-ear-classify = En cada vértice v, con a antes y b después: ¿gira el contorno a la izquierda, a la derecha o sigue recto?
 words-ear-round = Da vueltas hasta que queden tres vértices.
-words-ear-each = Examina cada vértice cuya esquina cambió en la vuelta anterior; en la primera, todos.
-words-ear-convex = Una esquina solo se puede cortar donde el contorno gira a la izquierda.
+words-ear-each = Examina cada vértice cuyo ángulo cambió en la vuelta anterior; en la primera, todos.
+words-ear-convex = Un vértice solo se puede cortar donde el contorno gira a la izquierda.
 words-ear-empty = Ningún otro vértice puede estar en el triángulo. Basta con examinar los que no son convexos.
 words-ear-cut = Es una oreja: córtala por la diagonal ab.
-words-ear-again = Las esquinas de a y b han cambiado: clasifícalas de nuevo y examínalas en la vuelta siguiente.
+words-ear-again = Los ángulos de a y b han cambiado: clasifícalos de nuevo y examínalos en la vuelta siguiente.
 words-ear-last = Lo que queda es un triángulo.
 
 ## Triangulate, then clip
 
-tac-opening = Corta en triángulos el polígono de { $n } vértices; después recorta cada uno por separado.
+tac-opening = Divide en triángulos el polígono de { $n } vértices; después recorta cada uno por separado.
 tac-triangle = Triángulo { $number } de { $total }: { $triangle }. Mientras se recorta, sus vértices se llaman V₁, V₂ y V₃.
 tac-whole = { $triangle } está dentro de la región: es un trozo tal como está.
 tac-piece = { $triangle } deja un trozo convexo de { $n } vértices.
@@ -111,9 +111,9 @@ tac-none = { $triangle } no deja nada en la región.
 tac-touch = { $triangle } solo toca la región: no deja ningún trozo.
 tac-finish =
     { $n ->
-        [0] Listo: ningún trozo. El polígono no entra en la región.
-        [one] Listo: un trozo.
-       *[other] Listo: { $n } trozos, todos convexos: sin puentes.
+        [0] Terminado: ningún trozo. El polígono no entra en la región.
+        [one] Terminado: un trozo.
+       *[other] Terminado: { $n } trozos, todos convexos: sin puentes.
     }
 tac-list-triangles = Triángulos
 tac-list-pieces = Trozos
@@ -125,10 +125,10 @@ code-tac-triangulate = triángulos ← recorte de orejas(polígono)
 code-tac-each = para cada triángulo
 code-tac-clip = anillo ← Sutherland–Hodgman(triángulo, región)
 code-tac-piece = si el anillo tiene área: emitir anillo
-words-tac-triangulate = Corta el polígono en triángulos mediante el recorte de orejas.
+words-tac-triangulate = Divide el polígono en triángulos mediante el recorte de orejas.
 words-tac-each = Toma un triángulo tras otro.
 words-tac-clip = Recórtalo con Sutherland–Hodgman: lo que queda de un polígono convexo es convexo.
-words-tac-piece = Si queda algo que se pueda rellenar, es un trozo de la respuesta.
+words-tac-piece = Si queda algo que tenga área, es un trozo de la respuesta.
 ## Sutherland–Hodgman
 
 alg-sutherland-hodgman = Sutherland–Hodgman
@@ -152,8 +152,8 @@ sh-list-left = Lo que queda
 sh-list-wrong = × Resultado erróneo
 sh-n-inside = { $n } dentro
 sh-opening = Se recorta el polígono entero, { $n } vértices, contra un borde de la región tras otro: { $edges } bordes.
-sh-edge-side = Recorte contra el { $edge }: dentro es { $inside }.
-sh-edge = Recorte contra { $edge }: dentro es { $inside }.
+sh-edge-side = Recorte contra el { $edge }: un punto está dentro si { $inside }.
+sh-edge = Recorte contra { $edge }: un punto está dentro si { $inside }.
 sh-first-inside = El primer vértice, { $vertex }, está dentro: se emite.
 sh-first-outside = El primer vértice, { $vertex }, está fuera: no se emite nada.
 sh-in-in = { $from } → { $to }: dentro → dentro. Se emite { $to }.
@@ -168,10 +168,10 @@ sh-cross = { $from } → { $to } corta { $border } en I.
 sh-output = { $vertex } entra en la lista de salida como { $place }.
 sh-pass = Fin de { $border }: la lista de salida, de longitud { $n }, es la próxima lista de entrada.
 sh-pass-empty = Fin de { $border }: la lista de salida tiene longitud { $n }. No queda nada que recortar.
-sh-done-empty = Listo tras { $edges } bordes: nada del polígono está en la región, y la lista queda vacía.
-sh-done-whole = Listo: los { $n } vértices están dentro de los { $edges } bordes. El polígono queda como estaba.
-sh-done-cut = Listo tras { $edges } bordes: queda un anillo de { $n } vértices.
-sh-done-degenerate = Listo tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
+sh-done-empty = Terminado tras { $edges } bordes: ninguna parte del polígono está en la región, y la lista queda vacía.
+sh-done-whole = Terminado: los { $n } vértices están dentro de los { $edges } bordes. El polígono no cambia.
+sh-done-cut = Terminado tras { $edges } bordes: queda un anillo de { $n } vértices.
+sh-done-degenerate = Terminado tras { $edges } bordes: lo que queda no tiene área. Longitud de la última lista: { $n }.
 code-sh-each = para cada borde de recorte: salida ← vacía
 code-sh-first = F ← primer vértice; si está dentro: emitir F
 code-sh-edges = para cada arista S → P, la última hasta F:
@@ -221,7 +221,7 @@ words-pipe-first = Guarda el primer vértice que llega.
 words-pipe-cross = Si la arista desde S cruza el borde, primero sigue la intersección.
 words-pipe-pass-on = El vértice se guarda como S y, si está dentro, sigue adelante.
 words-pipe-output = Pasado el último recortador, un vértice ya pertenece a la respuesta.
-words-pipe-close = Al final, cada recortador, por turno, mira la arista que vuelve de su último vértice a F.
+words-pipe-close = Al final, cada recortador, por turno, examina la arista que vuelve de su último vértice a F.
 
 ## Sutherland–Hodgman, con errores a propósito
 
@@ -233,8 +233,8 @@ alg-faulty-clockwise = Erróneo: los bordes se recorren en sentido horario
 alg-faulty-twice = Erróneo: las intersecciones se emiten dos veces
 alg-faulty-end-first = Erróneo: el final va antes que la intersección
 faulty-on-border-differs = El paso { $step } es el primero que difiere: un vértice sobre el borde se toma por exterior.
-faulty-open-differs = El paso { $step } es el primero que difiere: la arista de cierre, del último vértice al primero, no se mira nunca.
-faulty-clockwise-differs = El paso { $step } es el primero que difiere: los bordes se recorren en sentido horario, y se toma por interior el lado equivocado de cada uno.
+faulty-open-differs = El paso { $step } es el primero que difiere: la arista de cierre, del último vértice al primero, no se examina nunca.
+faulty-clockwise-differs = El paso { $step } es el primero que difiere: los bordes se recorren en sentido horario, y el exterior de cada uno se toma por interior.
 faulty-twice-differs = El paso { $step } es el primero que difiere: la misma intersección se emite por segunda vez.
 faulty-end-first-differs = El paso { $step } es el primero que difiere: la arista entra, y su final se emite antes que su intersección.
 code-faulty-on-border = para cada borde de recorte: salida ← vacía; dentro es d > 0
@@ -252,15 +252,15 @@ words-faulty-end-first = La arista entra: emite su final y después la intersecc
 
 ## Weiler–Atherton
 
-wa-opening = Un polígono de { $n } vértices contra uno de { $m }: ambos se escriben como listas de vértices, en sentido antihorario.
+wa-opening = Se recorta un polígono de { $n } vértices con uno de { $m }: ambos se escriben como listas de vértices, en sentido antihorario.
 wa-vertex-subject = { $vertex } pasa a la lista del polígono que se recorta. Ahora: ¿dónde corta la arista { $edge } al polígono de recorte?
 wa-vertex-clip = { $vertex } pasa a la lista del polígono de recorte. Ahora: las intersecciones de la arista { $edge }, en orden.
 wa-found-crossing = { $node }: { $subject } corta a { $clip }.
 wa-found-on-edge = { $node }: el vértice { $vertex } está sobre la arista { $edge }.
 wa-found-both = { $node }: los vértices { $subject } y { $clip } son el mismo punto.
 wa-meet-crossing = { $subject-edge } y { $clip-edge } se cortan en el interior de ambas.
-wa-meet-subject-vertex = Un vértice del polígono que se recorta está en el interior de { $clip-edge }.
-wa-meet-clip-vertex = Un vértice del polígono de recorte está en el interior de { $subject-edge }.
+wa-meet-subject-vertex = Un vértice del polígono que se recorta está en el interior de la arista { $clip-edge }.
+wa-meet-clip-vertex = Un vértice del polígono de recorte está en el interior de la arista { $subject-edge }.
 wa-meet-both = Las dos aristas empiezan en el mismo punto.
 wa-inserted = { $node } pasa también a la lista del polígono de recorte, en la arista { $edge }.
 wa-inserted-vertex = En la lista del polígono de recorte, { $node } es el vértice { $vertex }.
@@ -268,7 +268,7 @@ wa-entering = { $node } es de entrada: el polígono que se recorta pasa de { $be
 wa-leaving = { $node } es de salida: el polígono que se recorta pasa de { $before } a { $after }.
 wa-touching = { $node } solo toca: el polígono que se recorta pasa de { $before } a { $after } y sigue en el mismo lado.
 wa-touching-same = { $node } solo toca: el polígono que se recorta sigue { $before }.
-wa-pinching = { $node } es un estrangulamiento: cada borde pasa por el interior del otro, y dos esquinas del resultado se tocan.
+wa-pinching = { $node } es un estrangulamiento: cada borde pasa por el interior del otro, y dos vértices del resultado se tocan.
 wa-inside = dentro
 wa-outside = fuera
 wa-along = una arista común en el mismo sentido (dentro)
@@ -281,16 +281,16 @@ wa-intersection = intersección
 wa-mark-entering = de entrada
 wa-mark-leaving = de salida
 wa-start = Un recorrido empieza en { $node }, en la lista del polígono que se recorta.
-wa-visit-subject = Por el polígono que se recorta: { $entry } es la esquina { $n } del camino.
-wa-visit-clip = Por el polígono de recorte: { $entry } es la esquina { $n } del camino.
-wa-past = { $entry } no es esquina: el recorrido pasa de largo.
+wa-visit-subject = Por el polígono que se recorta: { $entry } es el vértice { $n } del camino.
+wa-visit-clip = Por el polígono de recorte: { $entry } es el vértice { $n } del camino.
+wa-past = { $entry } no es vértice del anillo: el recorrido pasa de largo.
 wa-switch-clip = { $node } es de salida: se sigue por la lista del polígono de recorte.
 wa-switch-subject = { $node } es de entrada: se sigue por la lista del polígono que se recorta.
-wa-switch-pinch-clip = { $node } es un estrangulamiento: se sigue por la lista del polígono de recorte, para que cada trozo conserve su esquina.
-wa-switch-pinch-subject = { $node } es un estrangulamiento: se sigue por la lista del polígono que se recorta, para que cada trozo conserve su esquina.
-wa-closed-outer = De vuelta a un punto del camino: se cierra el anillo { $ring }, de { $n } esquinas.
-wa-closed-hole = De vuelta a un punto del camino: es un anillo entero del polígono que se recorta. { $ring }, de { $n } esquinas, es un agujero.
-wa-closed-sliver = De vuelta a un punto del camino: { $ring }, de { $n } esquinas, es tan fino que al redondear no le queda área. Se descarta.
+wa-switch-pinch-clip = { $node } es un estrangulamiento: se sigue por la lista del polígono de recorte, para que cada trozo conserve su vértice.
+wa-switch-pinch-subject = { $node } es un estrangulamiento: se sigue por la lista del polígono que se recorta, para que cada trozo conserve su vértice.
+wa-closed-outer = De vuelta a un punto del camino: se cierra el anillo { $ring }, de { $n } vértices.
+wa-closed-hole = De vuelta a un punto del camino: es un anillo entero del polígono que se recorta. { $ring }, de { $n } vértices, es un agujero.
+wa-closed-sliver = De vuelta a un punto del camino: { $ring }, de { $n } vértices, es tan fino que al redondear no le queda área. Se descarta.
 wa-whole-subject-kept = El contorno del polígono que se recorta no cambia de lista y está { $side }: entero es el anillo { $ring }.
 wa-whole-subject-dropped = El contorno del polígono que se recorta no cambia de lista y está { $side }: no delimita nada.
 wa-whole-hole-kept = El agujero { $hole } del polígono que se recorta no cambia de lista y está { $side }: es un agujero, { $ring }.
@@ -298,20 +298,20 @@ wa-whole-hole-dropped = El agujero { $hole } del polígono que se recorta no cam
 wa-whole-clip-kept = El polígono de recorte no cambia de lista y está { $side }: entero es el anillo { $ring }.
 wa-whole-clip-dropped = El polígono de recorte no cambia de lista y está { $side }: no delimita nada.
 wa-hole = El agujero { $hole } está dentro del anillo { $ring }.
-wa-done-disjoint = Listo: los dos polígonos no tienen ningún punto en común.
-wa-done-touching = Listo: los dos polígonos se tocan, pero no tienen área en común.
-wa-done-subject = Listo: el polígono que se recorta está dentro del polígono de recorte y queda como está.
-wa-done-clip = Listo: el polígono de recorte está dentro del polígono que se recorta y es la respuesta.
-wa-done-equal = Listo: los dos polígonos son el mismo, y la respuesta también.
+wa-done-disjoint = Terminado: los dos polígonos no tienen ningún punto en común.
+wa-done-touching = Terminado: los dos polígonos se tocan, pero no tienen área en común.
+wa-done-subject = Terminado: el polígono que se recorta está dentro del polígono de recorte y no cambia.
+wa-done-clip = Terminado: el polígono de recorte está dentro del polígono que se recorta y es la respuesta.
+wa-done-equal = Terminado: los dos polígonos son el mismo, y la respuesta también.
 wa-done-crossing =
     { $n ->
-        [one] Listo: un trozo.
-       *[other] Listo: { $n } trozos.
+        [one] Terminado: un trozo.
+       *[other] Terminado: { $n } trozos.
     }
 wa-list-subject = Lista del polígono
 wa-list-clip = Lista de recorte
 wa-row-start = empezó en
-wa-row-path = esquinas del camino
+wa-row-path = vértices del camino
 wa-row-rings = anillos cerrados
 code-wa-find = para cada arista de S: lista S ← vértice, intersecciones con C
 code-wa-insert = para cada arista de C: lista C ← vértice, sus intersecciones
@@ -323,14 +323,14 @@ code-wa-leave = en una de salida: seguir por la lista C
 code-wa-close = de vuelta a un vértice emitido: cerrar el anillo
 code-wa-whole = bordes sin entradas ni salidas: dentro ⇒ un anillo
 code-wa-holes = dar cada agujero al anillo que lo rodea
-words-wa-find = Copia el polígono que se recorta, S, vértice a vértice en una lista y, detrás de cada vértice, las intersecciones de su arista, en orden.
+words-wa-find = Copia en una lista, vértice a vértice, el polígono que se recorta, S. Detrás de cada vértice pon las intersecciones de su arista, en orden.
 words-wa-insert = Copia igual el polígono de recorte C: las mismas intersecciones, en el orden de su propio borde.
 words-wa-label = Marca cada intersección según lo que hace allí el polígono que se recorta. Una arista común cuenta como dentro si ambos bordes van en el mismo sentido y como fuera si van en sentido contrario.
 words-wa-start = Toma una intersección de entrada por la que aún no ha pasado ningún recorrido y empieza ahí, en la lista del polígono que se recorta.
 words-wa-follow = Sigue la lista de vértice en vértice y emite cada uno.
 words-wa-enter = Donde ese polígono entra, y donde los bordes se estrangulan, sigue por la lista del polígono que se recorta.
 words-wa-leave = Donde ese polígono sale, y donde los bordes se estrangulan, sigue por la lista del polígono de recorte.
-words-wa-close = De vuelta a un vértice ya emitido: lo que queda en medio es un anillo. De vuelta al comienzo, el recorrido termina.
+words-wa-close = Cuando el recorrido llega a un vértice ya emitido, lo que queda en medio es un anillo. Cuando llega a su comienzo, termina.
 words-wa-whole = Un borde en el que nunca se cambia de lista está entero dentro o entero fuera.
 words-wa-holes = Un agujero pertenece al anillo en el que está.
 

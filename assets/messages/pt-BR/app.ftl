@@ -7,9 +7,9 @@ app-title = Clipscope
 ## Labs: the tabs of the window
 
 lab-lines = Segmentos
-lab-lines-about = Recorte um segmento contra uma janela.
+lab-lines-about = Recorte um segmento com uma janela.
 lab-polygons = Polígonos
-lab-polygons-about = Recorte um polígono contra uma janela ou outro polígono.
+lab-polygons-about = Recorte um polígono com uma janela ou com outro polígono.
 lab-frustum = Volume de visão
 lab-frustum-about = Veja o que uma câmera vê e o que se pode descartar antes de desenhar.
 lab-surfaces = Superfícies
@@ -36,7 +36,7 @@ transport-play = Reproduzir
 transport-pause = Pausar
 transport-forward = Um passo adiante
 transport-last = Último passo
-transport-speed-value = { $speed } passos por segundo
+transport-speed-value = Passos por segundo: { $speed }
 transport-step = passo { $step } de { $total }
 transport-steps =
     { $count ->
@@ -119,7 +119,7 @@ help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução 
 ## What the program reports
 
 status-exported = Exportado para { $path }
-status-exporting = { $count } de { $total } passos exportados. Esc interrompe.
+status-exporting = { $count } de { $total } passos exportados. Esc interrompe a exportação.
 status-export-failed = Não foi possível exportar a figura: { $reason }
 greeting = ← e → percorrem a execução passo a passo, Espaço a reproduz. Tudo o que tem um ponto de controle pode ser arrastado, em qualquer passo.
 status-restored = Seu trabalho da última vez está de volta; desfazer o retira.
@@ -131,14 +131,14 @@ status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
 status-no-window = Não foi possível abrir a janela: ela precisa de uma tela e de OpenGL. Sem isso, clipscope export desenha as figuras em arquivos. O sistema diz: “{ $reason }”
 status-kept = A cena continua como estava.
-status-mesh-reading = Lendo { $path }… Esc desiste.
-status-mesh-given-up = A leitura de { $path } foi abandonada: a cena está como estava.
-status-mesh-plain = A textura que { $library } indica não pôde ser obtida: a malha é desenhada sem ela.
+status-mesh-reading = Lendo { $path }… Esc cancela.
+status-mesh-given-up = A leitura de { $path } foi cancelada: a cena está como estava.
+status-mesh-plain = Não foi possível ler a textura que { $library } indica: a malha é desenhada sem ela.
 status-mesh-picture = { $name } está ao lado da malha e é usada como sua textura.
 status-mesh-added =
     { $count ->
-        [1] { $name }, de { $count } triângulo, está na cena.
-       *[other] { $name }, de { $count } triângulos, está na cena.
+        [1] { $name }, com { $count } triângulo, já está na cena.
+       *[other] { $name }, com { $count } triângulos, já está na cena.
     }
 status-reloaded = { $path } mudou e foi lido de novo.
 
@@ -166,8 +166,8 @@ help-inspector = Mostrar ou ocultar o inspetor
 help-leave = Fechar, ou sair da apresentação
 help-tab = Ir para o próximo ponto de controle ou botão
 help-nudge = Mover o ponto de controle que tem o foco; com Shift, dez vezes mais longe
-help-deeper = No espaço: afastar ou aproximar essa alça do olho
-help-axis = No espaço, pressionada enquanto uma alça se move: só ao longo desse eixo
+help-deeper = No espaço: afastar ou aproximar do olho esse ponto de controle
+help-axis = No espaço, pressionada enquanto um ponto de controle se move: só ao longo desse eixo
 help-type = Digitar a posição do ponto de controle escolhido
 help-alt = Ao arrastar: sem ajustar à grade
 help-pen = Ao apresentar, mantida: desenhar sobre a cena, até o passo seguinte

@@ -14,8 +14,8 @@ cli-checked =
     }
 cli-checked-scenes =
     { $count ->
-        [1] { $count } arquivo de cena em ordem
-       *[other] { $count } arquivos de cena em ordem
+        [1] { $count } arquivo de cena sem erros
+       *[other] { $count } arquivos de cena sem erros
     }
 cli-refused =
     { $count ->
@@ -71,10 +71,10 @@ case-uv-length = Era esperado um [u, v] para cada um dos { $expected } vértices
 object-triangles = triângulos
 object-object = objeto
 object-culled = descartado
-case-backs = o que mostra sua face traseira
+case-backs = triângulos que mostram a sua face traseira
 case-too-many-raster-pixels = { $found } pixels: um relatório de cada passo aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
 case-too-many-steps = { $found } passos: um relatório aceita no máximo { $max }. Com --events false qualquer número é aceito, e só a resposta é dada.
-case-over-budget = A execução teria mais de { $max } passos. O orçamento deste algoritmo é esse, em qualquer máquina.
+case-over-budget = A execução teria mais de { $max } passos, que é o limite deste algoritmo em qualquer computador.
 case-too-many-fragments = Os triângulos cobrem { $found } pixels, contando também os que ficam atrás de outros: são desenhados no máximo { $max }.
 json-number = um número
 json-numbers = uma lista de números
@@ -91,14 +91,14 @@ case-visible = Visível de { $p1 } até { $p2 }.
 case-touch = Visível em um único ponto: { $at }.
 case-invisible = Nada é visível.
 case-nothing-left = Não resta nada.
-case-no-area = O que resta não tem área: nada a preencher.
+case-no-area = O que resta não tem área: não há nada a preencher.
 case-point-inside = Dentro: nenhum plano deixa o ponto fora.
 case-point-outside = Fora: pelo menos um plano deixa o ponto fora.
 case-cull-inside = Dentro: nenhum plano o corta.
 case-cull-outside = Fora: o plano { $plane } o descarta, a uma distância de { $distance }.
-case-box-outside = Fora: um plano tem os oito vértices do seu lado externo.
-case-cull-straddles = Cruza: pelo menos um plano o corta e nenhum o descarta.
-case-cull-in-vain = Cruza segundo os planos, e no entanto nenhum ponto seu está dentro: mantido em vão.
+case-box-outside = Fora: os oito vértices estão do lado de fora de um mesmo plano.
+case-cull-straddles = Cruza a borda: pelo menos um plano o corta e nenhum o descarta.
+case-cull-in-vain = Segundo os planos cruza a borda e, no entanto, nenhum ponto seu está dentro: é mantido em vão.
 case-front = Mostra a frente: n·e = { $dot }.
 case-back = Não mostra a frente: n·e = { $dot }.
 case-polygons =
@@ -106,12 +106,12 @@ case-polygons =
         [1] Um polígono: { $rings }
        *[other] { $n } polígonos: { $rings }
     }
-case-surfaces-seen = { $seen } de { $pixels } pixels mostram uma superfície.
+case-surfaces-seen = Pixels que mostram uma superfície: { $seen } de { $pixels }.
 case-painted = Pintados nesta ordem: { $ids }.
 case-painter-cycle = Nenhuma ordem está certa: cada um de { $ids } deve ser pintado antes do seguinte, e o último antes do primeiro.
-case-bsp-pieces = A árvore contém { $pieces } peças; { $seen } de { $pixels } pixels mostram uma superfície.
-case-occlusion = { $seen } de { $pixels } pixels mostram um objeto; objetos pulados: { $skipped } de { $objects }.
-case-bsp-too-large = Os planos cortariam estes triângulos em mais de { $pieces } pedaços, ou classificariam pedaços mais de { $questions } vezes: não se constrói uma árvore de tantos.
+case-bsp-pieces = Peças da árvore: { $pieces }. Pixels que mostram uma superfície: { $seen } de { $pixels }.
+case-occlusion = Pixels que mostram um objeto: { $seen } de { $pixels }. Objetos ignorados: { $skipped } de { $objects }.
+case-bsp-too-large = Os planos cortariam estes triângulos em mais de { $pieces } peças, ou classificariam peças mais de { $questions } vezes: não se constrói uma árvore de tantas.
 case-triangles =
     { $n ->
         [1] Um triângulo: { $triangles }
@@ -122,12 +122,12 @@ case-triangles =
 
 report-title = Gabarito
 worksheet-title = Folha de exercícios
-worksheet-how = Preencha o que cada passo encontra. Onde houver caixas, marque o que acontece.
+worksheet-how = Preencha o que cada passo encontra. Onde houver caixas, marque a que for verdadeira.
 report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fonte
 report-symbols = símbolos
-case-symbols-weiler-atherton = a₁, a₂: a que distância ficam as pontas da aresta a recortar da reta da aresta de recorte, vezes o comprimento desta; > 0 à sua esquerda, que é dentro. t, u: em que lugar da aresta a recortar e da de recorte elas se encontram, de 0 no início a 1 no fim.
+case-symbols-weiler-atherton = a₁, a₂: distâncias dos extremos da aresta a recortar à reta da aresta de recorte, vezes o comprimento desta; > 0 à sua esquerda, que é dentro. t, u: onde as duas arestas se encontram, na aresta a recortar e na de recorte, de 0 no início a 1 no fim.
 report-step = passo
 report-what = o que acontece
 report-formula = fórmula

@@ -5,11 +5,11 @@
 error-not-finite = Todas as coordenadas devem ser números finitos.
 error-empty-window = A janela está vazia: { $low } = { $min } deve ser menor que { $high } = { $max }.
 error-too-few-vertices = Um polígono precisa de pelo menos três vértices.
-error-degenerate = A figura é degenerada: não tem extensão onde precisa.
+error-degenerate = A figura é degenerada: não tem comprimento ou área onde precisa.
 error-not-convex = O polígono de recorte deve ser convexo: este algoritmo conserva o que fica do lado interno de todas as arestas.
 error-self-intersecting = O polígono cruza a si mesmo.
 error-edges-meet = O contorno não pode tocar nem cruzar a si mesmo: as arestas { $first } e { $second } se cruzam, se tocam ou se sobrepõem.
-error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocar suas arestas nem qualquer outro furo.
+error-misplaced-hole = O furo { $hole } deve ficar dentro do contorno, sem tocá-lo nem tocar qualquer outro furo.
 error-at = { $place }: { $problem }
 
 ## Shapes in space
@@ -25,19 +25,19 @@ error-size = Um tamanho deve ser maior que 0, mas este é { $size }.
 error-height = A altura do volume de visão deve ser maior que 0, mas é { $height }.
 error-aspect = A razão de aspecto, largura por altura, deve ser maior que 0 e deixar largura ao volume de visão, mas é { $aspect }.
 error-near = O plano próximo deve ficar à frente do olho, a uma distância maior que 0, mas está a { $near }.
-error-far = O plano distante deve ficar além do próximo: far = { $far } deve ser maior que near = { $near }.
+error-far = O plano distante deve ficar além do plano próximo: far = { $far } deve ser maior que near = { $near }.
 error-not-affine = A última linha desta matriz deve ser 0 0 0 1.
 error-face-vertex = A face { $face }, contando a partir de 0, cita um vértice que não existe.
 error-no-mesh-faces = Uma malha precisa de pelo menos uma face.
-error-uv-length = Uma malha precisa de tantas coordenadas de textura quantos são os vértices, ou de nenhuma: há { $uvs }, e { $vertices } vértices.
+error-uv-length = Uma malha precisa de tantas coordenadas de textura quantos vértices, ou de nenhuma. Coordenadas de textura: { $uvs }; vértices: { $vertices }.
 
 ## Scenes
 
 error-no-objects = Uma cena precisa de pelo menos um objeto.
-error-too-many-objects = Uma cena aceita até { $limit } objetos; estes são { $count }.
-error-no-such-object = Não há objeto { $focus }: a cena tem { $count }.
-error-no-such-face = Não há face { $face }: o objeto tem { $count }.
-error-no-such-vertex = Não há vértice { $vertex }: o objeto tem { $count }.
+error-too-many-objects = Uma cena aceita no máximo { $limit } objetos, mas há { $count }.
+error-no-such-object = Não há objeto { $focus }; objetos da cena: { $count }.
+error-no-such-face = Não há face { $face }; faces do objeto: { $count }.
+error-no-such-vertex = Não há vértice { $vertex }; vértices do objeto: { $count }.
 error-no-segments = Não há nenhum segmento.
 error-too-many-segments = Há segmentos demais: { $count }; são aceitos no máximo { $limit }.
 error-no-such-focus =
@@ -45,7 +45,7 @@ error-no-such-focus =
         [1] Não existe o segmento { $focus }: há { $count } segmento, contando a partir de 0.
        *[other] Não existe o segmento { $focus }: há { $count } segmentos, contando a partir de 0.
     }
-error-last-three = O vértice fica: um polígono precisa de pelo menos três.
+error-last-three = O vértice é mantido: um polígono precisa de pelo menos três.
 error-too-many-vertices = Há vértices demais: { $count }; são aceitos no máximo { $limit }.
 
 ## Moments of a run
@@ -79,4 +79,4 @@ system-silent = o sistema não dá nenhum motivo
 error-typed-place = { $count ->
     [1] era esperado um número
    *[other] eram esperados { $count } números
-}, como −1.5 ou 1/4, mas foi digitado { $typed }
+}, como −1,5 ou 1/4, mas foi digitado { $typed }

@@ -50,7 +50,7 @@ problem-empty-text = Este texto está vazio.
 problem-two-kinds-of-segments = “segments” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-polygons = “polygon” e “random” foram dados ao mesmo tempo: só pode haver um dos dois.
 problem-two-kinds-of-objects = “objects” e “street” foram dados ao mesmo tempo: só pode haver um dos dois.
-problem-too-many-beside = { $count } métodos ao lado do primeiro: cabem no máximo { $most }.
+problem-too-many-beside = Métodos ao lado do primeiro: { $count }; cabem no máximo { $most }.
 problem-too-few-places = Lugares dados aqui: { $count }.
 problem-two-openings = “fov_y_deg” e “height” foram dados ao mesmo tempo: o primeiro é para a perspectiva, o segundo para uma câmera paralela.
 problem-two-models = “solid” e “mesh” foram dados ao mesmo tempo: só pode haver um dos dois.
@@ -75,7 +75,7 @@ problem-bad-step-id = “{ $name }” não pode ser o id de um passo.
 problem-duplicate-step = Há dois passos “{ $name }”.
 problem-bad-figure = “{ $name }” não pode ser o nome de uma figura.
 problem-duplicate-figure = Há duas figuras “{ $name }”.
-problem-moment-never-happens = O momento “{ $name }” nunca chega na execução desta cena.
+problem-moment-never-happens = O momento “{ $name }” nunca ocorre na execução desta cena.
 problem-unused-scene = Nenhum passo mostra esta cena.
 problem-bad-reference = Não é possível ler esta referência.
 problem-reference-outside = O título de uma lição não admite referências.
@@ -158,16 +158,19 @@ type-table = uma tabela de campos
 ## Arquivos de malha
 
 problem-no-number = “{ $word }” não é um número finito.
-problem-too-few-numbers = Há aqui só { $count } números, de { $needed }.
+problem-too-few-numbers = Números nesta linha: só { $count } de { $needed }.
 problem-no-such-vertex = Não existe o vértice { $index }: o arquivo tem { $count }.
 problem-no-such-uv = Não existem as coordenadas de textura { $index }: o arquivo tem { $count }. A face é desenhada sem elas.
-problem-face-too-short = Esta face tem só { $count } vértices: fica de fora.
+problem-face-too-short = Esta face tem só { $count ->
+        [1] { $count } vértice
+       *[other] { $count } vértices
+    }: fica de fora.
 problem-face-too-long = Esta face tem { $count } vértices, mais que { $limit }: fica de fora.
 problem-face-not-simple = Esta face cruza a si mesma ou não tem área: fica de fora.
 problem-flat-faces =
     { $count ->
-        [1] { $count } triângulo não tem área: nada dele é visto.
-       *[other] { $count } triângulos não têm área, o primeiro deles aqui: nada deles é visto.
+        [1] { $count } triângulo não tem área: não é visto.
+       *[other] { $count } triângulos não têm área, o primeiro deles aqui: não são vistos.
     }
 problem-no-faces = O arquivo não tem nenhuma face que possa ser desenhada.
 problem-too-many-faces = O arquivo tem mais de { $limit } triângulos: é grande demais para ser desenhado.

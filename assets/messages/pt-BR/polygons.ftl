@@ -10,9 +10,9 @@ texture-kept = não interpolada (errada)
 part-subject = o polígono a recortar
 part-hole = um furo
 part-clip = o polígono de recorte
-refused-not-convex = Este algoritmo exige uma região de recorte convexa: { $part } vira para o lado errado em { $vertex }.
-refused-winds-twice = Este algoritmo exige um contorno simples: até { $vertex }, { $part } já deu mais de uma volta.
-refused-edges-meet = Este algoritmo exige um contorno simples: em { $part }, as arestas { $first } e { $second } se encontram.
+refused-not-convex = Este algoritmo exige uma região de recorte convexa, mas { $part } vira para o outro lado em { $vertex }.
+refused-winds-twice = Este algoritmo exige um contorno simples, mas em { $vertex } { $part } já deu mais de uma volta.
+refused-edges-meet = Este algoritmo exige um contorno simples, mas em { $part } as arestas { $first } e { $second } se encontram.
 refused-misplaced-hole = Este algoritmo exige que cada furo fique dentro do polígono, sem tocar o contorno nem outros furos: { $part } não cumpre isso.
 refused-degenerate = Não há nada a recortar: { $part } não tem área.
 
@@ -22,11 +22,11 @@ action-draw-subject = Desenhar o polígono
 action-draw-clip = Desenhar o polígono de recorte
 action-draw-hole = Desenhar um furo
 action-no-holes = Remover todos os furos
-draw-subject = Clique para colocar o vértice { $number } do novo polígono; Backspace remove o último, Esc desiste.
-draw-clip = Clique para colocar o vértice { $number } do novo polígono de recorte; Backspace remove o último, Esc desiste.
-draw-hole = Clique para colocar o vértice { $number } do novo furo; Backspace remove o último, Esc desiste.
+draw-subject = Clique para colocar o vértice { $number } do novo polígono; Backspace remove o último, Esc cancela.
+draw-clip = Clique para colocar o vértice { $number } do novo polígono de recorte; Backspace remove o último, Esc cancela.
+draw-hole = Clique para colocar o vértice { $number } do novo furo; Backspace remove o último, Esc cancela.
 draw-close = Clique para colocar o vértice { $number }; Enter, um clique duplo ou um clique no primeiro vértice fecha o contorno.
-draw-no-use = Os algoritmos em cena não sabem usar { $part }.
+draw-no-use = Os algoritmos em cena não podem usar { $part }.
 
 ## Polígonos e regiões para começar
 
@@ -56,13 +56,13 @@ region-octagon = Octógono
 region-bracket = Forma de L (côncava)
 ## Ear clipping
 
-ear-opening = Este polígono de { $n } vértices será cortado em triângulos.
+ear-opening = Este polígono de { $n } vértices será dividido em triângulos.
 ear-classify = { $vertex } é { $corner }.
 ear-classify-again = Com o novo vizinho, { $vertex } é { $corner }.
 ear-convex = convexo
 ear-straight = colinear
 ear-reflex = reflexo
-ear-round = Volta { $round }: começa com { $n } vértices.
+ear-round = A volta { $round } começa com { $n } vértices.
 ear-pass = { $vertex } é { $corner }: não é orelha.
 ear-candidate = { $vertex } é convexo. Há outro vértice dentro de { $triangle }?
 ear-blocked = { $by } está dentro de { $triangle }: { $vertex } não é orelha.
@@ -70,12 +70,12 @@ ear-not-convex = { $vertex } não é convexo.
 ear-is-convex = { $vertex } é convexo.
 ear-not-empty = Outro vértice está dentro de { $triangle }: { $vertex } não é orelha.
 ear-ear = Nenhum outro vértice está dentro de { $triangle }: { $vertex } é uma orelha.
-ear-cut = { $triangle } é destacado pela diagonal { $diagonal }: restam { $n } vértices.
+ear-cut = { $triangle } é cortado pela diagonal { $diagonal }: restam { $n } vértices.
 ear-last = Restam três vértices: { $triangle } é o último triângulo.
 ear-done =
     { $n ->
         [1] Pronto: um triângulo, tal como foi dado.
-       *[other] Pronto: { $n } triângulos, dois a menos que os vértices.
+       *[other] Pronto: { $n } triângulos, dois a menos que os vértices do polígono.
     }
 ear-list-ring = O que resta
 ear-list-triangles = Triângulos
@@ -86,24 +86,24 @@ ear-n-left = vértices restantes
 ear-n-triangles = triângulos
 code-ear-classify = para cada v: corner(v) ← sinal de turn(a, v, b)
 code-ear-round = enquanto restarem mais de 3 vértices
-code-ear-each = para cada v cujo canto é novo
+code-ear-each = para cada v cujo ângulo é novo
 code-ear-convex = se corner(v) > 0
 code-ear-empty = e nenhum vértice com corner ≤ 0 está em avb
 code-ear-cut = emita avb; retire v
-code-ear-again = corner(a), corner(b) de novo
+code-ear-again = calcule de novo corner(a), corner(b)
 code-ear-last = emita os três que restam
-words-ear-classify = Em cada vértice v, entre o anterior, a, e o seguinte, b: o contorno vira à esquerda, à direita ou não vira?
+words-ear-classify = Em cada vértice v, com a antes e b depois: o contorno vira à esquerda, à direita ou segue reto?
 words-ear-round = Dê voltas pelo contorno até restarem três vértices.
-words-ear-each = Examine cada vértice cujo canto mudou na volta anterior; na primeira, todos.
-words-ear-convex = Um canto só pode ser cortado onde o contorno vira à esquerda.
+words-ear-each = Examine cada vértice cujo ângulo mudou na volta anterior; na primeira, todos.
+words-ear-convex = Um vértice só pode ser cortado onde o contorno vira à esquerda.
 words-ear-empty = Nenhum outro vértice pode estar no triângulo. Basta examinar os que não são convexos.
-words-ear-cut = É uma orelha: destaque-a pela diagonal ab.
-words-ear-again = Os cantos em a e b mudaram: classifique-os de novo e examine-os na próxima volta.
+words-ear-cut = É uma orelha: corte-a pela diagonal ab.
+words-ear-again = Os ângulos em a e b mudaram: classifique-os de novo e examine-os na próxima volta.
 words-ear-last = O que resta é um triângulo.
 
 ## Triangulate, then clip
 
-tac-opening = Corte em triângulos o polígono de { $n } vértices; depois recorte cada um por si.
+tac-opening = Divida em triângulos o polígono de { $n } vértices; depois recorte cada um por si.
 tac-triangle = Triângulo { $number } de { $total }: { $triangle }. Enquanto é recortado, seus vértices se chamam V₁, V₂ e V₃.
 tac-whole = { $triangle } está dentro da região: é um pedaço tal como está.
 tac-piece = { $triangle } deixa um pedaço convexo de { $n } vértices.
@@ -125,10 +125,10 @@ code-tac-triangulate = triângulos ← corte de orelhas(polígono)
 code-tac-each = para cada triângulo
 code-tac-clip = anel ← Sutherland–Hodgman(triângulo, região)
 code-tac-piece = se o anel tem área: emita anel
-words-tac-triangulate = Corte o polígono em triângulos pelo corte de orelhas.
+words-tac-triangulate = Divida o polígono em triângulos pelo corte de orelhas.
 words-tac-each = Tome um triângulo após o outro.
 words-tac-clip = Recorte-o por Sutherland–Hodgman: o que resta de um polígono convexo é convexo.
-words-tac-piece = Se resta algo que se possa preencher, é um pedaço da resposta.
+words-tac-piece = Se resta algo que tenha área, é um pedaço da resposta.
 ## Sutherland–Hodgman
 
 alg-sutherland-hodgman = Sutherland–Hodgman
@@ -152,8 +152,8 @@ sh-list-left = O que resta
 sh-list-wrong = × Resultado errado
 sh-n-inside = { $n } dentro
 sh-opening = O polígono inteiro, { $n } vértices, é recortado contra uma borda da região após a outra: { $edges } bordas.
-sh-edge-side = Recorte contra a { $edge }: dentro é { $inside }.
-sh-edge = Recorte contra { $edge }: dentro é { $inside }.
+sh-edge-side = Recorte contra a { $edge }: um ponto está dentro se { $inside }.
+sh-edge = Recorte contra { $edge }: um ponto está dentro se { $inside }.
 sh-first-inside = O primeiro vértice, { $vertex }, está dentro: é emitido.
 sh-first-outside = O primeiro vértice, { $vertex }, está fora: nada é emitido.
 sh-in-in = { $from } → { $to }: dentro → dentro. Emite-se { $to }.
@@ -166,12 +166,12 @@ sh-closing-cross = A aresta de fechamento { $from } → { $to }: { $rule }. Emit
 sh-closing = A aresta de fechamento { $from } → { $to }: { $rule }. Nada mais é emitido.
 sh-cross = { $from } → { $to } cruza { $border } em I.
 sh-output = { $vertex } entra na lista de saída como { $place }.
-sh-pass = Borda { $border } concluída: a lista de saída, de comprimento { $n }, é a próxima lista de entrada.
-sh-pass-empty = Borda { $border } concluída: a lista de saída tem comprimento { $n }. Não resta nada a recortar.
-sh-done-empty = Fim após { $edges } bordas: nada do polígono está na região, e a lista está vazia.
-sh-done-whole = Fim: os { $n } vértices estão dentro das { $edges } bordas. O polígono fica como estava.
-sh-done-cut = Fim após { $edges } bordas: resta um anel de { $n } vértices.
-sh-done-degenerate = Fim após { $edges } bordas: o que resta não tem área. Comprimento da última lista: { $n }.
+sh-pass = { $border }, concluída: a lista de saída, de comprimento { $n }, é a próxima lista de entrada.
+sh-pass-empty = { $border }, concluída: a lista de saída tem comprimento { $n }. Não resta nada a recortar.
+sh-done-empty = Pronto após { $edges } bordas: nenhuma parte do polígono está na região, e a lista está vazia.
+sh-done-whole = Pronto: os { $n } vértices estão dentro das { $edges } bordas. O polígono não muda.
+sh-done-cut = Pronto após { $edges } bordas: resta um anel de { $n } vértices.
+sh-done-degenerate = Pronto após { $edges } bordas: o que resta não tem área. Comprimento da última lista: { $n }.
 code-sh-each = para cada borda de recorte: saída ← vazia
 code-sh-first = F ← primeiro vértice; se está dentro: emita F
 code-sh-edges = para cada aresta S → P, por fim até F:
@@ -195,15 +195,15 @@ pipe-list-ring = Anel até agora
 pipe-opening = Todos os { $edges } recortadores ao mesmo tempo: os { $n } vértices fluem por eles, um a um.
 pipe-send = { $vertex } = { $at } do polígono entra no primeiro recortador, { $border }.
 pipe-enter = { $vertex } = { $at } passa ao recortador seguinte, { $border }.
-pipe-first-inside = O primeiro vértice a chegar ao recortador { $border }: é guardado como F e segue adiante, pois está dentro.
-pipe-first-outside = O primeiro vértice a chegar ao recortador { $border }: é guardado como F e não segue adiante, pois está fora.
+pipe-first-inside = É o primeiro vértice a chegar ao recortador { $border }: é guardado como F e segue adiante, pois está dentro.
+pipe-first-outside = É o primeiro vértice a chegar ao recortador { $border }: é guardado como F e não segue adiante, pois está fora.
 pipe-vertex = S → P: { $rule }. P segue adiante.
 pipe-crossing = S → P: { $rule }. A interseção I segue adiante.
 pipe-both = S → P: { $rule }. A interseção I segue adiante, e depois P.
 pipe-nothing = S → P: { $rule }. Não há interseção, e P não segue.
 pipe-closing-cross = A aresta de fechamento S → F: { $rule }. A interseção I segue adiante.
 pipe-closing = A aresta de fechamento S → F: { $rule }. Nada segue adiante.
-pipe-cross = S e o vértice seguinte estão em lados opostos da borda { $border }: a aresta a cruza em I.
+pipe-cross = S → P cruza { $border } em I.
 pipe-output = { $at } sai do último recortador: é { $vertex } do anel, em definitivo.
 pipe-close = Não chegarão mais vértices ao recortador { $border }: ele fecha o seu anel.
 pipe-close-empty = Nenhum vértice chegou ao recortador { $border }: não há nada a fechar.
@@ -232,7 +232,7 @@ alg-faulty-twice = Errado: as interseções são emitidas duas vezes
 alg-faulty-end-first = Errado: o fim vem antes da interseção
 faulty-on-border-differs = O passo { $step } é o primeiro que difere: um vértice sobre a borda é contado como fora.
 faulty-open-differs = O passo { $step } é o primeiro que difere: a aresta de fechamento, do último vértice ao primeiro, nunca é examinada.
-faulty-clockwise-differs = O passo { $step } é o primeiro que difere: as bordas são percorridas no sentido horário, e o lado errado de cada uma é tomado como interior.
+faulty-clockwise-differs = O passo { $step } é o primeiro que difere: as bordas são percorridas no sentido horário, e o exterior de cada uma é tomado por interior.
 faulty-twice-differs = O passo { $step } é o primeiro que difere: a mesma interseção é emitida pela segunda vez.
 faulty-end-first-differs = O passo { $step } é o primeiro que difere: a aresta entra, e o seu fim é emitido antes da interseção.
 code-faulty-on-border = para cada borda de recorte: saída ← vazia; dentro é d > 0
@@ -250,15 +250,15 @@ words-faulty-end-first = A aresta entra: emita o seu fim e depois a interseção
 
 ## Weiler–Atherton
 
-wa-opening = Um polígono de { $n } vértices contra um de { $m }: os dois são escritos como listas de vértices, no sentido anti-horário.
+wa-opening = Um polígono de { $n } vértices é recortado por um de { $m }: os dois são escritos como listas de vértices, no sentido anti-horário.
 wa-vertex-subject = { $vertex } entra na lista do polígono a recortar. Agora: onde a aresta { $edge } encontra o polígono de recorte?
 wa-vertex-clip = { $vertex } entra na lista do polígono de recorte. Agora: as interseções na aresta { $edge }, em ordem.
 wa-found-crossing = { $node }: { $subject } cruza { $clip }.
 wa-found-on-edge = { $node }: o vértice { $vertex } está sobre a aresta { $edge }.
 wa-found-both = { $node }: os vértices { $subject } e { $clip } são o mesmo ponto.
 wa-meet-crossing = { $subject-edge } e { $clip-edge } se cruzam no interior das duas.
-wa-meet-subject-vertex = Um vértice do polígono a recortar está no interior de { $clip-edge }.
-wa-meet-clip-vertex = Um vértice do polígono de recorte está no interior de { $subject-edge }.
+wa-meet-subject-vertex = Um vértice do polígono a recortar está no interior da aresta { $clip-edge }.
+wa-meet-clip-vertex = Um vértice do polígono de recorte está no interior da aresta { $subject-edge }.
 wa-meet-both = As duas arestas começam no mesmo ponto.
 wa-inserted = { $node } entra também na lista do polígono de recorte, na aresta { $edge }.
 wa-inserted-vertex = Na lista do polígono de recorte, { $node } é o vértice { $vertex }.
@@ -298,7 +298,7 @@ wa-whole-clip-dropped = O polígono de recorte não muda de lista e está { $sid
 wa-hole = O furo { $hole } está dentro do anel { $ring }.
 wa-done-disjoint = Pronto: os dois polígonos não têm nenhum ponto em comum.
 wa-done-touching = Pronto: os dois polígonos se tocam, mas não têm área em comum.
-wa-done-subject = Pronto: o polígono a recortar está dentro do polígono de recorte e fica como está.
+wa-done-subject = Pronto: o polígono a recortar está dentro do polígono de recorte e não muda.
 wa-done-clip = Pronto: o polígono de recorte está dentro do polígono a recortar e é a resposta.
 wa-done-equal = Pronto: os dois polígonos são o mesmo, e a resposta também.
 wa-done-crossing =
@@ -321,14 +321,14 @@ code-wa-leave = em uma saída: siga pela lista C
 code-wa-close = de volta a um vértice emitido: feche o anel
 code-wa-whole = contornos sem entrada nem saída: dentro ⇒ um anel
 code-wa-holes = dê cada furo ao anel em volta dele
-words-wa-find = Copie o polígono a recortar, S, vértice a vértice para uma lista e, depois de cada vértice, as interseções na sua aresta, em ordem.
+words-wa-find = Copie em uma lista, vértice a vértice, o polígono a recortar, S. Depois de cada vértice, ponha as interseções da sua aresta, em ordem.
 words-wa-insert = Copie do mesmo modo o polígono de recorte C: as mesmas interseções, na ordem do seu próprio contorno.
 words-wa-label = Rotule cada interseção pelo que o polígono a recortar faz ali. Uma aresta comum conta como dentro se os dois contornos correm no mesmo sentido e como fora se correm em sentidos opostos.
 words-wa-start = Tome uma interseção de entrada por onde nenhum percurso passou ainda e comece ali, na lista do polígono a recortar.
 words-wa-follow = Siga a lista de vértice em vértice e emita cada um.
 words-wa-enter = Onde o polígono entra, e onde os contornos se estrangulam, siga pela lista do polígono a recortar.
 words-wa-leave = Onde o polígono sai, e onde os contornos se estrangulam, siga pela lista do polígono de recorte.
-words-wa-close = De volta a um vértice já emitido: o que fica entre as duas passagens é um anel. De volta ao começo, o percurso termina.
+words-wa-close = Quando o percurso chega a um vértice já emitido, o que fica entre as duas passagens é um anel. Quando chega ao seu começo, termina.
 words-wa-whole = Um contorno no qual nunca se muda de lista está inteiro dentro ou inteiro fora.
 words-wa-holes = Um furo pertence ao anel em que está.
 

@@ -12,7 +12,7 @@ export-same-name = { $first } 和 { $second } 都会成为 { $path }：什么也
 
 ## Wrong usage
 
-usage-no-such-command = 没有名为“{ $name }”的用法。
+usage-no-such-command = 没有名为“{ $name }”的命令。
 usage-no-such-argument = 这里不接受“{ $name }”。
 usage-value-missing = { $name } 需要一个值。
 usage-wrong-value = { $name } 不能是“{ $value }”。
@@ -54,7 +54,7 @@ object-culled = 剔除
 case-backs = 背面朝向视点的三角形
 case-too-many-raster-pixels = 共 { $found } 个像素：逐步报告最多 { $max } 个。加上 --events false 则不限数量，只给出答案。
 case-too-many-steps = 共 { $found } 步：报告最多 { $max } 步。加上 --events false 则不限步数，只给出答案。
-case-over-budget = 这次运行将超过 { $max } 步。此算法在任何机器上的上限都是这么多步。
+case-over-budget = 这次运行将超过 { $max } 步，这是此算法在任何机器上的上限。
 case-too-many-fragments = 这些三角形共覆盖 { $found } 个像素（被遮挡的也计入）：最多绘制 { $max } 个。
 json-number = 数
 json-numbers = 数的列表
@@ -76,7 +76,7 @@ case-point-inside = 在内部：该点不在任何平面的外侧。
 case-point-outside = 在外部：该点至少在一个平面的外侧。
 case-cull-inside = 在内部：没有平面与它相交。
 case-cull-outside = 在外部：平面 { $plane } 将其剔除，距离为 { $distance }。
-case-box-outside = 在外部：八个顶点全部位于某一平面的外侧。
+case-box-outside = 在外部：八个角全部在某一平面的外侧。
 case-cull-straddles = 跨界：至少有一个平面与它相交，且没有平面将其剔除。
 case-cull-in-vain = 按各平面判定为跨界，但它没有任何一点在内部：白白保留。
 case-front = 可见正面：n·e = { $dot }。
@@ -94,7 +94,7 @@ case-triangles = { $n } 个三角形：{ $triangles }
 
 report-title = 参考答案
 worksheet-title = 练习纸
-worksheet-how = 填写每一步得到的结果。有方框处，勾选所发生的情况。
+worksheet-how = 填写每一步得到的结果。有方框处，勾选正确的一项。
 report-case = 第 { $number } 题
 report-case-id = 第 { $number } 题（{ $id }）
 report-source = 出处

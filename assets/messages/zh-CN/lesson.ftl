@@ -108,7 +108,7 @@ expect-window = 应为：[xmin, ymin, xmax, ymax]，其中 xmin < xmax，ymin < 
 expect-point = 应为：一个点的两个数：[x, y]。
 expect-segment = 应为：一条线段的四个数：[x1, y1, x2, y2]。
 expect-segments = 应为：线段的列表 [[x1, y1, x2, y2], …]，或带有“count”和“seed”的“random”。
-expect-clip = 应为：凸多边形的至少三个角 [[x, y], …]，方向不限。
+expect-clip = 应为：凸多边形的至少三个顶点 [[x, y], …]，方向不限。
 expect-polygon = 应为：多边形的至少三个顶点 [[x, y], …]。
 expect-holes = 应为：内孔的列表，每个内孔至少三个顶点 [[[x, y], …], …]。
 expect-place = 应为：一个位置的三个数，[x, y, z]。
@@ -150,7 +150,7 @@ type-table = 由字段组成的表
 ## 网格文件
 
 problem-no-number = “{ $word }”不是有限的数。
-problem-too-few-numbers = 这里只有 { $count } 个数，需要 { $needed } 个。
+problem-too-few-numbers = 这一行只有 { $count } 个数，需要 { $needed } 个。
 problem-no-such-vertex = 没有编号为 { $index } 的顶点：文件中共有 { $count } 个。
 problem-no-such-uv = 没有编号为 { $index } 的纹理坐标：文件中共有 { $count } 组。该面不带纹理绘制。
 problem-face-too-short = 这个面只有 { $count } 个顶点，略去。
