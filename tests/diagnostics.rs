@@ -242,7 +242,7 @@ fn an_error_keeps_its_code_and_its_numbers() {
     };
     assert_eq!(
         Diagnostic::from(beyond).to_string(),
-        "The far plane must lie beyond the near one: far = 1/2 must be greater than near = 2."
+        "The far plane must lie beyond the near plane: far = 1/2 must be greater than near = 2."
     );
     let gone = FileError::from(io::Error::from(ErrorKind::NotFound));
     assert_eq!(

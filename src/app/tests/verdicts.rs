@@ -32,7 +32,7 @@ fn an_object_that_is_clicked_is_told_and_enter_goes_to_its_step() {
     assert_eq!(event["event"], "sphere");
     assert_eq!(event["class"], "outside");
     bench.key(Key::Home);
-    bench.click_on("Go to its step (Enter)");
+    bench.click_on("Go to that step (Enter)");
     assert_eq!(bench.app.position(), step);
     bench.key(Key::Escape);
     assert_eq!(bench.verdict(), None, "nothing is asked any more");

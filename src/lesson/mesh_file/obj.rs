@@ -290,15 +290,15 @@ f 0 1 2 => a.obj:4:3: error: There is no vertex 0: the file has 3.
 f 1 2 -4 => a.obj:4:7: error: There is no vertex -4: the file has 3.
 v 1 x 3 => a.obj:4:5: error: “x” is not a finite number.
 v 1 NaN 3 => a.obj:4:5: error: “NaN” is not a finite number.
-v 1 2 => a.obj:4:1: error: Only 2 numbers stand here, of 3.
- => a.obj:1:1: error: The file has no face that could be drawn.
+v 1 2 => a.obj:4:1: error: Numbers in this line: only 2 of 3.
+ => a.obj:1:1: error: The file has no face that can be drawn.
 ";
 
     const LEFT_OUT: &str = "
-f 1 2 => a.obj:5:1: warning: This face has only 2 corners: it is left out.
-f 1 2 1 3 => a.obj:5:1: warning: This face meets itself or has no area: it is left out.
-f 1 2 2 => a.obj:5:1: warning: 1 triangle has no area: nothing of it is seen.
-f 1/7 2 3 => a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without.
+f 1 2 => a.obj:5:1: warning: This face has only 2 vertices: it is left out.
+f 1 2 1 3 => a.obj:5:1: warning: This face crosses itself or has no area: it is left out.
+f 1 2 2 => a.obj:5:1: warning: 1 triangle has no area: it cannot be seen.
+f 1/7 2 3 => a.obj:5:3: warning: There are no texture coordinates 7: the file has 0. The face is drawn without them.
 ";
 
     #[test]
