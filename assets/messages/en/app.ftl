@@ -119,7 +119,7 @@ help-drag = Drag any handle, at any step: the run is then recorded again
 ## What the program reports
 
 status-exported = Exported to { $path }
-status-exporting = Exported { $count } of { $total } steps. Esc stops the export.
+status-exporting = Steps exported: { $count } of { $total }. Esc stops the export.
 status-export-failed = The figure could not be exported: { $reason }
 greeting = ← and → step through the run, Space plays it. Everything that has a handle can be dragged, at any step.
 status-restored = Your work from last time is back; undo removes it.

@@ -18,7 +18,7 @@ error-empty-box = The box is empty: { $low } = { $min } must not be greater than
 error-zero-normal = A plane needs a normal that is not zero.
 error-negative-radius = A radius must not be negative, but this one is { $radius }.
 error-no-vertices = Without any vertex there is no bounding volume.
-error-target-at-position = The camera has no direction: it stands where its target is.
+error-target-at-position = The camera has no direction: its position and its target are the same point.
 error-up-along-view = The camera’s up vector must not be zero, nor parallel to its direction of view.
 error-field-of-view = The field of view must lie between 0° and 180°, both excluded, but it is { $degrees }°.
 error-size = A size must be greater than 0, but this one is { $size }.

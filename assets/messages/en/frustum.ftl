@@ -334,7 +334,7 @@ verdict-straddles = Object { $object } straddles: the nearest plane is the { $pl
 verdict-inside = Object { $object } is inside: the nearest plane is the { $plane } plane, d = { $distance } ≥ r = { $radius }. Moved { $move } outwards, the object would be culled.
 verdict-face-in = Moved { $move } along the normal of the { $plane } plane, the face would no longer have all its vertices beyond one plane.
 verdict-face-never = No move along the normal of the { $plane } plane would change that.
-verdict-face-cut = No point of the face is inside all planes at once, so no move along one plane’s normal tells how far it is from being seen.
+verdict-face-cut = No point of the face is inside all planes at once, so a move along one plane’s normal tells nothing.
 verdict-face-turn-to = Turned { $angle }° about V₀, straight towards the camera, the face would begin to show its front.
 verdict-face-turn-away = Turned { $angle }° about V₀, straight away from the camera, the face would be edge-on and culled.
 verdict-face-no-normal = The face has no normal: no turn would show its front.

@@ -53,7 +53,7 @@ pipeline-view-ahead = Row 3 measures backwards: P lies { $value } in front of th
 pipeline-clip-x = Row 1 scales x, so that the left and right planes are at x = ±w.
 pipeline-clip-y = Row 2 scales y, so that the bottom and top planes are at y = ±w.
 pipeline-clip-z = Row 3 puts the near plane at z = −w and the far plane at z = w.
-pipeline-clip-w = Row 4 copies the depth into w: { $value }, by which the others will be divided.
+pipeline-clip-w = Row 4 copies the depth into w: { $value }. Later x, y and z are divided by it.
 pipeline-clip-w-parallel = Row 4 leaves w at 1: with parallel lines of sight no division is needed.
 pipeline-inside = P is inside: x, y and z lie between −w and w.
 pipeline-outside = P is outside: clipping removes it.

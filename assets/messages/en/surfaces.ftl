@@ -93,8 +93,20 @@ asks-of = { $count } of { $all }
 asks-ray-casting = each pixel: which triangle?
 asks-depth-buffer = each triangle: which pixels?
 asks-painter = each pair: which one first?
-raster-pairs = { $pairs } tests of pairs of { $triangles } triangles
-raster-questions = { $questions } tests by { $pixels } rays
+raster-pairs = { $pairs ->
+    [one] { $pairs } test of a pair
+   *[other] { $pairs } tests of pairs
+  } of { $triangles ->
+    [one] { $triangles } triangle
+   *[other] { $triangles } triangles
+  }
+raster-questions = { $questions ->
+    [one] { $questions } test
+   *[other] { $questions } tests
+  } by { $pixels ->
+    [one] { $pixels } ray
+   *[other] { $pixels } rays
+  }
 occlusion-triangles = Triangles of each object
 scale-near = near { $value }
 scale-far = { $value } far
@@ -276,7 +288,7 @@ words-bsp-node = The plane of the first triangle becomes a node.
 code-bsp-ask = for each other T: in front, behind, or in the plane
 words-bsp-ask = Every other triangle lies in front of the plane, behind it or in it.
 code-bsp-cut = T on both sides: cut in two; then build(front), build(back)
-words-bsp-cut = A triangle that lies on both sides is cut in two; then the part in front and the part behind are built.
+words-bsp-cut = A triangle on both sides is cut in two. Then build the tree in front and the tree behind.
 code-bsp-visit = walk(node): on which side is the eye?
 words-bsp-visit = Walking the tree, find at each node on which side the eye is.
 code-bsp-paint = walk(other side); paint node; walk(eye’s side)

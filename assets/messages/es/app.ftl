@@ -119,7 +119,7 @@ help-drag = Arrastra cualquier tirador, en cualquier paso: la ejecución se vuel
 ## What the program reports
 
 status-exported = Exportado en { $path }
-status-exporting = Exportados { $count } de { $total } pasos. Esc detiene la exportación.
+status-exporting = Pasos exportados: { $count } de { $total }. Esc detiene la exportación.
 status-export-failed = No se pudo exportar la figura: { $reason }
 greeting = ← y → recorren la ejecución paso a paso, Espacio la reproduce. Todo lo que tiene un tirador se puede arrastrar, en cualquier paso.
 status-restored = Tu trabajo de la última vez está de vuelta; deshacer lo quita.

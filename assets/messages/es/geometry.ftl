@@ -16,7 +16,7 @@ object-sphere = esfera
 object-box = caja
 object-triangle = triángulo
 object-eye = ojo
-object-view-direction = dirección de la mirada
+object-view-direction = dirección de visión
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

@@ -71,7 +71,7 @@ screen-nothing = no se ve nada
 
 ## Cases
 
-case-no-point = (0, 0, 0, 0) no es un punto del espacio de recorte.
+case-no-point = (0; 0; 0; 0) no es un punto del espacio de recorte.
 case-flat-box = La caja no tiene interior: { $low } y { $high } son ambos { $at }.
 
 ## Pseudocode

@@ -93,8 +93,20 @@ asks-of = { $count } de { $all }
 asks-ray-casting = cada píxel: ¿qué triángulo?
 asks-depth-buffer = cada triángulo: ¿qué píxeles?
 asks-painter = cada par: ¿cuál va antes?
-raster-pairs = { $pairs } pruebas de parejas de { $triangles } triángulos
-raster-questions = { $questions } pruebas de { $pixels } rayos
+raster-pairs = { $pairs ->
+    [one] { $pairs } prueba de una pareja
+   *[other] { $pairs } pruebas de parejas
+  } de { $triangles ->
+    [one] { $triangles } triángulo
+   *[other] { $triangles } triángulos
+  }
+raster-questions = { $questions ->
+    [one] { $questions } prueba
+   *[other] { $questions } pruebas
+  } de { $pixels ->
+    [one] { $pixels } rayo
+   *[other] { $pixels } rayos
+  }
 occlusion-triangles = Triángulos de cada objeto
 scale-near = cerca { $value }
 scale-far = { $value } lejos
@@ -276,7 +288,7 @@ words-bsp-node = El plano del primer triángulo pasa a ser un nodo.
 code-bsp-ask = para cada otro T: delante, detrás o en el plano
 words-bsp-ask = Cada uno de los demás está delante del plano, detrás o en él.
 code-bsp-cut = T a ambos lados: cortar en dos; construir(delante), construir(detrás)
-words-bsp-cut = El triángulo que está a ambos lados se corta en dos; luego se construye lo de delante y lo de detrás.
+words-bsp-cut = El triángulo que está a ambos lados se corta en dos. Después construye el árbol de delante y el de detrás.
 code-bsp-visit = recorrer(nodo): ¿de qué lado está el ojo?
 words-bsp-visit = Al recorrer el árbol, averigua en cada nodo de qué lado está el ojo.
 code-bsp-paint = recorrer(otro lado); pintar nodo; recorrer(lado del ojo)

@@ -119,7 +119,7 @@ help-drag = Arraste qualquer ponto de controle, em qualquer passo: a execução 
 ## What the program reports
 
 status-exported = Exportado para { $path }
-status-exporting = { $count } de { $total } passos exportados. Esc interrompe a exportação.
+status-exporting = Passos exportados: { $count } de { $total }. Esc interrompe a exportação.
 status-export-failed = Não foi possível exportar a figura: { $reason }
 greeting = ← e → percorrem a execução passo a passo, Espaço a reproduz. Tudo o que tem um ponto de controle pode ser arrastado, em qualquer passo.
 status-restored = Seu trabalho da última vez está de volta; desfazer o retira.

@@ -71,7 +71,7 @@ screen-nothing = nada se vê
 
 ## Cases
 
-case-no-point = (0, 0, 0, 0) não é um ponto do espaço de recorte.
+case-no-point = (0; 0; 0; 0) não é um ponto do espaço de recorte.
 case-flat-box = A caixa não tem interior: { $low } e { $high } são ambos { $at }.
 
 ## Pseudocode

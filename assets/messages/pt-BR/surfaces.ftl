@@ -93,8 +93,20 @@ asks-of = { $count } de { $all }
 asks-ray-casting = cada pixel: qual triângulo?
 asks-depth-buffer = cada triângulo: quais pixels?
 asks-painter = cada par: qual vem antes?
-raster-pairs = { $pairs } testes de pares de { $triangles } triângulos
-raster-questions = { $questions } testes de { $pixels } raios
+raster-pairs = { $pairs ->
+    [1] { $pairs } teste de um par
+   *[other] { $pairs } testes de pares
+  } de { $triangles ->
+    [1] { $triangles } triângulo
+   *[other] { $triangles } triângulos
+  }
+raster-questions = { $questions ->
+    [1] { $questions } teste
+   *[other] { $questions } testes
+  } de { $pixels ->
+    [1] { $pixels } raio
+   *[other] { $pixels } raios
+  }
 occlusion-triangles = Triângulos de cada objeto
 scale-near = perto { $value }
 scale-far = { $value } longe
@@ -276,7 +288,7 @@ words-bsp-node = O plano do primeiro triângulo passa a ser um nó.
 code-bsp-ask = para cada outro T: na frente, atrás ou no plano
 words-bsp-ask = Cada um dos outros está na frente do plano, atrás ou nele.
 code-bsp-cut = T dos dois lados: corte em dois; depois construa(frente), construa(atrás)
-words-bsp-cut = O triângulo que está dos dois lados é cortado em dois; depois se constrói o que está na frente e o que está atrás.
+words-bsp-cut = O triângulo que está dos dois lados é cortado em dois. Depois construa a árvore da frente e a de trás.
 code-bsp-visit = percorra(nó): de que lado está o olho?
 words-bsp-visit = Ao percorrer a árvore, determine em cada nó de que lado está o olho.
 code-bsp-paint = percorra(outro lado); pinte o nó; percorra(lado do olho)

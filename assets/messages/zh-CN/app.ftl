@@ -115,7 +115,7 @@ help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 ## What the program reports
 
 status-exported = 已导出到 { $path }
-status-exporting = 已导出 { $count } / { $total } 步。按 Esc 停止。
+status-exporting = 已导出 { $count } / { $total } 步。按 Esc 停止导出。
 status-export-failed = 无法导出此图：{ $reason }
 greeting = 按 ← 和 → 逐步走过运行过程，空格键播放。凡有控制柄之处，任何一步都可拖动。
 status-restored = 已恢复上次的内容；撤销即可去掉。
