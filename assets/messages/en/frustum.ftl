@@ -174,7 +174,7 @@ face-of-object = { $face } of object { $object }
 face-opening = Does the camera see the front of face { $face }?
 face-normal = Seen from outside, face { $face } runs counter-clockwise: its normal points outside.
 face-to-eye = The vector e leads from V₀ of face { $face } to the camera: e = eye − V₀.
-face-to-direction = In parallel projection e is the same for face { $face } as for all: it points back along the line of sight.
+face-to-direction = In parallel projection, for face { $face } as for all, e points back along the line of sight.
 face-products = For face { $face } the dot product and the determinant are the same number.
 face-front = Face { $face } faces the camera: drawn.
 face-back = Face { $face } faces away from the camera: culled.

@@ -6,7 +6,7 @@ alg-cohen-sutherland-3d = Cohen–Sutherland in space
 alg-liang-barsky-3d = Liang–Barsky in space
 alg-plane-line = Segment against planes
 alg-homogeneous-line = Segment before the divide
-alg-faulty-divide-first = Wrong: the divide comes first
+alg-faulty-divide-first = Wrong: divided first
 
 ## What is asked, and what comes of it
 

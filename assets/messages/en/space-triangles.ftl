@@ -3,15 +3,15 @@
 ## Methods
 
 alg-plane-at-a-time = Plane at a time
-alg-intersection-polygon = One polygon, divided into a fan at the end
+alg-intersection-polygon = One polygon, a fan at the end
 alg-textured-triangle = One polygon with a texture
 alg-homogeneous-triangle = Triangle before the divide
 alg-faulty-missed-edge = Wrong: with d₀ = 0 the triangle stays whole
 alg-faulty-on-plane = Wrong: on the plane counts as outside
 alg-faulty-kept-uv = Wrong: (u, v) is not interpolated
 alg-undivided-texture = Wrong: a texture without the divide
-alg-faulty-edge-by-edge = Wrong: three edges clipped as lines
-alg-faulty-all-sides = Wrong: all six sides, one after another
+alg-faulty-edge-by-edge = Wrong: edges clipped as lines
+alg-faulty-all-sides = Wrong: all six sides clip
 alg-faulty-divided-triangle = Wrong: the triangle is divided first
 
 ## Views
@@ -149,9 +149,9 @@ words-pat-pass = The triangles kept are the list for the next plane.
 
 ## Before the divide
 
-ht-opening = The triangle has { $n } vertices in clip space, of which { $behind } { $behind ->
-        [one] has
-       *[other] have
+ht-opening = Of { $n } vertices in clip space { $behind ->
+        [one] { $behind } has
+       *[other] { $behind } have
     } w ≤ 0: nothing is divided yet.
 ht-divide = All { $n } vertices are divided by their w.
 ht-codes-outside = All vertices are beyond the same side: rejected without clipping; sides with a bit set: { $sides }.

@@ -30,7 +30,7 @@ code-faulty-depth-compare = if z_T > z[pixel]
 words-faulty-depth-compare = Write the triangle where the new depth is greater.
 words-faulty-depth-compare-reversed = Write the triangle where the new depth is less, although 1 means near.
 code-faulty-depth-always = always
-words-faulty-depth-always = Write every fragment, without comparing depths.
+words-faulty-depth-always = Always write, without comparing depths.
 code-faulty-depth-straight = for each pixel in T: z_T ← distance, linear on the screen
 words-faulty-depth-straight = Interpolate the distance in view space linearly on the screen, without the divide.
 faulty-depth-clear-differs = Step { $step } is the first that differs: no depth is less than 0, so nothing will be written.
@@ -157,7 +157,7 @@ code-ray-parallel = if n·r = 0: no hit
 words-ray-parallel = A ray that is parallel to the plane does not meet it.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Find where the ray meets the plane.
-code-ray-range = if t < 1 or beyond the far plane: no hit
+code-ray-range = if t < 1 or beyond far plane: no hit
 words-ray-range = Nothing is seen behind the eye, in front of the near plane or beyond the far plane.
 code-ray-inside = if o + t · r in T: hit
 words-ray-inside = If that point lies in the triangle, it is a hit.
@@ -196,9 +196,9 @@ ray-done = Done: { $rays ->
 ray-culled = not tested
 ray-parallel = parallel
 ray-behind = behind the eye
-ray-before-near = in front of the near plane
-ray-beyond-far = beyond the far plane
-ray-beside = outside the triangle
+ray-before-near = in front of near plane
+ray-beyond-far = beyond far plane
+ray-beside = outside
 ray-hit = behind
 ray-nearest = nearest
 ray-eye = eye
@@ -250,7 +250,7 @@ painter-ask-depths = 1  Is { $triangle } farther away than all of { $other }?
 painter-ask-screen = 2  Are they apart on the screen?
 painter-ask-behind = 3  Is { $triangle } behind the plane of { $other }?
 painter-ask-before = 4  Is { $other } in front of the plane of { $triangle }?
-painter-ask-overlap = 5  Is { $triangle } nowhere nearer on the screen?
+painter-ask-overlap = 5  Is { $triangle } nowhere nearer?
 painter-yes = yes
 painter-no = no
 painter-not-asked = not tested
@@ -296,7 +296,7 @@ words-bsp-paint = First comes the other side, then the node itself, then the eye
 bsp-opening = { $triangles ->
     [one] One triangle becomes
    *[other] { $triangles } triangles become
-  } a tree of planes. It is built once and walked for each position of the eye.
+  } a tree of planes, which is built once and walked for each position of the eye.
 bsp-node-root = The plane of { $triangle } is the first node.
 bsp-node-front = The first triangle in front of { $parent } is { $triangle }: its plane is the next node.
 bsp-node-back = The first triangle behind { $parent } is { $triangle }: its plane is the next node.
@@ -342,7 +342,7 @@ alg-occlusion = Occlusion query
 code-occlusion-occluders = for each occluder: draw it
 words-occlusion-occluders = Draw the objects that hide much of the picture.
 code-occlusion-others = for each other P: if box(P) reaches the near plane: draw P
-words-occlusion-others = Take the other objects one by one. If its box reaches the near plane, draw the object without a query.
+words-occlusion-others = Take the others one by one. If the box of one reaches the near plane, draw it without a query.
 code-occlusion-ask = n ← pixels of box(P) where z_box ≤ z[pixel]
 words-occlusion-ask = Count the pixels at which its box would be seen. Write nothing.
 code-occlusion-skip = if n = 0: skip P

@@ -174,7 +174,7 @@ face-of-object = { $face } del objeto { $object }
 face-opening = ¿Está la cara { $face } de frente a la cámara?
 face-normal = Vista desde fuera, la cara { $face } se recorre en sentido antihorario: su normal apunta hacia fuera.
 face-to-eye = El vector e va de V₀ de la cara { $face } a la cámara: e = ojo − V₀.
-face-to-direction = En proyección paralela, e es para la cara { $face } como para todas: va en contra de la línea de visión.
+face-to-direction = En proyección paralela, para la cara { $face } como para todas, e va en contra de la línea de visión.
 face-products = Para la cara { $face }, el producto escalar y el determinante son el mismo número.
 face-front = La cara { $face } está de frente a la cámara: se dibuja.
 face-back = La cara { $face } está de espaldas a la cámara: se descarta.

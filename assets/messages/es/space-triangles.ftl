@@ -10,7 +10,7 @@ alg-faulty-missed-edge = Erróneo: con d₀ = 0 el triángulo queda entero
 alg-faulty-on-plane = Erróneo: estar en el plano cuenta como fuera
 alg-faulty-kept-uv = Erróneo: (u, v) no se interpola
 alg-undivided-texture = Erróneo: una textura sin la división
-alg-faulty-edge-by-edge = Erróneo: tres aristas recortadas como segmentos
+alg-faulty-edge-by-edge = Erróneo: cada arista como un segmento
 alg-faulty-all-sides = Erróneo: los seis lados, uno tras otro
 alg-faulty-divided-triangle = Erróneo: el triángulo se divide primero
 

@@ -30,7 +30,7 @@ code-faulty-depth-compare = si z_T > z[píxel]
 words-faulty-depth-compare = Escribe el triángulo donde la nueva profundidad es mayor.
 words-faulty-depth-compare-reversed = Escribe el triángulo donde la nueva profundidad es menor, aunque 1 significa cerca.
 code-faulty-depth-always = siempre
-words-faulty-depth-always = Escribe todos los fragmentos, sin comparar profundidades.
+words-faulty-depth-always = Escribe siempre, sin comparar profundidades.
 code-faulty-depth-straight = para cada píxel de T: z_T ← distancia, interpolada en la pantalla
 words-faulty-depth-straight = Interpola la distancia en el espacio de vista linealmente en la pantalla, sin la división.
 faulty-depth-clear-differs = El paso { $step } es el primero que difiere: ninguna profundidad es menor que 0, así que no se escribirá nada.
@@ -160,7 +160,7 @@ code-ray-parallel = si n·r = 0: sin impacto
 words-ray-parallel = Un rayo paralelo al plano no lo corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Halla dónde corta el rayo el plano.
-code-ray-range = si t < 1 o más allá del plano lejano: sin impacto
+code-ray-range = si t < 1 o tras el plano lejano: sin impacto
 words-ray-range = Detrás del ojo, antes del plano cercano y más allá del lejano no se ve nada.
 code-ray-inside = si o + t · r está en T: impacto
 words-ray-inside = Si ese punto está en el triángulo, hay impacto.
@@ -201,7 +201,7 @@ ray-parallel = paralelo
 ray-behind = tras el ojo
 ray-before-near = antes del plano cercano
 ray-beyond-far = más allá del plano lejano
-ray-beside = fuera del triángulo
+ray-beside = fuera
 ray-hit = detrás
 ray-nearest = el más cercano
 ray-eye = ojo
@@ -390,7 +390,7 @@ occlusion-in-vain = { $object } se dibuja en vano, { $triangles ->
   } su caja se vería en { $passed ->
     [one] un píxel,
    *[other] { $passed } píxeles,
-  } { $object } mismo en ninguno. La consulta puede conservar un objeto oculto, pero nunca descarta uno visible.
+  } { $object } mismo en ninguno. La consulta puede conservar lo oculto, pero nunca descarta lo visible.
 occlusion-done = Terminado: { $drawn ->
     [one] uno dibujado
    *[other] { $drawn } dibujados

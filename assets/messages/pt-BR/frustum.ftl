@@ -174,7 +174,7 @@ face-of-object = { $face } do objeto { $object }
 face-opening = A face { $face } está de frente para a câmera?
 face-normal = Vista de fora, a face { $face } é percorrida no sentido anti-horário: sua normal aponta para fora.
 face-to-eye = O vetor e vai de V₀ da face { $face } à câmera: e = olho − V₀.
-face-to-direction = Na projeção paralela, e é para a face { $face } como para todas: vai contra a linha de visão.
+face-to-direction = Na projeção paralela, para a face { $face } como para todas, e vai contra a linha de visão.
 face-products = Para a face { $face }, o produto escalar e o determinante são o mesmo número.
 face-front = A face { $face } está de frente para a câmera: desenhada.
 face-back = A face { $face } está de costas para a câmera: descartada.

@@ -10,7 +10,7 @@ alg-faulty-missed-edge = Errado: com d₀ = 0 o triângulo fica inteiro
 alg-faulty-on-plane = Errado: sobre o plano conta como fora
 alg-faulty-kept-uv = Errado: (u, v) não é interpolado
 alg-undivided-texture = Errado: uma textura sem a divisão
-alg-faulty-edge-by-edge = Errado: três arestas recortadas como segmentos
+alg-faulty-edge-by-edge = Errado: cada aresta como um segmento
 alg-faulty-all-sides = Errado: os seis lados, um após o outro
 alg-faulty-divided-triangle = Errado: o triângulo é dividido primeiro
 

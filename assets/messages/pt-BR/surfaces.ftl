@@ -30,7 +30,7 @@ code-faulty-depth-compare = se z_T > z[pixel]
 words-faulty-depth-compare = Escreva o triângulo onde a nova profundidade é maior.
 words-faulty-depth-compare-reversed = Escreva o triângulo onde a nova profundidade é menor, embora 1 signifique perto.
 code-faulty-depth-always = sempre
-words-faulty-depth-always = Escreva todos os fragmentos, sem comparar profundidades.
+words-faulty-depth-always = Escreva sempre, sem comparar profundidades.
 code-faulty-depth-straight = para cada pixel de T: z_T ← distância, interpolada na tela
 words-faulty-depth-straight = Interpole a distância no espaço de visão linearmente na tela, sem a divisão.
 faulty-depth-clear-differs = O passo { $step } é o primeiro que difere: nenhuma profundidade é menor que 0, então nada será escrito.
@@ -156,11 +156,11 @@ code-ray-pixel = para cada pixel: raio o + t · r pelo seu centro
 words-ray-pixel = Para cada pixel, tome o raio que sai do olho e passa pelo seu centro.
 code-ray-triangle = para cada triângulo T, plano n·p + d = 0
 words-ray-triangle = Teste todos os triângulos.
-code-ray-parallel = se n·r = 0: sem interseção
+code-ray-parallel = se n·r = 0: não atingido
 words-ray-parallel = Um raio paralelo ao plano não o corta.
 code-ray-plane = t ← −(n·o + d) / (n·r)
 words-ray-plane = Calcule onde o raio corta o plano.
-code-ray-range = se t < 1 ou além do plano distante: sem interseção
+code-ray-range = se t < 1 ou além do plano distante: não atingido
 words-ray-range = Atrás do olho, antes do plano próximo e além do distante nada se vê.
 code-ray-inside = se o + t · r está em T: atingido
 words-ray-inside = Se esse ponto está no triângulo, o raio o atinge.
@@ -201,7 +201,7 @@ ray-parallel = paralelo
 ray-behind = atrás do olho
 ray-before-near = antes do plano próximo
 ray-beyond-far = além do plano distante
-ray-beside = fora do triângulo
+ray-beside = fora
 ray-hit = atrás
 ray-nearest = mais próximo
 ray-eye = olho
@@ -390,7 +390,7 @@ occlusion-in-vain = { $object } é desenhado em vão, { $triangles ->
   } sua caixa seria vista em { $passed ->
     [1] um pixel,
    *[other] { $passed } pixels,
-  } o próprio { $object } em nenhum. A consulta pode manter um objeto escondido, mas nunca descarta um visível.
+  } o próprio { $object } em nenhum. A consulta pode manter o oculto, mas nunca descarta o visível.
 occlusion-done = Pronto: { $drawn ->
     [1] um desenhado
    *[other] { $drawn } desenhados

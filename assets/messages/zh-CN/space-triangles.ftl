@@ -10,7 +10,7 @@ alg-faulty-missed-edge = 错误：d₀ = 0 时三角形原样保留
 alg-faulty-on-plane = 错误：平面上算外侧
 alg-faulty-kept-uv = 错误：(u, v) 没有插值
 alg-undivided-texture = 错误：贴图时不做除法
-alg-faulty-edge-by-edge = 错误：三条边当作线段各自裁剪
+alg-faulty-edge-by-edge = 错误：把边当作线段裁剪
 alg-faulty-all-sides = 错误：六个面全都裁剪
 alg-faulty-divided-triangle = 错误：先除以 w，再裁剪
 
