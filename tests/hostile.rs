@@ -247,6 +247,18 @@ fn no_escape_sequence_reaches_the_terminal() {
     }
 }
 
+/// A long text's places are not those of a short one.
+#[test]
+fn of_several_lessons_each_is_read_from_its_own_folder() {
+    let desk = Desk::new();
+    let objects = "objects = [{ solid = \"cube\" }]";
+    desk.lesson("long", objects, &"A long title ".repeat(40));
+    desk.lesson("short", objects, "Short");
+    let output = desk.run(&["check", "short", "long", "short", "--filled"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert_eq!(said(&output).matches("Short").count(), 2);
+}
+
 #[test]
 fn a_filter_fits_a_pipeline() {
     let desk = Desk::new();

@@ -15,6 +15,7 @@ mod case;
 mod course;
 mod diagnostics;
 mod ear_clipping;
+mod forms;
 mod line_exactness;
 mod messages;
 mod moments;

@@ -180,17 +180,17 @@ pub(super) struct Args {
 }
 
 /// The texts of lessons with references filled in, one after the other.
-fn filled(paths: &[PathBuf], lessons: &[Lesson], lang: Lang) -> String {
-    let folders = paths.iter().map(Folder::new);
-    let sources: Vec<Folder> = folders.collect();
-    let read = |lesson: &Lesson| {
+fn filled(chosen: &Chosen, lang: Lang) -> String {
+    let read = |(lesson, asked): (&Lesson, &String)| {
         let path = format!("{}/{lang}.md", lesson.id);
-        let found = sources.iter().find_map(|folder| folder.read(&path).ok());
+        // Each from where it was found: a folder of one lesson answers to any lesson's name.
+        let found = Folder::new(asked).read(&path).ok();
         let bytes = found.or_else(|| Embedded.read(&path).ok())?;
         let source = String::from_utf8(bytes).ok()?;
         Some(lesson.filled(source.trim_start_matches('\u{feff}'), lang))
     };
-    lessons.iter().filter_map(read).collect()
+    let lessons = chosen.lessons.iter().zip(&chosen.asked);
+    lessons.filter_map(read).collect()
 }
 
 /// What the texts of lessons can refer to, step by step.
@@ -221,7 +221,7 @@ pub(super) fn check(args: &Args) -> Outcome {
     ];
     let mut sum = String::new();
     if args.filled {
-        sum += &filled(&args.lessons, &chosen.lessons, args.lang);
+        sum += &filled(&chosen, args.lang);
     }
     if args.names {
         sum += &names(&chosen.lessons, Catalog::of(args.lang));

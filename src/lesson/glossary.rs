@@ -14,6 +14,9 @@ pub struct Word {
     pub forms: Vec<String>,
     /// What it is, in a sentence.
     pub says: String,
+    /// What must not be said for it: another word for the same thing, or one that means something else.
+    #[serde(default)]
+    pub never: Vec<String>,
 }
 
 /// The terms by their ids, each in every language.

@@ -102,20 +102,39 @@ impl Catalog {
         let mut rest = &text[..];
         let value_at = |(at, c): (usize, char)| Some((at, c, place(c)?));
         while let Some((at, c, i)) = rest.char_indices().find_map(value_at) {
-            pieces.extend(Piece::words(&rest[..at]));
-            match message.args.get(i) {
-                Some((_, Value::Message(inner))) => {
-                    pieces.extend(self.message_pieces_as(inner, notation));
-                }
-                Some((_, value)) => {
-                    pieces.push(Piece::Kept(self.value_pieces_as(value, notation)));
-                }
-                None => {}
-            }
-            rest = &rest[at + c.len_utf8()..];
+            let (before, after) = (&rest[..at], &rest[at + c.len_utf8()..]);
+            pieces.extend(Piece::words(before));
+            let value = match message.args.get(i) {
+                Some((_, Value::Message(inner))) => self.message_pieces_as(inner, notation),
+                Some((_, value)) => vec![Piece::Kept(self.value_pieces_as(value, notation))],
+                None => Vec::new(),
+            };
+            let [start, end] = self.spaces_around(&value, (before, after));
+            pieces.extend(start);
+            pieces.extend(value);
+            pieces.extend(end);
+            rest = after;
         }
         pieces.extend(Piece::words(rest));
         pieces
+    }
+
+    /// Chinese keeps Latin letters and digits apart from its characters, also where a value stands beside them.
+    fn spaces_around(&self, value: &[Piece], (before, after): (&str, &str)) -> [Option<Piece>; 2] {
+        if self.lang != Lang::ZhCn {
+            return [None, None];
+        }
+        let is_han = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
+        let value = Piece::plain(value);
+        let joints = [
+            before.chars().next_back().zip(value.chars().next()),
+            value.chars().next_back().zip(after.chars().next()),
+        ];
+        joints.map(|joint| {
+            let (left, right) = joint?;
+            let are_words = left.is_alphanumeric() && right.is_alphanumeric();
+            (are_words && is_han(left) != is_han(right)).then(|| Piece::Text(" ".to_owned()))
+        })
     }
 
     pub fn term(&self, key: &str) -> String {
@@ -255,6 +274,19 @@ mod tests {
         ] {
             assert_eq!(Catalog::of(lang).message(&handle), expected);
         }
+    }
+
+    #[test]
+    fn chinese_keeps_a_latin_name_apart_and_no_other() {
+        let apart = |lang: Lang, name: &str| {
+            let spaces = Catalog::of(lang).spaces_around(&Piece::words(name), ("在", "平面，"));
+            spaces.map(|space| space.is_some())
+        };
+        assert_eq!(apart(Lang::ZhCn, "H₁"), [true, true]);
+        assert_eq!(apart(Lang::ZhCn, "左"), [false, false]);
+        assert_eq!(apart(Lang::En, "H₁"), [false, false]);
+        let ends = Catalog::of(Lang::ZhCn).spaces_around(&Piece::words("P"), ("", "。"));
+        assert!(ends.iter().all(Option::is_none));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use clipscope::{
     labs::LABS,
     lesson::{Block, Course, Inline, glossary},
-    text::{Catalog, Lang},
+    text::{AREAS, Catalog, Lang, sources},
 };
 
 /// What stands in bold in the English course and is no term: what the eye should rest on.
@@ -153,4 +153,35 @@ fn every_term_of_the_course_has_an_entry() {
     without.sort_unstable();
     without.dedup();
     assert!(without.is_empty(), "{without:#?}");
+}
+
+/// Every message and every lesson's file, with where it is said.
+fn said(lang: Lang) -> Vec<(String, String)> {
+    let messages = AREAS.iter().zip(sources(lang)).flat_map(|(area, source)| {
+        let lines = source.lines().filter(|line| !line.starts_with('#'));
+        lines.map(move |line| (format!("{area}.ftl"), line.to_lowercase()))
+    });
+    let course = Course::embedded();
+    let lessons = course.lessons.iter().flat_map(|lesson| {
+        (0..lesson.steps.len()).map(move |step| {
+            let text = lesson.step_text(step, lang).expect("a text a step");
+            let words: String = inlines(&text.body).iter().map(|it| &*it.text).collect();
+            let place = format!("{}, step {}", lesson.id, step + 1);
+            (place, format!("{}\n{words}", text.title).to_lowercase())
+        })
+    });
+    messages.chain(lessons).collect()
+}
+
+#[test]
+fn no_text_says_what_must_not_be_said() {
+    let mut wrong = Vec::new();
+    for lang in Lang::ALL {
+        let said = said(lang);
+        for never in glossary().values().flat_map(|term| &term[&lang].never) {
+            let found = said.iter().filter(|(_, text)| text.contains(never));
+            wrong.extend(found.map(|(place, _)| format!("{lang} {place}: “{never}”")));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -125,3 +125,62 @@ fn a_presenter_draws_while_b_is_held_and_the_next_step_is_clean() {
     bench.key(Key::ArrowRight);
     assert_eq!((bench.app.position(), drawn(&bench)), (1, Vec::new()));
 }
+
+/// In a window of a projector, from the smallest on.
+#[test]
+fn the_methods_name_stands_whole_in_the_bar_or_is_cut_but_read_and_every_menu_is_there() {
+    for (lang, size) in Lang::ALL.into_iter().flat_map(|lang| {
+        let sizes = [vec2(1024.0, 768.0), vec2(1280.0, 720.0)];
+        sizes.map(|size| (lang, size))
+    }) {
+        let mut bench = Bench::seen(lang, ThemeKind::Projector, size);
+        bench.ctx.enable_accesskit();
+        for at in [[1, 1], [8, 1], [20, 1], [33, 1]] {
+            bench.command(Command::Open(at));
+            for _ in 0..2 {
+                let name = Catalog::of(lang).term(bench.document().methods()[0].name_key);
+                let begins: String = name.chars().take(4).collect();
+                let texts = bench.texts();
+                let in_bar = |(text, rect): &&(String, Rect)| {
+                    rect.bottom() < 52.0 && text.starts_with(&begins)
+                };
+                assert!(
+                    texts.iter().any(|it| in_bar(&it)),
+                    "{lang:?} {size}: {name}"
+                );
+                let names = crate::app::menus::names(&bench.app);
+                let is_there = |name: &String| bench.names.iter().any(|(it, _)| it == name);
+                let more = Catalog::of(lang).term("menu-more");
+                assert!(names.iter().all(is_there) || is_there(&more), "{lang:?}");
+                // And once more with the course unfolded.
+                bench.command(Command::Course);
+            }
+        }
+    }
+}
+
+#[test]
+fn where_the_course_is_folded_a_button_shows_the_question_and_the_page_key_its_answer() {
+    let mut bench = Bench::seen(Lang::En, ThemeKind::Projector, SIZE);
+    let asks = (0..8).find(|&step| {
+        bench.command(Command::Open([2, step]));
+        bench.app.has_answer()
+    });
+    let step = asks.expect("a step of the lesson asks");
+    let before = bench.texts().len();
+    let button = bench.names.iter().find(|(name, _)| name == "What is asked");
+    let place = button.expect("in the strip").1.center();
+    bench.tap(place);
+    bench.settle();
+    assert!(bench.texts().len() > before, "the question");
+    assert!(
+        bench
+            .names
+            .iter()
+            .any(|(name, _)| name == "Show the answer")
+    );
+    bench.key(Key::PageDown);
+    assert!(bench.app.shown.is_answered);
+    bench.key(Key::PageDown);
+    assert_ne!(bench.app.bookmark.at, [2, step]);
+}

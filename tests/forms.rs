@@ -1,0 +1,125 @@
+//! Messages with the values that grammar stumbles over: none, one and many things, decimals, names in another script.
+
+use clipscope::text::{AREAS, Catalog, Lang, Message, Value, sources};
+
+use crate::messages::messages;
+
+/// Languages that tell one thing from several.
+const WITH_PLURALS: [Lang; 3] = [Lang::En, Lang::Es, Lang::PtBr];
+/// Words that end as plurals do, and are none.
+const SINGULAR: [&str; 28] = [
+    "is", "was", "has", "this", "its", "as", "less", "axis", "plus", "minus", "times", "across",
+    "class", "always", "es", "más", "menos", "tras", "los", "las", "mais", "dos", "das", "nos",
+    "nas", "os", "través", "antes",
+];
+
+/// Every message of a language with each variable of this value.
+fn said(lang: Lang, value: &Value) -> Vec<(String, String)> {
+    let all = sources(Lang::En).into_iter().flat_map(messages);
+    let said = all.map(|(key, variables)| {
+        let mut message = Message::new(String::leak(key));
+        for name in variables {
+            message = message.with(String::leak(name), value.clone());
+        }
+        (message.key.to_owned(), Catalog::of(lang).message(&message))
+    });
+    said.collect()
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split([' ', '\u{a0}', '\u{202f}', '\n'])
+}
+
+#[test]
+fn one_thing_is_no_plural() {
+    let mut faults = Vec::new();
+    for lang in WITH_PLURALS {
+        for (key, text) in said(lang, &Value::Count(1)) {
+            let pairs = words(&text).zip(words(&text).skip(1));
+            let after_one = pairs.filter(|(word, _)| word.trim_start_matches(['(', '[']) == "1");
+            let mut nouns =
+                after_one.map(|(_, noun)| noun.trim_end_matches([',', '.', ':', ';', ')']));
+            if let Some(noun) = nouns.find(|it| it.ends_with('s') && !SINGULAR.contains(it)) {
+                faults.push(format!("{lang} {key}: 1 {noun} in “{text}”"));
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{} of\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
+}
+
+/// Where a message says nothing of its own of no things.
+#[test]
+fn no_things_are_said_as_five_are() {
+    let mut faults = Vec::new();
+    for lang in WITH_PLURALS {
+        let texts: String = sources(lang).concat();
+        let [none, five] = [0, 5].map(|n| said(lang, &Value::Count(n)));
+        for ((key, none), (_, five)) in none.into_iter().zip(five) {
+            if none.replace('0', "5") != five.replace('0', "5") && !has_form(&texts, &key, "[0]") {
+                faults.push(format!("{lang} {key}: “{none}”, “{five}”"));
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{} of\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
+}
+
+/// Does a message have a form of its own for this number?
+fn has_form(texts: &str, key: &str, form: &str) -> bool {
+    let start = format!("\n{key} =");
+    let message = format!("\n{texts}")
+        .split_once(&start)
+        .map(|(_, rest)| rest.to_owned());
+    message.is_some_and(|rest| {
+        let lines = rest.lines().enumerate();
+        let mut own =
+            lines.take_while(|(i, line)| *i == 0 || line.starts_with(' ') || line.is_empty());
+        own.any(|(_, line)| line.contains(form))
+    })
+}
+
+/// `1,5, 2,5` could be four numbers.
+#[test]
+fn no_comma_follows_a_decimal_comma() {
+    for lang in [Lang::Es, Lang::PtBr] {
+        for (key, text) in said(lang, &Value::Number(1.5)) {
+            let followed = text.match_indices("1,5, ").next();
+            let is_list = followed.is_some_and(|(at, _)| {
+                text[at + "1,5, ".len()..].starts_with(|c: char| c.is_ascii_digit())
+            });
+            assert!(!is_list, "{lang} {key}: {text}");
+        }
+    }
+}
+
+#[test]
+fn chinese_keeps_latin_letters_and_digits_apart() {
+    let is_han = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
+    let is_latin = |c: char| c.is_alphanumeric() && !is_han(c);
+    let mut faults = Vec::new();
+    for value in [Value::Name("H₁".to_owned()), Value::Count(7)] {
+        for (key, text) in said(Lang::ZhCn, &value) {
+            let next = text.chars().skip(1);
+            let mut pairs = text.chars().zip(next);
+            if pairs.any(|(a, b)| is_han(a) && is_latin(b) || is_latin(a) && is_han(b)) {
+                faults.push(format!("{key}: {text}"));
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{} of {}\n{}",
+        faults.len(),
+        AREAS.len(),
+        faults.join("\n")
+    );
+}
