@@ -122,7 +122,10 @@ depth-done-distance = Done: the distances of { $pixels ->
     [one] one pixel
    *[other] { $pixels } pixels
   } go from { $least } to { $most }.
-depth-done-nothing = Done: { $fragments } fragments, none of them written.
+depth-done-nothing = Done: { $fragments ->
+    [one] { $fragments } fragment,
+   *[other] { $fragments } fragments,
+  } none of them written.
 curve-whole = Depth over distance
 curve-enlarged = Enlarged
 curve-forward = Not reversed

@@ -138,7 +138,7 @@ report-noted = { $value } ({ $note })
 
 ## The trace, check and list commands
 
-trace-refused-at = línea { $line }, { $case }: { $problem }
+trace-refused-at = línea { $line } ({ $case }): { $problem }
 trace-more-refused = y { $count } más
 trace-from-terminal = Se leen casos del teclado, uno por línea; Ctrl+D termina.
 trace-not-written = No se pudieron escribir las respuestas: { $reason }

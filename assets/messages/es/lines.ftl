@@ -87,7 +87,7 @@ bit-order-lrbt = izquierda, derecha, abajo, arriba
 ## Liang–Barsky
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x e y cambian en Δx y Δy.
-lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
+lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
 lb-parallel-inside = Paralelo al { $edge } y por dentro: este borde, por sí solo, no decide nada.
 lb-parallel-outside = Paralelo al { $edge } y por fuera: ningún valor de u sirve.
 lb-enter = La recta entra por el { $edge }: u_min sube.

@@ -20,8 +20,8 @@ space-screen-title = Pantalla, en píxeles
 object-vertex = Vértice
 pipeline-note-world = tamaño, giro y lugar del objeto
 pipeline-note-view = cámara en { $at }
-pipeline-note-clip = { $angle }°, { $aspect } : 1, plano cercano { $near }, lejano { $far }
-pipeline-note-clip-parallel = altura { $height }, { $aspect } : 1, plano cercano { $near }, lejano { $far }
+pipeline-note-clip = { $angle }°; { $aspect } : 1; plano cercano { $near }, lejano { $far }
+pipeline-note-clip-parallel = altura { $height }; { $aspect } : 1; plano cercano { $near }, lejano { $far }
 
 ## Pseudocódigo
 

@@ -24,8 +24,8 @@ space-line-point = Se acepta: los dos extremos son el mismo punto { $at }, y est
 
 space-line-code-inside = { $end } está dentro: { $code } = { $bits }.
 space-line-code-one = { $end } está más allá del plano { $first }: { $code } = { $bits }.
-space-line-code-two = { $end } está más allá de dos planos, { $first } y { $second }: { $code } = { $bits }.
-space-line-code-three = { $end } está más allá de tres planos, { $first }, { $second } y { $third }: { $code } = { $bits }.
+space-line-code-two = { $end } está más allá de dos planos, el { $first } y el { $second }: { $code } = { $bits }.
+space-line-code-three = { $end } está más allá de tres planos: el { $first }, el { $second } y el { $third }; { $code } = { $bits }.
 space-line-or-accept = OR = { $bits }: los dos extremos están dentro.
 space-line-or-open = OR = { $bits } ≠ 000000: no todo está dentro.
 space-line-and-open = AND = { $bits }: ninguna cara deja fuera los dos extremos. Los códigos no deciden.

@@ -48,7 +48,7 @@ depth-clear = La imagen está vacía: { $pixels ->
     [one] el píxel no muestra
    *[other] ninguno de los { $pixels } píxeles muestra
   } aún un triángulo.
-depth-triangle = Llega { $triangle }, { $place } de { $triangles }.
+depth-triangle = Llega { $triangle } ({ $place } de { $triangles }).
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
 depth-answer-drawn = { $triangle } se dibuja.
 depth-triangle-whole = { $triangle } está dibujado. Sus fragmentos: { $fragments }; más cerca que lo guardado: { $writes }.
@@ -57,9 +57,9 @@ depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: { 
    *[other] de { $fragments } fragmentos
   } se escriben { $writes }.
 depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.
-depth-fragment-kept = En el píxel { $at }, { $triangle } está más cerca que { $other }: se escribe.
-depth-fragment-lost = En el píxel { $at }, { $triangle } no está más cerca que { $other }: { $other } no cambia.
-depth-fragment-tie = En el píxel { $at }, { $triangle } está tan cerca como { $other }: { $other } llegó antes y se conserva.
+depth-fragment-kept = { $triangle } está más cerca que { $other } en el píxel { $at }: se escribe.
+depth-fragment-lost = { $triangle } no está más cerca que { $other } en el píxel { $at }: { $other } no cambia.
+depth-fragment-tie = { $triangle } está tan cerca como { $other } en el píxel { $at }: { $other } llegó antes y se conserva.
 depth-fragment-lost-to-nothing = En el píxel { $at } no se escribe { $triangle }, aunque allí no había nada.
 depth-nothing = nada
 depth-done = Terminado: { $fragments ->

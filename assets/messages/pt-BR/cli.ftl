@@ -138,7 +138,7 @@ report-noted = { $value } ({ $note })
 
 ## The trace, check and list commands
 
-trace-refused-at = linha { $line }, { $case }: { $problem }
+trace-refused-at = linha { $line } ({ $case }): { $problem }
 trace-more-refused = e mais { $count }
 trace-from-terminal = Lendo casos do teclado, um por linha; Ctrl+D encerra.
 trace-not-written = Não foi possível escrever as respostas: { $reason }

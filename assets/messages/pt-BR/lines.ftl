@@ -87,7 +87,7 @@ bit-order-lrbt = esquerda, direita, inferior, superior
 ## Liang–Barsky
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x varia Δx e y varia Δy.
-lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
+lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
 lb-parallel-inside = Paralelo à { $edge }, do lado de dentro: este lado, sozinho, não decide nada.
 lb-parallel-outside = Paralelo à { $edge }, do lado de fora: nenhum u serve.
 lb-enter = A reta entra pela { $edge }: u_min sobe.

@@ -20,8 +20,8 @@ space-screen-title = Tela, em pixels
 object-vertex = Vértice
 pipeline-note-world = tamanho, giro e lugar do objeto
 pipeline-note-view = câmera em { $at }
-pipeline-note-clip = { $angle }°, { $aspect } : 1, plano próximo { $near }, distante { $far }
-pipeline-note-clip-parallel = altura { $height }, { $aspect } : 1, plano próximo { $near }, distante { $far }
+pipeline-note-clip = { $angle }°; { $aspect } : 1; plano próximo { $near }, distante { $far }
+pipeline-note-clip-parallel = altura { $height }; { $aspect } : 1; plano próximo { $near }, distante { $far }
 
 ## Pseudocódigo
 

@@ -24,8 +24,8 @@ space-line-point = Aceito: os dois extremos são o mesmo ponto { $at }, e ele es
 
 space-line-code-inside = { $end } está dentro: { $code } = { $bits }.
 space-line-code-one = { $end } está além do plano { $first }: { $code } = { $bits }.
-space-line-code-two = { $end } está além de dois planos, { $first } e { $second }: { $code } = { $bits }.
-space-line-code-three = { $end } está além de três planos, { $first }, { $second } e { $third }: { $code } = { $bits }.
+space-line-code-two = { $end } está além de dois planos, o { $first } e o { $second }: { $code } = { $bits }.
+space-line-code-three = { $end } está além de três planos: o { $first }, o { $second } e o { $third }; { $code } = { $bits }.
 space-line-or-accept = OR = { $bits }: os dois extremos estão dentro.
 space-line-or-open = OR = { $bits } ≠ 000000: nem tudo está dentro.
 space-line-and-open = AND = { $bits }: nenhuma face deixa os dois extremos de fora. Os códigos não decidem.

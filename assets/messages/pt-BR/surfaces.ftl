@@ -48,7 +48,7 @@ depth-clear = A imagem está vazia: { $pixels ->
     [1] o pixel ainda não mostra
    *[other] nenhum dos { $pixels } pixels mostra ainda
   } um triângulo.
-depth-triangle = Chega { $triangle }, { $place } de { $triangles }.
+depth-triangle = Chega { $triangle } ({ $place } de { $triangles }).
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
 depth-answer-drawn = { $triangle } é desenhado.
 depth-triangle-whole = { $triangle } está desenhado. Seus fragmentos: { $fragments }; mais perto que o guardado: { $writes }.
@@ -57,9 +57,9 @@ depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: { 
    *[other] de { $fragments } fragmentos
   } escrevem-se { $writes }.
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
-depth-fragment-kept = No pixel { $at }, { $triangle } está mais próximo que { $other }: escreve-se.
-depth-fragment-lost = No pixel { $at }, { $triangle } não está mais próximo que { $other }: { $other } não muda.
-depth-fragment-tie = No pixel { $at }, { $triangle } está tão próximo quanto { $other }: { $other } chegou antes e é mantido.
+depth-fragment-kept = { $triangle } está mais próximo que { $other } no pixel { $at }: escreve-se.
+depth-fragment-lost = { $triangle } não está mais próximo que { $other } no pixel { $at }: { $other } não muda.
+depth-fragment-tie = { $triangle } está tão próximo quanto { $other } no pixel { $at }: { $other } chegou antes e é mantido.
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
 depth-done = Pronto: { $fragments ->

@@ -185,7 +185,7 @@ result-right = 正确结果：{ $n }
 result-wrong = × 错误结果：{ $n }
 again = { $what } 重复
 is-missing = 缺 { $what }
-refused = 拒绝
+refused = 不接受
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。
 
 ## 图旁的视图
