@@ -88,8 +88,8 @@ bit-order-lrbt = izquierda, derecha, abajo, arriba
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x e y cambian en Δx y Δy.
 lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
-lb-parallel-inside = Paralelo al { $edge } y por dentro: este borde, por sí solo, no decide nada.
-lb-parallel-outside = Paralelo al { $edge } y por fuera: ningún valor de u sirve.
+lb-parallel-inside = Es paralelo al { $edge } y está por dentro: este borde, por sí solo, no decide nada.
+lb-parallel-outside = Es paralelo al { $edge } y está por fuera: ningún valor de u sirve.
 lb-enter = La recta entra por el { $edge }: u_min sube.
 lb-enter-idle = La recta entra por el { $edge }, pero no después de u_min: nada cambia.
 lb-leave = La recta sale por el { $edge }: u_max baja.
@@ -119,8 +119,8 @@ words-lb-accept = Si no, los extremos del intervalo son los de la parte visible.
 cb-edge-entering = { $edge }: n·D > 0, la recta entra.
 cb-edge-leaving = { $edge }: n·D < 0, la recta sale.
 cb-edge-parallel = { $edge }: n·D = 0, la recta es paralela a la arista.
-cb-parallel-inside = Paralelo a { $edge } y por dentro: esta arista, por sí sola, no decide nada.
-cb-parallel-outside = Paralelo a { $edge } y por fuera: ningún valor de t sirve.
+cb-parallel-inside = Es paralelo a { $edge } y está por dentro: esta arista, por sí sola, no decide nada.
+cb-parallel-outside = Es paralelo a { $edge } y está por fuera: ningún valor de t sirve.
 cb-enter = La recta entra por { $edge }: t_min sube.
 cb-enter-idle = La recta entra por { $edge }, pero no después de t_min: nada cambia.
 cb-leave = La recta sale por { $edge }: t_max baja.

@@ -53,13 +53,13 @@ pipeline-view-ahead = La fila 3 mide hacia atrás: P está { $value } por delant
 pipeline-clip-x = La fila 1 escala x: los planos izquierdo y derecho quedan en x = ±w.
 pipeline-clip-y = La fila 2 escala y: los planos inferior y superior quedan en y = ±w.
 pipeline-clip-z = La fila 3 pone el plano cercano en z = −w y el lejano en z = w.
-pipeline-clip-w = La fila 4 copia la profundidad en w: { $value }, por la que se dividirá.
+pipeline-clip-w = La fila 4 copia la profundidad en w: { $value }. Después x, y, z se dividen entre ella.
 pipeline-clip-w-parallel = La fila 4 deja w en 1: con líneas de visión paralelas no hace falta dividir.
 pipeline-inside = P está dentro: x, y, z quedan entre −w y w.
 pipeline-outside = P está fuera: el recorte lo quita.
 pipeline-divide = Divide entre w = { $w }: lo que está dentro queda entre −1 y 1.
 pipeline-screen = Pasa de −1 … 1 a { $columns } × { $rows } píxeles; las filas se cuentan desde arriba.
-pipeline-behind = P no está delante del ojo: no hay un w por el que dividir, ni lugar en la pantalla.
+pipeline-behind = P no está delante del ojo: su w no puede ser divisor, y P no tiene lugar en la pantalla.
 
 ## Casos
 

@@ -88,8 +88,8 @@ bit-order-lrbt = esquerda, direita, inferior, superior
 
 lb-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x varia Δx e y varia Δy.
 lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
-lb-parallel-inside = Paralelo à { $edge }, do lado de dentro: este lado, sozinho, não decide nada.
-lb-parallel-outside = Paralelo à { $edge }, do lado de fora: nenhum u serve.
+lb-parallel-inside = É paralelo à { $edge } e está do lado de dentro: este lado, sozinho, não decide nada.
+lb-parallel-outside = É paralelo à { $edge } e está do lado de fora: nenhum u serve.
 lb-enter = A reta entra pela { $edge }: u_min sobe.
 lb-enter-idle = A reta entra pela { $edge }, mas não depois de u_min: nada muda.
 lb-leave = A reta sai pela { $edge }: u_max desce.
@@ -119,8 +119,8 @@ words-lb-accept = Senão, os extremos do intervalo são os da parte visível.
 cb-edge-entering = { $edge }: n·D > 0, a reta entra.
 cb-edge-leaving = { $edge }: n·D < 0, a reta sai.
 cb-edge-parallel = { $edge }: n·D = 0, a reta é paralela à aresta.
-cb-parallel-inside = Paralelo a { $edge }, do lado de dentro: esta aresta, sozinha, não decide nada.
-cb-parallel-outside = Paralelo a { $edge }, do lado de fora: nenhum t serve.
+cb-parallel-inside = É paralelo a { $edge } e está do lado de dentro: esta aresta, sozinha, não decide nada.
+cb-parallel-outside = É paralelo a { $edge } e está do lado de fora: nenhum t serve.
 cb-enter = A reta entra por { $edge }: t_min sobe.
 cb-enter-idle = A reta entra por { $edge }, mas não depois de t_min: nada muda.
 cb-leave = A reta sai por { $edge }: t_max desce.

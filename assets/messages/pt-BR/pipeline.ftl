@@ -53,13 +53,13 @@ pipeline-view-ahead = A linha 3 mede para trás: P está { $value } à frente, e
 pipeline-clip-x = A linha 1 escala x: os planos esquerdo e direito ficam em x = ±w.
 pipeline-clip-y = A linha 2 escala y: os planos inferior e superior ficam em y = ±w.
 pipeline-clip-z = A linha 3 põe o plano próximo em z = −w e o distante em z = w.
-pipeline-clip-w = A linha 4 copia a profundidade para w: { $value }, pelo qual se vai dividir.
+pipeline-clip-w = A linha 4 copia a profundidade para w: { $value }. Depois x, y e z são divididos por ele.
 pipeline-clip-w-parallel = A linha 4 deixa w em 1: com linhas de visão paralelas não é preciso dividir.
 pipeline-inside = P está dentro: x, y e z ficam entre −w e w.
 pipeline-outside = P está fora: o recorte o retira.
 pipeline-divide = Divida por w = { $w }: o que está dentro fica entre −1 e 1.
 pipeline-screen = Passe de −1 … 1 a { $columns } × { $rows } pixels; as linhas são contadas de cima.
-pipeline-behind = P não está diante do olho: não há um w pelo qual dividir, nem lugar na tela.
+pipeline-behind = P não está diante do olho: seu w não pode ser divisor, e P não tem lugar na tela.
 
 ## Casos
 

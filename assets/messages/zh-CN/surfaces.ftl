@@ -298,7 +298,7 @@ owns-some = { $surface } 覆盖 { $covered } 个像素，在其中 { $seen } 个
 
 ## What it costs
 
-surface-costs-title = 判定谁在前面的代价
+surface-costs-title = 判定哪个表面在前面的代价
 surface-costs-about = 在 { $columns } × { $rows } 像素上计数而非计时：街道上的盒子，每个十二个三角形。
 surface-costs-triangles = 三角形数
 surface-costs-counts = 对数、测试数、片元数
