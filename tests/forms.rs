@@ -1,16 +1,76 @@
 //! Messages with the values that grammar stumbles over: none, one and many things, decimals, names in another script.
 
+use std::collections::BTreeSet;
+
 use clipscope::text::{AREAS, Catalog, Lang, Message, Value, sources};
 
 use crate::messages::messages;
 
 /// Languages that tell one thing from several.
 const WITH_PLURALS: [Lang; 3] = [Lang::En, Lang::Es, Lang::PtBr];
-/// Words that end as plurals do, and are none.
-const SINGULAR: [&str; 28] = [
-    "is", "was", "has", "this", "its", "as", "less", "axis", "plus", "minus", "times", "across",
-    "class", "always", "es", "más", "menos", "tras", "los", "las", "mais", "dos", "das", "nos",
-    "nas", "os", "través", "antes",
+/// What is counted here is never one: limits, vertices of polygons, sides of a picture, planes of a volume.
+const NEVER_ONE: [&str; 61] = [
+    "box-done-in-vain",
+    "box-outside",
+    "case-bsp-too-large",
+    "case-over-budget",
+    "case-picture-side",
+    "case-too-many",
+    "case-too-many-fragments",
+    "case-too-many-pairs",
+    "case-too-many-pixels",
+    "case-too-many-raster-pixels",
+    "case-too-many-steps",
+    "case-uv-length",
+    "case-wrong-length",
+    "case-wrong-points",
+    "culling-best-changes",
+    "depth-opening",
+    "ear-cut",
+    "ear-opening",
+    "ear-round",
+    "error-too-many-objects",
+    "ht-divide",
+    "ht-opening",
+    "occlusion-opening",
+    "painter-done-cycle",
+    "pat-none",
+    "pat-three",
+    "pat-two",
+    "picture-broken",
+    "pipe-opening",
+    "pipeline-screen",
+    "plane-from-matrix",
+    "planes-from-matrix",
+    "problem-face-too-long",
+    "problem-long-paragraph",
+    "problem-mesh-too-large",
+    "problem-too-many-faces",
+    "problem-too-many-lessons",
+    "problem-too-many-steps",
+    "problem-too-many-texels",
+    "raster-depth-steps",
+    "raster-line",
+    "raster-line-error",
+    "ray-opening",
+    "sh-done-cut",
+    "sh-done-degenerate",
+    "sh-done-empty",
+    "sh-done-whole",
+    "sh-opening",
+    "surface-costs-about",
+    "surface-costs-fragments",
+    "surface-costs-overdraw",
+    "surface-costs-pairs",
+    "surface-costs-questions",
+    "surfaces-first",
+    "tac-opening",
+    "tac-piece",
+    "tally-same",
+    "wa-closed-hole",
+    "wa-closed-outer",
+    "wa-closed-sliver",
+    "wa-opening",
 ];
 
 /// Every message of a language with each variable of this value.
@@ -30,16 +90,28 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split([' ', '\u{a0}', '\u{202f}', '\n'])
 }
 
+/// What stands after each `1`.
+fn after_one(text: &str) -> impl Iterator<Item = &str> {
+    let pairs = words(text).zip(words(text).skip(1));
+    let after = pairs.filter(|(word, _)| word.trim_start_matches(['(', '[']) == "1");
+    after.map(|(_, noun)| noun.trim_end_matches([',', '.', ':', ';', ')']))
+}
+
+/// A plural is a word of which some message says the singular after `1`.
 #[test]
 fn one_thing_is_no_plural() {
     let mut faults = Vec::new();
     for lang in WITH_PLURALS {
-        for (key, text) in said(lang, &Value::Count(1)) {
-            let pairs = words(&text).zip(words(&text).skip(1));
-            let after_one = pairs.filter(|(word, _)| word.trim_start_matches(['(', '[']) == "1");
-            let mut nouns =
-                after_one.map(|(_, noun)| noun.trim_end_matches([',', '.', ':', ';', ')']));
-            if let Some(noun) = nouns.find(|it| it.ends_with('s') && !SINGULAR.contains(it)) {
+        let said = said(lang, &Value::Count(1));
+        let ones: BTreeSet<&str> = said.iter().flat_map(|(_, text)| after_one(text)).collect();
+        let is_plural = |noun: &&str| {
+            let endings = ["s", "es"].into_iter();
+            let mut singular = endings.filter_map(|ending| noun.strip_suffix(ending));
+            singular.any(|it| ones.contains(it))
+        };
+        for (key, text) in &said {
+            let plural = after_one(text).find(is_plural);
+            if let Some(noun) = plural.filter(|_| !NEVER_ONE.contains(&&**key)) {
                 faults.push(format!("{lang} {key}: 1 {noun} in “{text}”"));
             }
         }
