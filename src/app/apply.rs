@@ -32,7 +32,12 @@ impl App {
                 self.edit(Edit::Remove(self.stage.chosen()), None, now);
                 self.stage.selected = None;
             }
-            Command::EndGesture => self.history.end_gesture(),
+            Command::EndGesture => {
+                if self.history.is_in_gesture() {
+                    self.greeted();
+                }
+                self.history.end_gesture();
+            }
             // Half an outline has a past of its own.
             Command::Undo if self.stage.sketch.is_some() => self.take_back(),
             Command::Undo => self.travel(History::undo),
@@ -86,6 +91,11 @@ impl App {
             Command::Answer(is_answered) => shown.is_answered = is_answered,
             Command::Question => shown.asks ^= true,
             Command::Free => self.toggle_free(),
+            Command::OpenPage(page) => self.open_page(&page),
+            Command::NextFree(forward) => self.next_free(forward),
+            Command::AskAboutScene(act) => self.ask_about_scene(act),
+            Command::OpenRecent(path) => self.open_recent(&path),
+            Command::CopyFigure => self.copy_figure(ctx, now),
             Command::Help if shown.dialog == Some(Dialog::Help) => shown.dialog = None,
             Command::Help => shown.dialog = Some(Dialog::Help),
             Command::OpenFile => self.ask(ctx, self.opened()),
@@ -100,6 +110,8 @@ impl App {
             Command::Show(dialog) => shown.dialog = dialog,
             Command::Confirm => self.confirm(ctx, now),
             Command::Present => self.present(ctx),
+            // A page in a browser is one window, which all look at.
+            Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,
             Command::Projector => self.toggle_projector(),
             Command::Cancel => self.cancel(ctx),
             Command::Course if is_narrow => shown.room = shown.room.toggled(Room::Course),
@@ -109,6 +121,9 @@ impl App {
             Command::Inspector => settings.inspector ^= true,
             Command::Language(lang) => settings.lang = lang,
             Command::Theme(theme) => settings.theme = theme,
+            Command::TextSize(text) => settings.text = text,
+            Command::TextStep(0) => settings.text = 1.0,
+            Command::TextStep(by) => settings.text = theme::text_size(settings.text, by),
             Command::Code(code) => shown.code = code,
             Command::Snap(snap) => settings.snap = snap,
             Command::Board(board) => {
@@ -224,10 +239,14 @@ impl App {
         }
     }
 
+    /// A step of the course as it was; a free scene is the reader's, and only shown from its first step.
     fn reset(&mut self, now: f64) {
-        if let Some((scene, position)) = self.own() {
-            self.edit(Edit::Replace(scene), None, now);
-            self.seek(position);
+        match self.own().filter(|_| self.bookmark.free.is_none()) {
+            Some((scene, position)) => {
+                self.edit(Edit::Replace(scene), None, now);
+                self.seek(position);
+            }
+            None => self.seek(0),
         }
         self.fit();
     }

@@ -4,7 +4,7 @@ use egui::{Color32, Popup, TextStyle};
 
 use crate::{
     panels::{compare_picker, method_picker},
-    widgets::{Press, Timeline, menu_style, speed_menu, transport_buttons},
+    widgets::{Press, Timeline, focus_ring, menu_style, speed_menu, transport_buttons},
 };
 
 use super::{
@@ -22,42 +22,54 @@ const METHOD: f32 = 130.0;
 /// Of the buttons for course and inspector.
 const SIDES_WIDTH: f32 = 80.0;
 
+/// Everything stands in the order in which Tab walks it. How wide the menus at the right are is known from the last time.
 pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let bar = ui.max_rect();
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        if app.is_narrow() {
-            sides(app, ui);
-            question_button(app, ui);
-            menus::behind_one_button(app, ui, panels);
-        } else {
-            let is_row = has_room_for_menus(app, ui, panels);
-            if is_row {
-                menus::in_a_row(app, ui, panels);
-            } else {
-                menus::behind_one_button(app, ui, panels);
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let id = Id::unique("width of the menus");
+    let width: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let menus = bar.with_min_x(bar.right() - width);
+    let left = bar.with_max_x(menus.left() - 8.0);
+    row(ui, left, |ui| {
+        ui.shrink_clip_rect(left);
+        if !app.is_narrow() {
+            title(app, ui, bar, panels);
+            for panel in &*panels {
+                tab(app, ui, panel.lab(), bar);
+                ui.add_space(BETWEEN_TABS);
             }
+            ui.add_space(4.0);
+        }
+        pickers(app, ui);
+    });
+    let now = row(ui, menus, |ui| {
+        if app.is_narrow() {
+            menus::behind_one_button(app, ui, panels);
+            question_button(app, ui);
+            sides(app, ui);
+        } else {
             let is_all = app.course_part() == CoursePart::Whole && app.settings.inspector;
             if !is_all || app.has_strip() {
                 sides(app, ui);
             }
-        }
-        let right = ui.available_rect_before_wrap().right();
-        let left = Rect::from_min_max(bar.min, pos2(right - 8.0, bar.bottom()));
-        let layout = Layout::left_to_right(Align::Center);
-        ui.scope_builder(UiBuilder::new().max_rect(left).layout(layout), |ui| {
-            ui.shrink_clip_rect(left);
-            if !app.is_narrow() {
-                title(app, ui, bar, panels);
-                for panel in &*panels {
-                    tab(app, ui, panel.lab(), bar);
-                    ui.add_space(BETWEEN_TABS);
-                }
-                ui.add_space(4.0);
+            if has_room_for_menus(app, ui, (panels, bar.width())) {
+                menus::in_a_row(app, ui, panels);
+            } else {
+                menus::behind_one_button(app, ui, panels);
             }
-            pickers(app, ui);
-        });
+        }
     });
+    if now != width {
+        ui.data_mut(|data| data.insert_temp(id, now));
+        ui.ctx().request_discard("the menus have another width");
+    }
+}
+
+/// From left to right within a part of the bar; how wide it is.
+fn row(ui: &mut Ui, part: Rect, content: impl FnOnce(&mut Ui)) -> f32 {
+    let layout = Layout::left_to_right(Align::Center);
+    let part = UiBuilder::new().max_rect(part).layout(layout);
+    ui.scope_builder(part, content).response.rect.width()
 }
 
 /// The program's name, and the gap up to the tabs; where it would leave no room for the method's name, it is left out.
@@ -92,7 +104,7 @@ fn widths(ui: &Ui, style: &TextStyle, names: impl Iterator<Item = String>, aroun
 }
 
 /// Is the method's name still read beside the tabs, where all menus stand in a row?
-fn has_room_for_menus(app: &App, ui: &Ui, panels: &[Box<dyn LabPanel>]) -> bool {
+fn has_room_for_menus(app: &App, ui: &Ui, (panels, room): (&[Box<dyn LabPanel>], f32)) -> bool {
     let around = 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x;
     let menus = widths(
         ui,
@@ -106,7 +118,7 @@ fn has_room_for_menus(app: &App, ui: &Ui, panels: &[Box<dyn LabPanel>]) -> bool 
     };
     let tabs = before_tabs + tabs_width(ui, app.look(), panels);
     let method = METHOD * app.look().theme.text_scale;
-    tabs + method + SIDES_WIDTH + menus < ui.available_width()
+    tabs + method + SIDES_WIDTH + menus < room
 }
 
 fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
@@ -121,6 +133,7 @@ fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
         .color(colour);
     let button = Button::selectable(false, text).frame(false);
     let label = ui.add(button).on_hover_text(look.say(lab.about_key));
+    focus_ring(ui.painter(), look, &label, label.rect, 4.0);
     if is_open {
         let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
         ui.painter().rect_filled(line, 0.0, look.theme.accent);
@@ -146,7 +159,7 @@ fn pickers(app: &App, ui: &mut Ui) {
 }
 
 fn sides(app: &App, ui: &mut Ui) {
-    for (icon, key, command) in SIDES.iter().rev() {
+    for (icon, key, command) in &SIDES {
         let is_open = match command {
             Command::Course => {
                 app.room() == Room::Course
@@ -189,7 +202,7 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         buttons(app, ui);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.available_width() > 240.0 * app.look().theme.text_scale {
+            if ui.available_width() > 400.0 * app.look().theme.text_scale {
                 hall(app, ui);
             } else {
                 let name = app.look().say("menu-more");
@@ -213,6 +226,12 @@ fn hall(app: &App, ui: &mut Ui) {
     let projector = RichText::new(look.say("theme-projector"));
     if ui.selectable_label(is_on, projector).clicked() {
         app.push(Command::Projector);
+    }
+    if cfg!(not(target_arch = "wasm32")) {
+        let notes = look.say("action-notes");
+        if ui.selectable_label(app.shown.has_notes, notes).clicked() {
+            app.push(Command::Notes);
+        }
     }
 }
 

@@ -4,20 +4,40 @@ use std::collections::BTreeMap;
 
 use super::{desk::Page, prelude::*};
 
+/// A scene of the reader's own: the one that a lab has without a name, or another.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FreeScene {
+    pub lab: &'static Lab,
+    pub name: Option<String>,
+}
+
+impl FreeScene {
+    pub const fn of(lab: &'static Lab) -> Self {
+        Self { lab, name: None }
+    }
+
+    pub fn page(&self) -> Page {
+        let lab = self.lab.id.to_owned();
+        match &self.name {
+            None => Page::Free(lab),
+            Some(name) => Page::Named(lab, name.clone()),
+        }
+    }
+}
+
 /// A course, and an open step of it where it has one; or the free scene of a lab, and the step to come back to.
 #[derive(Default)]
 pub struct Bookmark {
     pub course: Course,
     /// The indices of lesson and step.
     pub at: [usize; 2],
-    /// The lab whose free scene is open.
-    pub free: Option<&'static Lab>,
+    pub free: Option<FreeScene>,
 }
 
 impl Bookmark {
     pub fn page(&self) -> Option<Page> {
-        match self.free {
-            Some(lab) => Some(Page::Free(lab.id.to_owned())),
+        match &self.free {
+            Some(free) => Some(free.page()),
             None => self.page_of(self.at),
         }
     }
@@ -40,7 +60,7 @@ impl Bookmark {
 
     /// The open step; none in a free scene.
     pub fn step(&self) -> Option<&LessonStep> {
-        match self.free {
+        match &self.free {
             Some(_) => None,
             None => self.lesson()?.steps.get(self.at[1]),
         }
@@ -83,9 +103,10 @@ impl Bookmark {
         found.is_some_and(|lesson_idx| self.open([lesson_idx, 0]))
     }
 
-    /// Opens the free scene of a lab: beside the open step where that is of the same lab, else beside the step of its own that
+    /// Opens a free scene of a lab: beside the open step where that is of the same lab, else beside the step of its own that
     /// was open `last`, or its first.
-    pub fn open_free(&mut self, lab: &'static Lab, last: Option<&Page>) -> bool {
+    pub fn open_free(&mut self, free: FreeScene, last: Option<&Page>) -> bool {
+        let lab = free.lab;
         let is_of_lab = |bookmark: &Self| bookmark.lesson().is_some_and(|it| it.lab == lab.id);
         if !is_of_lab(self) {
             if let Some(Page::Step(lesson, step)) = last {
@@ -95,7 +116,7 @@ impl Bookmark {
                 self.open_lab(lab.id);
             }
         }
-        self.free = Some(lab);
+        self.free = Some(free);
         true
     }
 
@@ -106,17 +127,32 @@ impl Bookmark {
         lab_of: impl FnOnce(&str) -> Option<&'static Lab>,
         steps: &BTreeMap<String, Page>,
     ) -> bool {
-        match page {
-            Page::Step(lesson, step) => self.open_ids(lesson, step),
-            Page::Free(id) => lab_of(id).is_some_and(|lab| self.open_free(lab, steps.get(lab.id))),
-        }
+        let (id, name) = match page {
+            Page::Step(lesson, step) => return self.open_ids(lesson, step),
+            Page::Free(id) => (id, None),
+            Page::Named(id, name) => (id, Some(name.clone())),
+        };
+        lab_of(id).is_some_and(|lab| self.open_free(FreeScene { lab, name }, steps.get(lab.id)))
+    }
+
+    /// The title of the step after the open one.
+    pub fn next_title(&self, lang: Lang) -> Option<&str> {
+        let [lesson_idx, step_idx] = self.next()?;
+        self.course.lessons[lesson_idx].step_title(step_idx, lang)
+    }
+
+    /// The step after the open one, in the next lesson at the end of its own.
+    fn next(&self) -> Option<[usize; 2]> {
+        let [lesson, step] = self.at;
+        let mut next = [[lesson, step + 1], [lesson + 1, 0]].into_iter();
+        next.find(|&at| self.page_of(at).is_some())
     }
 
     /// One step on or back, into the neighbouring lesson at an end.
     pub fn go(&mut self, forward: bool) -> bool {
         let [lesson, step] = self.at;
         if forward {
-            return self.open([lesson, step + 1]) || self.open([lesson + 1, 0]);
+            return self.next().is_some_and(|at| self.open(at));
         }
         match (step.checked_sub(1), lesson.checked_sub(1)) {
             (Some(before), _) => self.open([lesson, before]),
@@ -132,7 +168,7 @@ impl Bookmark {
     #[cfg(not(target_arch = "wasm32"))]
     pub fn replace(&mut self, course: Course) {
         let page = self.page_of(self.at);
-        let free = self.free;
+        let free = self.free.take();
         (self.course, self.at) = (course, [0, 0]);
         if let Some(Page::Step(lesson, step)) = page {
             self.open_ids(&lesson, &step);

@@ -2,7 +2,7 @@
 
 use crate::labs::OutlineKind;
 
-use super::{dialog::Dialog, history::UndoGroup, prelude::*};
+use super::{desk::Page, dialog::Dialog, free_scenes::SceneAct, history::UndoGroup, prelude::*};
 
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
 #[derive(Clone, Debug)]
@@ -27,6 +27,10 @@ pub enum Command {
     /// Shows what the step asks under the stage, where its text is folded away; or no more.
     Question,
     Free,
+    OpenPage(Page),
+    /// The next free scene of the lab, or the one before.
+    NextFree(bool),
+    AskAboutScene(SceneAct),
     Edit(Edit, Option<UndoGroup>),
     Add,
     Remove,
@@ -53,11 +57,16 @@ pub enum Command {
     Save,
     /// In place of the open dialog, the system's.
     Browse,
+    /// A scene file that was opened lately.
+    OpenRecent(String),
     Export,
+    CopyFigure,
     Show(Option<Dialog>),
     Confirm,
     Help,
     Present,
+    /// The window with the notes for whoever presents, or none any more.
+    Notes,
     /// While presenting: the theme for a projector, or the one before.
     Projector,
     Cancel,
@@ -65,6 +74,9 @@ pub enum Command {
     Inspector,
     Language(Lang),
     Theme(ThemeKind),
+    TextSize(f32),
+    /// Larger text, or smaller; 0 as large as at first.
+    TextStep(isize),
     Code(CodeView),
     Snap(bool),
     /// What stands beside the drawings is so many times as large as it is at first.
@@ -98,13 +110,28 @@ impl Command {
         )
     }
 
+    /// Is it for a clicker's keys, in whatever window they are pressed?
+    pub(super) const fn is_of_a_presentation(&self) -> bool {
+        matches!(
+            self,
+            Self::Lesson { .. }
+                | Self::Step(_)
+                | Self::Seek(_)
+                | Self::Phase(_)
+                | Self::Play
+                | Self::Present
+                | Self::Notes
+        )
+    }
+
     /// Is it what someone new is told to do?
     pub(super) const fn is_a_first_step(&self) -> bool {
         let walks = matches!(
             self,
             Self::Step(_) | Self::Seek(_) | Self::Phase(_) | Self::Play
         );
-        walks || matches!(self, Self::Edit(Edit::Drag(..), _))
+        // A drag by the pointer has been one when it ends: until then nothing moves under it.
+        walks || matches!(self, Self::Edit(Edit::Drag(..), Some(UndoGroup::Nudge(_))))
     }
 
     /// Does it go on while the key is held?
@@ -114,6 +141,7 @@ impl Command {
             Self::Step(_)
                 | Self::Phase(_)
                 | Self::Zoom(_)
+                | Self::TextStep(_)
                 | Self::Undo
                 | Self::Redo
                 | Self::TakeBack
@@ -133,8 +161,12 @@ const ZOOM: f64 = 1.25;
 const BACK: Command = Command::Lesson { forward: false };
 const ON: Command = Command::Lesson { forward: true };
 
+const fn ask(act: SceneAct) -> Command {
+    Command::AskAboutScene(act)
+}
+
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 39] = [
+pub static BINDINGS: [Binding; 51] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -152,6 +184,10 @@ pub static BINDINGS: [Binding; 39] = [
     (NONE, Key::Plus, Command::Zoom(ZOOM), "help-zoom"),
     (NONE, Key::Equals, Command::Zoom(ZOOM), "help-zoom"),
     (NONE, Key::Minus, Command::Zoom(1.0 / ZOOM), "help-zoom"),
+    (CTRL, Key::Plus, Command::TextStep(1), "help-text"),
+    (CTRL, Key::Equals, Command::TextStep(1), "help-text"),
+    (CTRL, Key::Minus, Command::TextStep(-1), "help-text"),
+    (CTRL, Key::Num0, Command::TextStep(0), "help-text"),
     (CTRL, Key::Z, Command::Undo, "action-undo"),
     (CTRL_SHIFT, Key::Z, Command::Redo, "action-redo"),
     (CTRL, Key::Y, Command::Redo, "action-redo"),
@@ -165,11 +201,19 @@ pub static BINDINGS: [Binding; 39] = [
     (CTRL, Key::O, Command::OpenFile, "action-open"),
     (CTRL, Key::S, Command::Save, "action-save"),
     (CTRL, Key::E, Command::Export, "action-export"),
+    (CTRL_SHIFT, Key::C, Command::CopyFigure, "action-copy"),
     (NONE, Key::F6, Command::Course, "help-course"),
     (NONE, Key::F7, Command::Inspector, "help-inspector"),
     (NONE, Key::F8, Command::Free, "action-free"),
+    (CTRL, Key::PageUp, Command::NextFree(false), "help-free"),
+    (CTRL, Key::PageDown, Command::NextFree(true), "help-free"),
+    (CTRL, Key::N, ask(SceneAct::New), "scene-new"),
+    (CTRL, Key::D, ask(SceneAct::Copy), "scene-copy"),
+    (SHIFT, Key::F2, ask(SceneAct::Rename), "scene-rename"),
+    (CTRL, Key::Delete, ask(SceneAct::Delete), "scene-delete"),
     (NONE, Key::F2, Command::TypeChosen, "help-type"),
     (NONE, Key::F5, Command::Present, "action-present"),
+    (NONE, Key::N, Command::Notes, "action-notes"),
     (NONE, Key::Escape, Command::Cancel, "help-leave"),
     (NONE, Key::Questionmark, Command::Help, "action-help"),
     (NONE, Key::F1, Command::Help, "action-help"),

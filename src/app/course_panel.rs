@@ -88,7 +88,11 @@ fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
     let [lesson_idx, _] = app.bookmark.at;
     let heading = Row {
         number: "",
-        title: &format!("{} · {}", lesson_idx + 1, lesson.title(app.settings.lang)),
+        title: &format!(
+            "{} · {}",
+            app.bookmark.course.number(lesson_idx),
+            lesson.title(app.settings.lang)
+        ),
         is_open: true,
         is_changed: has_changes(app, lesson_idx, lesson),
     };
@@ -134,17 +138,20 @@ fn padded<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
 fn lessons(app: &App, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 0.0;
     let [open, _] = app.bookmark.at;
-    let free = Row {
-        number: "+",
-        title: &app.look().say("action-free"),
-        ..Row::default()
-    };
-    if row(ui, app.look(), free).clicked() {
-        app.push(Command::Free);
+    for page in app.free_scenes() {
+        let unnamed = || app.look().say("action-free");
+        let free = Row {
+            number: "+",
+            title: &page.name().map_or_else(unnamed, str::to_owned),
+            ..Row::default()
+        };
+        if row(ui, app.look(), free).clicked() {
+            app.push(Command::OpenPage(page));
+        }
     }
     for (i, lesson) in app.bookmark.course.lessons.iter().enumerate() {
         let row_of = Row {
-            number: &(i + 1).to_string(),
+            number: &app.bookmark.course.number(i).to_string(),
             title: lesson.title(app.settings.lang),
             is_open: i == open,
             is_changed: has_changes(app, i, lesson),

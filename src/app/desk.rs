@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::labs::Scene;
+use crate::{figure::Moment, labs::Scene, lesson::SceneFormats};
 
-use super::history::History;
+use super::{Settings, history::History};
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 pub enum Page {
@@ -14,6 +14,18 @@ pub enum Page {
     Step(String, String),
     /// Beside the course: the free scene of the lab with this id.
     Free(String),
+    /// Another free scene of that lab, by the name that the reader gave it.
+    Named(String, String),
+}
+
+impl Page {
+    /// The name that the reader gave it, if any.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Self::Step(..) | Self::Free(_) => None,
+            Self::Named(_, name) => Some(name),
+        }
+    }
 }
 
 /// What was done on a page.
@@ -40,6 +52,27 @@ pub struct StoredWork {
     pub before: Option<String>,
 }
 
+/// What is to be remembered, before its scenes are spelt: that takes a while where they are large.
+pub struct Snapshot {
+    pub settings: Settings,
+    /// Each without its scene's text, and the scene.
+    pub works: Vec<(StoredWork, Scene)>,
+    pub formats: SceneFormats,
+}
+
+impl Snapshot {
+    pub fn written(self) -> Settings {
+        let written = |(work, scene): (StoredWork, Scene)| StoredWork {
+            scene: self.formats.write(&scene, &Moment::Start),
+            ..work
+        };
+        Settings {
+            works: self.works.into_iter().map(written).collect(),
+            ..self.settings
+        }
+    }
+}
+
 #[derive(Default)]
 pub struct Desk {
     /// The work on all pages but the open one.
@@ -56,6 +89,8 @@ pub struct Places {
     pub labs: BTreeMap<String, Page>,
     /// The step of the course in each lab.
     pub steps: BTreeMap<String, Page>,
+    /// The free scene of each lab that was open last.
+    pub free: BTreeMap<String, Page>,
 }
 
 impl Desk {

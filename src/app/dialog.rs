@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{App, prelude::*};
+use super::{App, free_scenes::SceneAct, prelude::*};
 
 #[derive(Clone, PartialEq, Debug)]
 pub enum Dialog {
@@ -11,12 +11,14 @@ pub enum Dialog {
     Open(Target),
     Save(Target),
     Export(Target, Figures),
+    /// About a whole scene, of this name.
+    Scene(SceneAct, String),
 }
 
 impl Dialog {
     pub const fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
-            Self::Help => None,
+            Self::Help | Self::Scene(..) => None,
             Self::Open(target) | Self::Save(target) | Self::Export(target, _) => Some(target),
         }
     }
@@ -90,14 +92,18 @@ impl App {
     }
 
     pub(super) fn exported_to(&self) -> Dialog {
-        let slide = Figures {
+        let figures = self.settings.figures.unwrap_or(self.slide());
+        Dialog::Export(Target::new(self.suggested("png")), figures)
+    }
+
+    /// A figure of this step that looks as the window does.
+    pub(super) const fn slide(&self) -> Figures {
+        Figures {
             size_px: Figures::SIZES[1],
             theme: self.settings.theme,
             lang: self.settings.lang,
             all: false,
-        };
-        let figures = self.settings.figures.unwrap_or(slide);
-        Dialog::Export(Target::new(self.suggested("png")), figures)
+        }
     }
 
     /// Asks the system. Where it has no dialog, or the last one has not been heard of, the path is typed.
@@ -106,7 +112,7 @@ impl App {
             Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
             Dialog::Save(_) => ("save-title", false, &["toml"]),
             Dialog::Export(..) => ("export-title", false, &["png"]),
-            Dialog::Help => return,
+            Dialog::Help | Dialog::Scene(..) => return,
         };
         let is_waiting = self.asked.take().is_some();
         let target = dialog.target_mut().cloned();

@@ -2,6 +2,10 @@
 
 use std::path::Path;
 
+use egui::ColorImage;
+
+use crate::paint::Image;
+
 use super::{
     App, Dialog,
     dialog::{Figures, Target},
@@ -11,6 +15,9 @@ use super::{
 
 #[cfg(not(target_arch = "wasm32"))]
 use super::mesh_loading::{is_mesh, is_of_a_mesh};
+
+/// So many files are remembered.
+const MOST_RECENT: usize = 8;
 
 /// Figures on their way into files.
 pub struct Export {
@@ -102,12 +109,36 @@ impl App {
     pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile) {
         let SceneFile { scene, position } = opened;
         let lab = scene.document().lab();
+        self.remember(file);
         self.open_free(lab);
         self.history.leave(self.position());
         self.history.open(file, scene);
         self.playback.rerecord(self.history.now());
         self.fit();
         self.seek(position);
+    }
+
+    /// A scene file that was opened or written is at hand the next time.
+    fn remember(&mut self, file: &str) {
+        let path = self.platform.suggest(file);
+        if self.platform.exists(&path) {
+            let recent = &mut self.settings.recent;
+            recent.retain(|known| *known != path);
+            recent.insert(0, path);
+            recent.truncate(MOST_RECENT);
+        }
+    }
+
+    pub(super) fn open_recent(&mut self, path: &str) {
+        self.notices.clear();
+        match self.platform.read(path) {
+            Ok(bytes) => self.open_bytes(path, &bytes),
+            Err(reason) => {
+                self.settings.recent.retain(|known| known != path);
+                self.report_unread(path, reason);
+                self.complain(self.catalog().term("status-forgotten"));
+            }
+        }
     }
 
     /// Problems as a compiler prints them; of very many, the first.
@@ -126,6 +157,10 @@ impl App {
     /// Does what the open dialog is about; a file that the scene is not of is replaced only when told to a second time.
     pub(super) fn confirm(&mut self, ctx: &Context, now: f64) {
         let mut asked = self.shown.dialog.take();
+        if let Some(Dialog::Scene(act, name)) = &asked {
+            self.act_on_scene(*act, name);
+            return;
+        }
         let is_there = match &asked {
             Some(Dialog::Save(target)) => {
                 self.history.file() != Some(&target.path) && self.platform.exists(&target.path)
@@ -136,7 +171,7 @@ impl App {
                 (first..=last).any(|step| self.platform.exists(&path(step)))
             }
             Some(Dialog::Open(_)) => false,
-            Some(Dialog::Help) | None => return,
+            Some(Dialog::Help | Dialog::Scene(..)) | None => return,
         };
         if let Some(target) = asked.as_mut().and_then(Dialog::target_mut)
             && is_there
@@ -164,7 +199,10 @@ impl App {
                 let path = target.path.clone();
                 let written = self.platform.write(&path, self.as_file().as_bytes());
                 match &written {
-                    Ok(path) => self.history.saved(path.clone()),
+                    Ok(path) => {
+                        self.history.saved(path.clone());
+                        self.remember(path);
+                    }
                     Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
                 }
                 self.report(&path, written, ["status-saved", "status-save-failed"], now);
@@ -174,7 +212,7 @@ impl App {
                 self.exporting = Some(self.export_of(target.path, figures));
                 self.export_next(ctx, now);
             }
-            Some(Dialog::Help) | None => {}
+            Some(Dialog::Help | Dialog::Scene(..)) | None => {}
         }
         ctx.request_repaint();
     }
@@ -209,17 +247,8 @@ impl App {
             return;
         };
         let path = path_of(&export.path, export.figures, export.next);
-        let drawn = self.platform.draw(StageFigure {
-            title: export.title.as_deref(),
-            scene: &export.scene,
-            lesson: export
-                .lesson
-                .as_ref()
-                .and_then(|id| self.bookmark.course.lesson(id)),
-            position: export.next,
-            figures: export.figures,
-        });
-        let written = drawn.and_then(|bytes| self.platform.write(&path, &bytes));
+        let drawn = self.drawn(&export);
+        let written = drawn.and_then(|image| self.platform.write(&path, &image.to_png()));
         self.notices.clear();
         if written.is_ok() && export.next < export.last {
             export.next += 1;
@@ -237,6 +266,43 @@ impl App {
         }
         let keys = ["status-exported", "status-export-failed"];
         self.report(&path, written, keys, now);
+    }
+
+    /// The next figure of an export.
+    fn drawn(&mut self, export: &Export) -> Result<Image, Diagnostic> {
+        let id = export.lesson.as_ref();
+        self.platform.draw(StageFigure {
+            title: export.title.as_deref(),
+            scene: &export.scene,
+            lesson: id.and_then(|id| self.bookmark.course.lesson(id)),
+            position: export.next,
+            figures: export.figures,
+        })
+    }
+
+    /// Puts what an export would write of this step on the system's clipboard.
+    pub(super) fn copy_figure(&mut self, ctx: &Context, now: f64) {
+        let slide = self.slide();
+        let last = self.settings.figures.unwrap_or(slide);
+        let export = self.export_of(
+            String::new(),
+            Figures {
+                size_px: last.size_px,
+                ..slide
+            },
+        );
+        match self.drawn(&export) {
+            Ok(Image { size, rgba }) => {
+                ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, &rgba));
+                let [width, height] = size;
+                let message = Message::new("status-copied").with("width", width.to_string());
+                self.tell(&message.with("height", height.to_string()), now);
+            }
+            Err(reason) => {
+                let message = Message::new("status-copy-failed").with("reason", reason);
+                self.complain(self.catalog().message(&message));
+            }
+        }
     }
 
     /// Says what came of a file.

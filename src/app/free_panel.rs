@@ -2,15 +2,18 @@
 
 use egui::Frame;
 
-use crate::widgets::rule;
+use crate::{panels::list, widgets::rule};
 
-use super::{App, Command, menus::asked_of, prelude::*};
+use super::{App, Command, free_scenes, menus::asked_of, prelude::*};
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     let margin = Margin::symmetric(8, 0);
     Frame::new().inner_margin(margin).show(ui, |ui| {
-        ui.label(RichText::new(look.say("free-title")).text_style(theme::strong()));
+        let name = app.scene_name().unwrap_or_default();
+        let scenes = list("free scenes", name).truncate();
+        let scenes = scenes.width(ui.available_width());
+        scenes.show_ui(ui, |ui| free_scenes::menu(app, ui));
         ui.add_space(4.0);
         ui.label(soft(look, "free-about"));
         ui.add_space(8.0);
@@ -47,7 +50,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
 /// The scenes of a lesson, each once, under the title of the step that shows it first.
 fn of_lesson(app: &App, ui: &mut Ui, (i, lesson): (usize, &Lesson)) {
     let lang = app.settings.lang;
-    let title = format!("{} · {}", i + 1, lesson.title(lang));
+    let title = format!("{} · {}", app.bookmark.course.number(i), lesson.title(lang));
     menu_button(ui, title, |ui| {
         let mut shown = Vec::new();
         for (i, step) in lesson.steps.iter().enumerate() {

@@ -46,7 +46,8 @@ impl Focus {
     }
 }
 
-pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
+/// The commands of the keys that were pressed; a key of one that `may` not be done is left to whatever has the focus.
+pub fn commands(ctx: &Context, focus: Focus, may: impl Fn(&Command) -> bool) -> Vec<Command> {
     let mut commands = Vec::new();
     ctx.input_mut(|input| {
         input.events.retain(|event| {
@@ -61,7 +62,7 @@ pub fn commands(ctx: &Context, focus: Focus) -> Vec<Command> {
                 return true;
             };
             let binding = binding(*key, *modifiers).filter(|_| !focus.takes(*key, *modifiers));
-            let Some((.., command, _)) = binding else {
+            let Some((.., command, _)) = binding.filter(|(.., command, _)| may(command)) else {
                 return true;
             };
             if !repeat || command.repeats() {

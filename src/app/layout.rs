@@ -3,11 +3,11 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, course_panel, free_panel, inspector, overlays, pen,
+    App, bars, course_panel, free_panel, inspector, notice, overlays, pen,
     prelude::*,
     question,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
-    stage,
+    speaker, stage,
     stage_state::StageState,
     typing,
 };
@@ -25,6 +25,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         if !app.is_narrow() {
             sides(app, ui, state, panels);
         }
+        notice::show(app, ui);
         let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
@@ -54,6 +55,9 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         }
     }
     overlays::show(app, ui, panels);
+    if app.shown.has_notes {
+        speaker::show(app, ui.ctx());
+    }
 }
 
 fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {
@@ -61,10 +65,11 @@ fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {
 }
 
 fn presentation(app: &App, ui: &mut Ui, state: &mut StageState) {
-    let bar = Panel::bottom("small transport").exact_size(40.0);
+    let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
     question::show(app, ui);
+    notice::show(app, ui);
     centre(app, ui, state);
     pen::show(app, ui, &mut state.pen);
 }
@@ -76,7 +81,8 @@ fn bar_frame(app: &App, margin: i8) -> Frame {
 
 fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let scale = app.look().theme.text_scale.sqrt();
-    let height = if app.is_low() { 36.0 } else { 44.0 * scale };
+    let low = 36.0 * app.enlarged();
+    let height = if app.is_low() { low } else { 44.0 * scale };
     let margin = if app.is_narrow() { 8 } else { 16 };
     let bar = Panel::top("top bar").exact_size(height.round());
     bar.frame(bar_frame(app, margin))
@@ -90,7 +96,7 @@ fn bottom(app: &App, ui: &mut Ui) {
     } else {
         12
     };
-    let bar = Panel::bottom("transport").exact_size(height);
+    let bar = Panel::bottom("transport").exact_size(height * app.enlarged());
     bar.frame(bar_frame(app, margin))
         .show(ui, |ui| bars::transport(app, ui));
 }

@@ -19,7 +19,7 @@ use crate::{export::write_whole, lesson::read_file};
 
 use super::{
     App, Settings,
-    desk::{Page, StoredWork},
+    desk::{Page, Snapshot, StoredWork},
     prelude::*,
 };
 
@@ -35,7 +35,8 @@ pub struct Memory {
     known: Settings,
     /// When what has changed is to be written.
     due: Option<f64>,
-    writing: Option<JoinHandle<io::Result<()>>>,
+    /// What is in the file when it has been written.
+    writing: Option<JoinHandle<io::Result<Settings>>>,
     has_complained: bool,
 }
 
@@ -90,22 +91,30 @@ impl Memory {
         }
         self.due = None;
         self.finish(app);
-        self.begin(app.settings());
+        self.begin(app.snapshot());
     }
 
     /// At the end: what has not been written yet.
     pub fn end(&mut self, app: &mut App) {
         self.finish(app);
-        self.begin(app.settings());
+        self.begin(app.snapshot());
         self.finish(app);
     }
 
-    fn begin(&mut self, now: Settings) {
-        let Some(path) = self.path.clone().filter(|_| now != self.known) else {
+    /// Spells it and writes what has changed, beside the window.
+    fn begin(&mut self, now: Snapshot) {
+        let Some(path) = self.path.clone() else {
             return;
         };
-        let before = std::mem::replace(&mut self.known, now.clone());
-        let write = move || keep(&path, &before, &now);
+        // Where that fails, all of it is to be written again.
+        let before = std::mem::take(&mut self.known);
+        let write = move || {
+            let now = now.written();
+            if now != before {
+                keep(&path, &before, &now)?;
+            }
+            Ok(now)
+        };
         self.writing = Some(thread::spawn(write));
     }
 
@@ -115,12 +124,13 @@ impl Memory {
             return;
         };
         let failed = match written {
-            Ok(Ok(())) => return,
+            Ok(Ok(now)) => {
+                self.known = now;
+                return;
+            }
             Ok(Err(error)) => error,
             Err(_) => io::Error::from(io::ErrorKind::Other),
         };
-        // All of it is to be written again.
-        self.known = Settings::default();
         if !std::mem::replace(&mut self.has_complained, true) {
             let path = self.path.as_ref().map(|path| path.display().to_string());
             let message = Message::new("status-memory-unkept")
@@ -332,7 +342,7 @@ mod tests {
             {"size_px": [0, 4000000000], "theme": "dark", "lang": "en", "all": true}}"#;
         let read: Settings = serde_json::from_str(json).unwrap();
         let settings = read.in_range();
-        assert!(settings.speed <= 4.0 && settings.zoom >= 0.5);
+        assert!(settings.speed <= 4.0 && settings.text == 0.9);
         let window = settings.window.unwrap();
         assert!(
             window.iter().all(|side| (200.0..=16_384.0).contains(side)),
@@ -352,7 +362,7 @@ mod tests {
         ) {
             let settings = Settings {
                 speed: number,
-                zoom: number,
+                text: number,
                 window: Some([number, 700.0]),
                 places: Places {
                     page: Some(Page::Step("03-outcodes".to_owned(), "accepted".to_owned())),

@@ -5,11 +5,11 @@ use egui::Popup;
 use crate::{
     figure::Stand,
     panels::{PanelAsk, compare_choices},
-    widgets::{language_menu, menu_style, speed_menu, theme_menu},
+    widgets::{language_menu, menu_style, speed_menu, text_menu, theme_menu},
 };
 
 use super::{
-    App, Command,
+    App, Command, free_scenes,
     history::UndoGroup,
     prelude::*,
     room::{BESIDE_TRANSPORT, transport_has_room},
@@ -27,16 +27,16 @@ pub fn names(app: &App) -> [String; 4] {
     ]
 }
 
-/// The menus of the bar, from right to left.
+/// The menus of the bar, from left to right.
 pub fn in_a_row(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
-    if ui.button(look.say("action-present")).clicked() {
-        app.push(Command::Present);
-    }
-    theme_and_language(app, ui);
     menu_button(ui, look.say("panel-scene"), |ui| {
         scene(app, ui, panels);
     });
+    language_and_theme(app, ui);
+    if ui.button(look.say("action-present")).clicked() {
+        app.push(Command::Present);
+    }
 }
 
 pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
@@ -58,7 +58,7 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
         menu_button(ui, look.say("panel-scene"), |ui| {
             scene(app, ui, panels);
         });
-        theme_and_language(app, ui);
+        language_and_theme(app, ui);
         if !transport_has_room(ui.ctx().content_rect().width() - 2.0 * f32::from(BESIDE_TRANSPORT))
         {
             let speed = app.playback.transport.speed();
@@ -70,13 +70,17 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
     });
 }
 
-fn theme_and_language(app: &App, ui: &mut Ui) {
+fn language_and_theme(app: &App, ui: &mut Ui) {
     let look = app.look();
-    menu_button(ui, look.say("settings-theme"), |ui| {
-        app.push_all(theme_menu(ui, look).map(Command::Theme));
-    });
     menu_button(ui, app.settings.lang.native_name(), |ui| {
         app.push_all(language_menu(ui, app.settings.lang).map(Command::Language));
+    });
+    menu_button(ui, look.say("settings-theme"), |ui| {
+        app.push_all(theme_menu(ui, look).map(Command::Theme));
+        ui.separator();
+        menu_button(ui, look.say("settings-text"), |ui| {
+            app.push_all(text_menu(ui, app.settings.text).map(Command::TextSize));
+        });
     });
 }
 
@@ -106,10 +110,14 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     }
     ui.separator();
     changes(app, ui);
+    menu_button(ui, look.say("free-scenes"), |ui| free_scenes::menu(app, ui));
     ui.separator();
     files(app, ui);
     let measure = Command::Measure(true);
     action(ui, look, ("cost-measure", "Ctrl+M"), app.shown.measures).then(|| app.push(measure));
+    if cfg!(not(target_arch = "wasm32")) {
+        action(ui, look, ("action-notes", "N"), true).then(|| app.push(Command::Notes));
+    }
     action(ui, look, ("action-help", "?"), true).then(|| app.push(Command::Help));
 }
 
@@ -154,7 +162,7 @@ fn changes(app: &App, ui: &mut Ui) {
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
     type Ask = fn(&App) -> Command;
-    let rows: [(&str, &str, Ask); 5] = [
+    let rows: [(&str, &str, Ask); 6] = [
         ("action-open", "Ctrl+O", |_| Command::OpenFile),
         ("action-open-path", "", |app| {
             Command::Show(Some(app.opened()))
@@ -164,11 +172,27 @@ fn files(app: &App, ui: &mut Ui) {
             Command::Show(Some(app.saved()))
         }),
         ("action-export", "Ctrl+E", |_| Command::Export),
+        ("action-copy", "Ctrl+Shift+C", |_| Command::CopyFigure),
     ];
+    if !app.settings.recent.is_empty() {
+        menu_button(ui, app.look().say("action-recent"), |ui| recent(app, ui));
+    }
     for (key, keys, command) in rows {
         let is_there = !keys.is_empty() || app.platform.has_dialogs();
         if is_there && action(ui, app.look(), (key, keys), true) {
             app.push(command(app));
+        }
+    }
+}
+
+/// Files by their names, each with its folder beside it.
+fn recent(app: &App, ui: &mut Ui) {
+    for path in &app.settings.recent {
+        let (folder, name) = path.rsplit_once(['/', '\\']).unwrap_or(("", path));
+        let folder = RichText::new(folder).color(app.look().theme.soft);
+        let row = Button::new(name).right_text(folder);
+        if ui.add(row).clicked() {
+            app.push(Command::OpenRecent(path.clone()));
         }
     }
 }
@@ -181,7 +205,7 @@ pub fn asked_of(asked: PanelAsk) -> Command {
     }
 }
 
-/// Remembers whether the bar, which is laid out after its menus, has room to compare methods: what has none is in a menu.
+/// Remembers whether the bar has room to compare methods: what has none is in a menu.
 pub fn compare_is_in_the_bar(ctx: &Context, is_there: bool) {
     ctx.data_mut(|data| data.insert_temp(Id::unique(COMPARE), is_there));
 }

@@ -22,6 +22,7 @@ mod desk;
 mod dialog;
 mod files;
 mod free_panel;
+mod free_scenes;
 mod history;
 mod inspector;
 mod keys;
@@ -46,6 +47,7 @@ mod reload;
 mod room;
 mod run_room;
 mod settings;
+mod speaker;
 mod stage;
 mod stage_state;
 #[cfg(test)]
@@ -76,8 +78,8 @@ use web_time::Instant;
 
 use crate::{lesson::SceneFormats, panels, widgets::Album};
 
-use bookmark::Bookmark;
-use desk::Desk;
+use bookmark::{Bookmark, FreeScene};
+use desk::{Desk, Snapshot};
 use history::History;
 use playback::Playback;
 use prelude::*;
@@ -146,11 +148,12 @@ struct Shown {
     /// Is the question under the stage, where no lesson text is beside it?
     asks: bool,
     presenting: Option<window::Before>,
+    has_notes: bool,
     /// Is the course open where it is a strip else?
     unfolded: bool,
     room: room::Room,
-    /// The theme that the context has been given.
-    theme: Option<ThemeKind>,
+    /// The theme that the context has been given, and how large its text is.
+    theme: Option<(ThemeKind, f32)>,
     title: String,
 }
 
@@ -175,7 +178,7 @@ impl App {
             None => bookmark.step().is_some(),
         };
         if !is_open && bookmark.step().is_none() {
-            bookmark.open_free(first, None);
+            bookmark.open_free(FreeScene::of(first), None);
         }
         let scene = (first.first_scene)();
         let stored = std::mem::take(&mut settings.works);
@@ -229,8 +232,20 @@ impl App {
     }
 
     pub fn settings(&self) -> Settings {
+        self.snapshot().written()
+    }
+
+    fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            settings: self.plain_settings(),
+            works: self.kept_works(),
+            formats: self.kit.formats,
+        }
+    }
+
+    /// Without the work on pages.
+    fn plain_settings(&self) -> Settings {
         Settings {
-            works: self.stored_works(),
             theme: self.lasting_theme(),
             speed: self.playback.transport.speed(),
             ..self.settings.clone()
@@ -321,7 +336,9 @@ impl App {
 
     fn pressed(&self, ctx: &Context) -> Vec<Command> {
         let focus = keys::Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
-        let mut commands = keys::commands(ctx, focus);
+        let is_asked = self.shown.dialog.is_some() || self.shown.is_measuring;
+        let may = |it: &Command| !is_asked || matches!(it, Command::Cancel | Command::Help);
+        let mut commands = keys::commands(ctx, focus, may);
         if focus == keys::Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
@@ -332,9 +349,6 @@ impl App {
         }
         if self.stage.sketch.is_some() {
             commands.retain(Command::goes_with_a_sketch);
-        }
-        if self.shown.dialog.is_some() || self.shown.is_measuring {
-            commands.retain(|command| matches!(command, Command::Cancel | Command::Help));
         }
         commands
     }

@@ -74,7 +74,6 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
     // A window that was closed during a presentation is a window again.
     ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(false));
     ctx.set_fonts(fonts::definitions());
-    ctx.set_zoom_factor(settings.zoom);
     let loaded = opening.folder.as_ref().map(|folder| Course::check(folder));
     let course = loaded
         .as_ref()
@@ -100,18 +99,14 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
 }
 
 impl App {
-    /// How large the window and what is in it are: what the next one will be.
+    /// How large the window is: what the next one will be.
     fn note_window(&mut self, ctx: &Context) {
-        let zoom = ctx.zoom_factor();
-        self.is_touched |= self.settings.zoom != zoom;
-        self.settings.zoom = zoom;
         let window = ctx.input(|input| {
             let viewport = input.viewport();
             let is_plain = viewport.fullscreen != Some(true) && viewport.maximized != Some(true);
             viewport.inner_rect.filter(|_| is_plain)
         });
-        // In points of a window that is not enlarged.
-        let window = window.map(|rect| [rect.width() * zoom, rect.height() * zoom]);
+        let window = window.map(|rect| [rect.width(), rect.height()]);
         self.settings.window = window.or(self.settings.window);
     }
 }

@@ -1,8 +1,8 @@
-//! Messages over the stage: what went right for a moment, what went wrong until it is dismissed.
+//! Messages above the stage, where they hide nothing: what went right for a moment, what went wrong until it is dismissed.
 
-use crate::text::Message;
+use egui::{Frame, Panel};
 
-use super::App;
+use super::{App, Command, prelude::*};
 
 /// How long good news stays, in seconds.
 const PASSING_SECS: f64 = 5.0;
@@ -15,6 +15,70 @@ pub struct Notice {
     pub is_problem: bool,
     /// When it goes away by itself, in seconds.
     pub until: Option<f64>,
+}
+
+/// Of the window's height they take this part at most.
+const MOST: f32 = 0.4;
+
+pub fn show(app: &App, ui: &mut Ui) {
+    if app.notices.is_empty() {
+        return;
+    }
+    let (look, notices) = (app.look(), &app.notices);
+    let most = MOST * app.shown.size.y;
+    let frame = Frame::new().fill(look.theme.panel);
+    Panel::top("notices")
+        .resizable(false)
+        .frame(frame.inner_margin(Margin::symmetric(16, 6)))
+        .show(ui, |ui| {
+            ui.horizontal_top(|ui| {
+                let width = ui.available_width() - 40.0;
+                ScrollArea::vertical()
+                    .max_width(width)
+                    .max_height(most)
+                    .min_scrolled_height(most)
+                    .auto_shrink([false, true])
+                    .show(ui, |ui| {
+                        ui.vertical(|ui| {
+                            ui.set_max_width(width);
+                            for notice in notices {
+                                text(ui, look, notice);
+                            }
+                        });
+                    });
+                if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
+                    app.push(Command::Dismiss);
+                }
+            });
+        });
+}
+
+fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
+    let colour = if notice.is_problem {
+        look.theme.signal_text
+    } else {
+        look.theme.ink
+    };
+    if !notice.text.contains('\n') {
+        ui.add_space(6.0);
+        ui.add(Label::new(RichText::new(&notice.text).color(colour)).wrap());
+        return;
+    }
+    ui.spacing_mut().item_spacing.y = 0.0;
+    for line in notice.text.lines() {
+        let words = RichText::new(line).monospace().color(look.theme.ink);
+        // Lines of a file keep their columns, as the carets under them must.
+        let (label, numbered) = (Label::new(words), line.trim_start());
+        let is_of_a_file = numbered
+            .trim_start_matches(|c: char| c.is_ascii_digit())
+            .trim_start()
+            .starts_with("| ");
+        if is_of_a_file {
+            ui.add(label.truncate());
+        } else {
+            ui.add(label.wrap());
+        }
+    }
 }
 
 impl App {
@@ -64,6 +128,10 @@ impl App {
 
     /// Takes away what has been seen; seconds until the next one goes.
     pub(super) fn expire_notices(&mut self, now: f64) -> Option<f32> {
+        // Nothing moves under a pointer that drags.
+        if self.history.is_in_gesture() {
+            return None;
+        }
         let is_shown = |notice: &Notice| notice.until.is_none_or(|until| until > now);
         self.notices.retain(is_shown);
         let ends = self.notices.iter().filter_map(|notice| notice.until);

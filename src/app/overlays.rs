@@ -1,12 +1,16 @@
-//! What lies over the window: messages, the list of keys, where to save, measured costs.
+//! What lies over the window: the list of keys, where to save, measured costs.
 
-use egui::{Area, Frame, Grid, KeyboardShortcut, Modal, Order, TextEdit};
+use egui::{Frame, Grid, KeyboardShortcut, Modal, TextEdit};
 
 use crate::widgets::{select, theme_key};
 
-use super::{App, BINDINGS, Command, Dialog, Figures, Target, notice::Notice, prelude::*};
+use super::{App, BINDINGS, Command, Dialog, Figures, free_scenes, prelude::*};
 
 const WIDTH: f32 = 528.0;
+/// Of its width the keys take so much.
+const KEYS: f32 = 0.32;
+/// What an arrow key scrolls.
+const LINE: f32 = 40.0;
 /// Keys that are no commands.
 const OTHER_KEYS: [(&str, &str); 7] = [
     ("Tab", "help-tab"),
@@ -20,20 +24,18 @@ const OTHER_KEYS: [(&str, &str); 7] = [
 
 pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>]) {
     let ctx = ui.ctx();
-    if !app.notices.is_empty() {
-        notices(app, ctx);
-    }
     if app.shown.is_measuring {
         measure(app, ctx, panels);
     }
     match app.shown.dialog.as_ref() {
         Some(Dialog::Help) => help(app, ctx),
+        Some(Dialog::Scene(act, name)) => free_scenes::dialog(app, ctx, *act, name),
         Some(dialog) => path_dialog(app, ctx, dialog),
         None => {}
     }
 }
 
-fn modal(id: &str, look: Look<'_>) -> Modal {
+pub fn modal(id: &str, look: Look<'_>) -> Modal {
     let frame = Frame::new()
         .fill(look.theme.background)
         .stroke(Stroke::new(1.0, look.theme.hairline))
@@ -42,89 +44,32 @@ fn modal(id: &str, look: Look<'_>) -> Modal {
     Modal::new(Id::unique(id)).frame(frame)
 }
 
-fn notices(app: &App, ctx: &Context) {
-    let (look, notices) = (app.look(), &app.notices);
-    let width = (ctx.content_rect().width() - 32.0).clamp(64.0, 880.0);
-    let height = 0.6 * ctx.content_rect().height();
-    let area = Area::new(Id::unique("notices"))
-        .order(Order::Foreground)
-        .anchor(Align2::CENTER_TOP, vec2(0.0, 56.0));
-    area.show(ctx, |ui| {
-        let is_problem = notices.iter().any(|notice| notice.is_problem);
-        let edge = if is_problem {
-            look.theme.signal
-        } else {
-            look.theme.hairline
-        };
-        let frame = Frame::new()
-            .fill(look.theme.background)
-            .stroke(Stroke::new(1.0, edge))
-            .corner_radius(6)
-            .inner_margin(Margin::symmetric(16, 8));
-        frame.show(ui, |ui| {
-            ui.set_max_width(width - 32.0);
-            ui.horizontal_top(|ui| {
-                let room = ui.available_width() - 40.0;
-                ScrollArea::both()
-                    .max_height(height)
-                    .max_width(room)
-                    .auto_shrink([true, true])
-                    .show(ui, |ui| {
-                        ui.vertical(|ui| {
-                            ui.set_max_width(room);
-                            for notice in notices {
-                                text(ui, look, notice);
-                            }
-                            if ui.min_rect().width() > room {
-                                // The bar at the bottom takes its room from what lies above it.
-                                ui.add_space(ui.spacing().scroll.allocated_width());
-                            }
-                        });
-                    });
-                if icon_button(ui, look, Icon::Close, &look.say("action-close"), true).clicked() {
-                    app.push(Command::Dismiss);
-                }
-            });
-        });
-    });
-}
-
-/// Lines of a file keep their columns, as the caret under them must.
-fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
-    let is_listing = notice.text.contains('\n');
-    let words = RichText::new(&notice.text).color(look.theme.ink);
-    if is_listing {
-        ui.add(Label::new(words.monospace()).extend());
-    } else {
-        ui.add_space(6.0);
-        ui.add(Label::new(words).wrap());
-    }
-}
-
 fn help(app: &App, ctx: &Context) {
     let look = app.look();
     let response = modal("help", look).show(ctx, |ui| {
-        let height = ctx.content_rect().height() - 120.0;
-        ui.set_max_width(WIDTH * look.theme.text_scale);
+        let height = (ctx.content_rect().height() - 120.0).max(60.0);
+        let width = (WIDTH * look.theme.text_scale).min(ctx.content_rect().width() - 64.0);
+        ui.set_max_width(width);
         heading(app, ui, "help-title");
         ScrollArea::vertical()
-            .max_height(height.max(60.0))
-            .min_scrolled_height(height.max(60.0))
+            .max_height(height)
+            .min_scrolled_height(height)
             .show(ui, |ui| {
-                Grid::new("keys")
-                    .num_columns(2)
-                    .spacing(vec2(24.0, 2.0))
-                    .min_row_height(0.0)
-                    .show(ui, |ui| {
-                        let others = OTHER_KEYS.map(|(keys, help)| (keys.to_owned(), help));
-                        for (keys, help) in lines(ctx).into_iter().chain(others) {
-                            ui.label(RichText::new(keys).monospace().color(look.theme.ink));
-                            ui.label(soft(look, help));
-                            ui.end_row();
-                        }
+                scroll_by_keys(ui, height);
+                let others = OTHER_KEYS.map(|(keys, help)| (keys.to_owned(), help));
+                for (keys, help) in lines(ctx).into_iter().chain(others) {
+                    ui.horizontal_top(|ui| {
+                        let keys = RichText::new(keys).monospace().color(look.theme.ink);
+                        let column = vec2(KEYS * width, 0.0);
+                        ui.allocate_ui(column, |ui| {
+                            ui.set_min_width(column.x);
+                            ui.add(Label::new(keys).wrap());
+                        });
+                        ui.add(Label::new(soft(look, help)).wrap());
                     });
+                }
                 ui.add_space(8.0);
-                for note in ["help-drag", "help-edge"] {
+                for note in ["help-drag", "help-edge", "help-turn"] {
                     ui.add(Label::new(soft(look, note)).wrap());
                 }
             });
@@ -134,7 +79,25 @@ fn help(app: &App, ctx: &Context) {
     }
 }
 
-fn heading(app: &App, ui: &mut Ui, key: &str) {
+/// The keys of a page scroll what is in it, as the wheel does.
+fn scroll_by_keys(ui: &Ui, height: f32) {
+    let page = 0.9 * height;
+    let keys = [
+        (Key::ArrowDown, -LINE),
+        (Key::ArrowUp, LINE),
+        (Key::PageDown, -page),
+        (Key::PageUp, page),
+        (Key::End, f32::MIN),
+        (Key::Home, f32::MAX),
+    ];
+    for (key, by) in keys {
+        if ui.input(|input| input.key_pressed(key)) {
+            ui.scroll_with_delta(vec2(0.0, by));
+        }
+    }
+}
+
+pub fn heading(app: &App, ui: &mut Ui, key: &str) {
     let look = app.look();
     let size = vec2(
         ui.available_width().min(WIDTH * look.theme.text_scale),
@@ -183,7 +146,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         Dialog::Open(target) => ("open-title", "action-open-it", target, None),
         Dialog::Save(target) => ("save-title", "action-save", target, None),
         Dialog::Export(target, figures) => ("export-title", "action-export", target, Some(figures)),
-        Dialog::Help => return,
+        Dialog::Help | Dialog::Scene(..) => return,
     };
     let action = if target.replaces {
         "action-replace"
@@ -197,25 +160,16 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         if let Some(figures) = figures {
             choices(ui, look, figures);
         }
-        let entered = path_field(ui, look, target);
+        let entered = text_field(ui, look, "save-path", &mut target.path);
         if target.replaces {
             ui.label(look.say("save-exists"));
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let text = RichText::new(look.say(action))
-                .text_style(theme::strong())
-                .color(look.theme.background);
-            let go = egui::Button::new(text).fill(look.theme.accent);
-            let ready = !target.path.trim().is_empty();
-            if (ui.add_enabled(ready, go).clicked() || entered) && ready {
-                app.push(Command::Confirm);
-            }
+            let is_ready = !target.path.trim().is_empty();
+            go_and_cancel(app, ui, action, (entered, is_ready));
             if app.platform.has_dialogs() && ui.button(look.say("action-browse")).clicked() {
                 app.push(Command::Browse);
-            }
-            if ui.button(look.say("action-cancel")).clicked() {
-                app.push(Command::Show(None));
             }
         });
     });
@@ -223,25 +177,44 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         if let Some(target) = changed.target_mut() {
             target.replaces = false;
         }
-        // Before a press of the button, so that it does what is chosen now.
-        app.commands
-            .borrow_mut()
-            .insert(0, Command::Show(Some(changed)));
+        show_changed(app, changed);
     } else if response.should_close() {
         app.push(Command::Show(None));
     }
 }
 
-fn path_field(ui: &mut Ui, look: Look<'_>, target: &mut Target) -> bool {
-    let label = ui.label(soft(look, "save-path"));
-    let field = TextEdit::singleline(&mut target.path)
+/// The button that does it, where it is ready, and the one that does not.
+pub fn go_and_cancel(app: &App, ui: &mut Ui, action: &str, (entered, is_ready): (bool, bool)) {
+    let look = app.look();
+    let text = RichText::new(look.say(action))
+        .text_style(theme::strong())
+        .color(look.theme.background);
+    let go = Button::new(text).fill(look.theme.accent);
+    if (ui.add_enabled(is_ready, go).clicked() || entered) && is_ready {
+        app.push(Command::Confirm);
+    }
+    if ui.button(look.say("action-cancel")).clicked() {
+        app.push(Command::Show(None));
+    }
+}
+
+/// What is written in a dialog now, before a press of its button, so that it does what is chosen now.
+pub fn show_changed(app: &App, changed: Dialog) {
+    let mut commands = app.commands.borrow_mut();
+    commands.insert(0, Command::Show(Some(changed)));
+}
+
+/// A field with this name; has Enter been pressed in it?
+pub fn text_field(ui: &mut Ui, look: Look<'_>, key: &str, written: &mut String) -> bool {
+    let label = ui.label(soft(look, key));
+    let field = TextEdit::singleline(written)
         .desired_width(f32::INFINITY)
         .font(egui::TextStyle::Monospace);
     let field = ui.add(field).labelled_by(label.id);
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
         field.request_focus();
-        select_name(ui.ctx(), field.id, &target.path);
+        select_name(ui.ctx(), field.id, written);
     }
     entered
 }

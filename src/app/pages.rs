@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     App,
-    bookmark::Bookmark,
+    bookmark::{Bookmark, FreeScene},
     desk::{Page, Places, StoredWork, Work},
     history::{History, OnDisk},
     playback::Playback,
@@ -43,6 +43,13 @@ impl App {
 
     /// Shows the open page as it was left, else as it is at first; what was shown before.
     pub(super) fn enter(&mut self) -> Option<Work> {
+        let is_there = |page: &Page| self.desk.works.contains_key(page);
+        if let Some(free) = &mut self.bookmark.free
+            && !is_there(&free.page())
+        {
+            // One with a name that was deleted, in another window say, is not made anew.
+            free.name = None;
+        }
         let page = self.bookmark.page();
         let work = page.as_ref().and_then(|page| self.desk.works.remove(page));
         let at_first = |(scene, position)| Work {
@@ -58,16 +65,23 @@ impl App {
         if let Some(problem) = step.and_then(LessonStep::problem) {
             self.complain(self.listing(&[problem]));
         }
-        if let Some(page) = page {
-            let lab = self.scene().document().lab();
-            let places = &mut self.desk.places;
-            if let Page::Step(..) = page {
-                places.steps.insert(lab.id.to_owned(), page.clone());
-            }
-            places.labs.insert(lab.id.to_owned(), page);
-        }
+        self.note_place();
         self.playback.transport.set_speed(self.settings.speed);
         before
+    }
+
+    /// Remembers the open page as the one of its lab.
+    pub(super) fn note_place(&mut self) {
+        if let Some(page) = self.bookmark.page() {
+            let lab = self.scene().document().lab();
+            let places = &mut self.desk.places;
+            let of_kind = match page {
+                Page::Step(..) => &mut places.steps,
+                Page::Free(_) | Page::Named(..) => &mut places.free,
+            };
+            of_kind.insert(lab.id.to_owned(), page.clone());
+            places.labs.insert(lab.id.to_owned(), page);
+        }
     }
 
     /// Shows this in the place of what is shown, which it answers.
@@ -85,7 +99,7 @@ impl App {
     /// Opens another course, at the place where it was left: the one that is built in, or a folder's.
     pub(super) fn change_course(&mut self, course: Course, folder: Option<String>) {
         let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
-        self.settings = self.settings();
+        self.settings = self.plain_settings();
         self.settings.folder = folder;
         self.desk.places = self.settings.places();
         let Places {
@@ -154,8 +168,8 @@ impl App {
 
     /// The open page's own scene, and where its run stands at first.
     pub(super) fn own(&self) -> Option<(Scene, usize)> {
-        if let Some(lab) = self.bookmark.free {
-            return Some(((lab.first_scene)(), 0));
+        if let Some(free) = &self.bookmark.free {
+            return Some(((free.lab.first_scene)(), 0));
         }
         let step = self.bookmark.step()?;
         // The end of two runs side by side is that of the longer one.
@@ -213,7 +227,7 @@ impl App {
             let last = labs.get(id);
             last.is_some_and(|page| bookmark.open_page(page, |_| Some(lab), &steps))
                 || bookmark.open_lab(id)
-                || bookmark.open_free(lab, None)
+                || bookmark.open_free(FreeScene::of(lab), None)
         });
     }
 
@@ -229,16 +243,25 @@ impl App {
 
     /// From the course to the lab's free scene, or back.
     pub(super) fn toggle_free(&mut self) {
-        let lab = self.scene().document().lab();
-        match self.bookmark.free {
-            Some(_) => self.turn_to(|bookmark| bookmark.open(bookmark.at)),
-            None => self.open_free(lab),
+        if self.bookmark.free.is_some() {
+            self.turn_to(|bookmark| bookmark.open(bookmark.at));
+            return;
         }
+        let lab = self.scene().document().lab();
+        let last = self.desk.places.free.get(lab.id).cloned();
+        self.open_page(&last.unwrap_or_else(|| FreeScene::of(lab).page()));
+    }
+
+    pub(super) fn open_page(&mut self, page: &Page) {
+        let steps = self.desk.places.steps.clone();
+        let labs: Vec<_> = self.kit.panels.iter().map(|panel| panel.lab()).collect();
+        let lab_of = |id: &str| labs.into_iter().find(|lab| lab.id == id);
+        self.turn_to(|bookmark| bookmark.open_page(page, lab_of, &steps));
     }
 
     pub(super) fn open_free(&mut self, lab: &'static Lab) {
         let last = self.desk.places.steps.get(lab.id).cloned();
-        self.turn_to(|bookmark| bookmark.open_free(lab, last.as_ref()));
+        self.turn_to(|bookmark| bookmark.open_free(FreeScene::of(lab), last.as_ref()));
     }
 
     /// The scene and its moment, as a file spells them.
@@ -247,7 +270,8 @@ impl App {
         self.kit.formats.write(self.scene(), &at)
     }
 
-    pub(super) fn stored_works(&self) -> Vec<StoredWork> {
+    /// What is kept over a restart, and the scenes that are to be spelt for it.
+    pub(super) fn kept_works(&self) -> Vec<(StoredWork, Scene)> {
         let page = self.bookmark.page().filter(|_| self.is_the_readers());
         let open = (page.iter()).map(|page| (page, &self.history, self.position()));
         let changed = self.desk.works.iter().filter(|(_, work)| work.is_changed);
@@ -256,14 +280,15 @@ impl App {
         let stored = open.chain(changed).filter_map(|(page, history, position)| {
             let scene = history.now();
             room = room.checked_sub(scene.document().size())?;
-            Some(StoredWork {
+            let work = StoredWork {
                 page: page.clone(),
-                scene: self.kit.formats.write(scene, &Moment::Start),
+                scene: String::new(),
                 position,
                 file: history.file().map(str::to_owned),
                 is_unsaved: history.is_unsaved(),
                 before: None,
-            })
+            };
+            Some((work, scene.clone()))
         });
         stored.collect()
     }
@@ -278,6 +303,7 @@ impl App {
             let scene = read.scene;
             let own = match &work.page {
                 Page::Free(id) => self.kit.lab(id).map(|lab| (lab.first_scene)()),
+                Page::Named(id, _) => self.kit.lab(id).map(|lab| (lab.smallest_scene)()),
                 Page::Step(lesson, step) => {
                     let step = self.bookmark.step_of(lesson, step);
                     step.map(|step| (*step.scene).clone())
@@ -286,7 +312,7 @@ impl App {
             let Some(own) = own.filter(|own| own.document().lab() == scene.document().lab()) else {
                 continue;
             };
-            let is_changed = matches!(work.page, Page::Free(_)) || own != scene;
+            let is_changed = !matches!(work.page, Page::Step(..)) || own != scene;
             let lab = own.document().lab();
             let mut history = History::new(own);
             let before = work

@@ -9,6 +9,7 @@ use crate::export;
 use crate::{
     labs::Scene,
     lesson::Lesson,
+    paint::Image,
     text::{Diagnostic, SystemError},
 };
 
@@ -66,11 +67,11 @@ pub trait Platform {
         Err(NO_FILES.into())
     }
 
-    /// Draws a figure as a file's bytes.
+    /// Draws a figure.
     ///
     /// # Errors
     /// Why it could not be drawn.
-    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
+    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Image, Diagnostic> {
         Err(NO_FILES.into())
     }
 }
@@ -136,7 +137,7 @@ impl Platform for Desktop {
         Ok(path.to_owned())
     }
 
-    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
+    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Image, Diagnostic> {
         let Figures {
             size_px,
             theme,
@@ -163,6 +164,6 @@ impl Platform for Desktop {
                 asks: false,
             },
         };
-        Ok(studio.draw(&figure).to_png())
+        Ok(studio.draw(&figure))
     }
 }

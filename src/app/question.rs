@@ -11,7 +11,7 @@ use super::{App, Command, prelude::*};
 const MOST: f32 = 0.34;
 
 /// From the paragraph that asks to the answer.
-fn asked(body: &[Block]) -> Option<&[Block]> {
+pub fn asked(body: &[Block]) -> Option<&[Block]> {
     let answer = body.iter().position(|it| matches!(it, Block::Answer(_)))?;
     let asks = |block: &Block| matches!(block, Block::Paragraph(_));
     let question = body[..answer].iter().rposition(asks)?;

@@ -49,7 +49,7 @@ impl App {
 
     pub(super) fn look(&self) -> Look<'static> {
         Look {
-            theme: Theme::of(self.settings.theme),
+            theme: Theme::sized(self.settings.theme, self.settings.text),
             catalog: self.catalog(),
         }
     }
@@ -71,12 +71,18 @@ impl App {
         self.shown.presenting.is_some()
     }
 
+    /// So many times as much room as at first is what larger text takes.
+    pub(super) const fn enlarged(&self) -> f32 {
+        self.settings.text.max(1.0)
+    }
+
     pub(super) fn is_narrow(&self) -> bool {
-        self.shown.size.x < NARROW * self.look().theme.text_scale.sqrt()
+        let scale = Theme::of(self.settings.theme).text_scale.sqrt();
+        self.shown.size.x < NARROW * scale * self.enlarged()
     }
 
     pub(super) fn is_low(&self) -> bool {
-        self.shown.size.y < LOW
+        self.shown.size.y < LOW * self.enlarged()
     }
 
     pub(super) fn room(&self) -> Room {
@@ -89,7 +95,7 @@ impl App {
 
     /// Do the panels, as wide as this theme's text wants them, leave the stage too little?
     pub(super) fn has_strip(&self) -> bool {
-        let width = (COURSE + INSPECTOR) * self.look().theme.text_scale.sqrt();
+        let width = (COURSE + INSPECTOR) * Theme::of(self.settings.theme).text_scale.sqrt();
         width > BESIDE * self.shown.size.x
     }
 

@@ -23,6 +23,7 @@ struct Asked {
     width: f32,
     lang: Lang,
     theme: ThemeKind,
+    text_scale: f32,
 }
 
 impl<T> RunRoom<T> {
@@ -40,6 +41,7 @@ impl<T> RunRoom<T> {
             width,
             lang: look.catalog.lang(),
             theme: look.theme.kind,
+            text_scale: look.theme.text_scale,
         };
         let is_held = ui.input(|input| input.pointer.any_down());
         let is_good = |known: Asked| {

@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{paint::ThemeKind, text::Lang, trace::Transport};
+use crate::{
+    paint::{ThemeKind, theme::text_size},
+    text::Lang,
+    trace::Transport,
+};
 
 use super::{
     desk::{Places, StoredWork},
@@ -23,8 +27,9 @@ pub struct Settings {
     pub snap: bool,
     /// Steps a second.
     pub speed: f32,
-    /// How large the interface is drawn.
-    pub zoom: f32,
+    /// How large text is, one of [`TEXT_SIZES`](crate::paint::theme::TEXT_SIZES). Before, all was enlarged.
+    #[serde(alias = "zoom")]
+    pub text: f32,
     /// What stands beside the drawings is so many times as large as it is at first.
     pub board: f32,
     /// Is the camera's picture as large as the observer's?
@@ -34,6 +39,8 @@ pub struct Settings {
     /// The window's inner size in points, when it was closed.
     pub window: Option<[f32; 2]>,
     pub figures: Option<Figures>,
+    /// Scene files that were opened or written lately, the last one first.
+    pub recent: Vec<String>,
     /// In the course that is built in.
     #[serde(flatten)]
     pub places: Places,
@@ -54,12 +61,13 @@ impl Default for Settings {
             inspector: true,
             snap: true,
             speed: 1.0,
-            zoom: 1.0,
+            text: 1.0,
             board: 1.0,
             picture_beside: false,
             is_greeted: false,
             window: None,
             figures: None,
+            recent: Vec::new(),
             places: Places::default(),
             folders: Vec::new(),
             folder: None,
@@ -72,7 +80,6 @@ impl Default for Settings {
 const MOST_FOLDERS: usize = 8;
 /// What a window can be.
 const SIDES: std::ops::RangeInclusive<f32> = 240.0..=8192.0;
-const ZOOMS: std::ops::RangeInclusive<f32> = 0.5..=3.0;
 const BOARDS: std::ops::RangeInclusive<f32> = 0.3..=3.0;
 
 impl Settings {
@@ -84,7 +91,7 @@ impl Settings {
         };
         let [slowest, .., fastest] = Transport::SPEEDS;
         self.speed = within(self.speed, &(slowest..=fastest), 1.0);
-        self.zoom = within(self.zoom, &ZOOMS, 1.0);
+        self.text = text_size(within(self.text, &(0.5..=3.0), 1.0), 0);
         self.board = within(self.board, &BOARDS, 1.0);
         self.window = self
             .window

@@ -36,7 +36,8 @@ fn title(app: &App) -> Option<String> {
     let is_whole = app.course_part() == CoursePart::Whole;
     let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
     let title = app.bookmark.title(app.settings.lang)?;
-    let [lesson, step] = app.bookmark.at.map(|idx| idx + 1);
+    let [lesson, step] = app.bookmark.at;
+    let (lesson, step) = (app.bookmark.course.number(lesson), step + 1);
     let title = if app.is_presenting() {
         format!("{lesson}.{step}\u{2003}{title}")
     } else {

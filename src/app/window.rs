@@ -11,6 +11,8 @@ const IDLE_SECS: f32 = 3.0;
 pub struct Before {
     theme: ThemeKind,
     is_fullscreen: bool,
+    /// When it began, in seconds.
+    pub since: f64,
 }
 
 /// Seconds until the pointer has rested enough to be hidden.
@@ -31,6 +33,7 @@ impl App {
         self.shown.presenting = Some(Before {
             theme: self.settings.theme,
             is_fullscreen: ctx.input(|input| input.viewport().fullscreen) == Some(true),
+            since: ctx.input(|input| input.time),
         });
         ctx.send_viewport_cmd(ViewportCommand::Fullscreen(true));
     }
@@ -74,20 +77,21 @@ impl App {
 
     /// Gives the context the theme, unless it has it: a headless table brings its own.
     pub(super) fn install_theme(&mut self, ui: &mut Ui) {
-        let kind = self.settings.theme;
-        if self.shown.theme == Some(kind) {
+        let theme = self.look().theme;
+        let now = Some((theme.kind, theme.text_scale));
+        if self.shown.theme == now {
             return;
         }
-        let wanted = Theme::of(kind).style();
+        let wanted = theme.style();
         let has = ui.ctx().global_style();
         if has.text_styles != wanted.text_styles
             || has.visuals.panel_fill != wanted.visuals.panel_fill
         {
-            theme::install(ui.ctx(), kind);
+            theme::install(ui.ctx(), theme);
             // This frame has begun with the old one.
             ui.reset_style();
         }
-        self.shown.theme = Some(kind);
+        self.shown.theme = now;
     }
 
     pub(super) fn name_window(&mut self, ctx: &Context) {

@@ -21,6 +21,8 @@ pub struct Lab {
     pub methods: fn() -> Vec<&'static MethodCard>,
     /// What it opens on where there is no lesson.
     pub first_scene: fn() -> Scene,
+    /// With as little in it as a scene can have.
+    pub smallest_scene: fn() -> Scene,
     /// Groups of handles that a lesson can lock.
     pub lock_groups: &'static [&'static str],
     /// Another lab's scene as one of its own, by its first method, if it can be one.

@@ -92,6 +92,13 @@ impl Lesson {
 }
 
 impl Course {
+    /// The number of a lesson: that of its folder, where its name begins with one, else its place.
+    pub fn number(&self, lesson_idx: usize) -> usize {
+        let id = self.lessons.get(lesson_idx).map(|lesson| &*lesson.id);
+        let named = id.and_then(|id| id.split('-').next()?.parse().ok());
+        named.unwrap_or(lesson_idx + 1)
+    }
+
     pub fn lesson(&self, id: &str) -> Option<&Lesson> {
         self.lessons.iter().find(|lesson| lesson.id == id)
     }

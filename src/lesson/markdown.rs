@@ -17,6 +17,8 @@ pub enum Block {
     Code(String),
     /// Hidden until the reader asks for it.
     Answer(Vec<Self>),
+    /// For whoever presents the step, and for nobody else.
+    Note(Vec<Inline>),
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,6 +45,8 @@ pub struct Inline {
 pub struct StepText {
     pub title: String,
     pub body: Vec<Block>,
+    /// What the speaker is told.
+    pub note: Vec<Block>,
 }
 
 pub(super) enum TextPart {
@@ -176,8 +180,30 @@ impl Reader {
         self.parts.push((TextPart::Heading { level, title }, span));
     }
 
+    /// Takes the marks from the lines of a note; is the open paragraph one?
+    fn take_marks(&mut self, span: &Range<usize>, sink: &Sink<'_>) -> bool {
+        let text: String = self.inlines.iter().map(|part| &*part.text).collect();
+        let mut lines = text.split(SOFT_BREAK);
+        if !lines.clone().any(|line| line.starts_with(NOTE.trim_end())) {
+            return false;
+        }
+        let is_whole = lines.all(|line| line.starts_with(NOTE));
+        if !is_whole || self.quotes > 0 || !self.lists.is_empty() {
+            let expected = [Message::new("expect-note")];
+            sink.error(span.clone(), Message::new("problem-stray-note"), expected);
+        }
+        let mark = format!("{SOFT_BREAK}{NOTE}");
+        for (i, part) in self.inlines.iter_mut().enumerate() {
+            let first = part.text.strip_prefix(NOTE).filter(|_| i == 0);
+            let rest = first.unwrap_or(&part.text);
+            part.text = rest.replace(&mark, &SOFT_BREAK.to_string());
+        }
+        true
+    }
+
     /// Ends a paragraph or the text of an item, where one is open.
     fn end_of_text(&mut self, span: Range<usize>, sink: &Sink<'_>) {
+        let is_note = self.take_marks(&span, sink);
         let text = self.inlines();
         if text.is_empty() {
             return;
@@ -199,7 +225,9 @@ impl Reader {
                 expected,
             );
         }
-        let block = if self.lists.is_empty() {
+        let block = if is_note {
+            Block::Note(text)
+        } else if self.lists.is_empty() {
             Block::Paragraph(text)
         } else {
             Block::ListItem {
@@ -262,6 +290,9 @@ impl Reader {
 
 /// A longer paragraph is no text, and would take seconds to set.
 const MAX_LETTERS: usize = 20_000;
+
+/// Begins each line of a note for the speaker.
+const NOTE: &str = "!> ";
 
 /// Stands for a line break in the file until its neighbours are known.
 const SOFT_BREAK: char = '\u{2028}';

@@ -89,7 +89,7 @@ fn mark_new(blocks: &mut [Block], lang: Lang, known: &mut Vec<&'static Word>) {
                     .collect();
             }
             Block::Answer(inner) => mark_new(inner, lang, known),
-            Block::Code(_) => {}
+            Block::Code(_) | Block::Note(_) => {}
         }
     }
 }

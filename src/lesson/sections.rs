@@ -42,7 +42,9 @@ pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<WrittenTex
         return None;
     };
     file.take_references(&braces.spans, sink);
-    for section in file.sections.iter().filter(|s| s.body.is_empty()) {
+    let is_note = |block: &Block| matches!(block, Block::Note(_));
+    let is_empty = |section: &&Section| section.body.iter().all(is_note);
+    for section in file.sections.iter().filter(is_empty) {
         let message = Message::new("problem-empty-section").with("name", clipped(&section.id));
         sink.error(section.span.clone(), message, []);
     }
@@ -158,6 +160,7 @@ fn in_order(
             let text = StepText {
                 title: section.title,
                 body: section.body,
+                note: Vec::new(),
             };
             steps.push(WrittenStep::new(text, &section.references, sink));
         } else {

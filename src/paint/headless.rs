@@ -92,7 +92,7 @@ impl Headless {
 
     fn install(&mut self, kind: ThemeKind) {
         self.kind = kind;
-        theme::install(&self.ctx, kind);
+        theme::install(&self.ctx, Theme::of(kind));
         self.ctx.all_styles_mut(|style| {
             style.animation_time = 0.0;
             style.scroll_animation = egui::style::ScrollAnimation::none();

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::LazyLock;
 
 use egui::style::{HandleShape, Selection, WidgetVisuals, Widgets};
 use egui::{
@@ -143,6 +144,17 @@ const PROJECTOR: Theme = Theme {
     ..LIGHT
 };
 
+/// Text can be so many times as large as it is at first.
+pub const TEXT_SIZES: [f32; 7] = [0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0];
+
+/// So many of [`TEXT_SIZES`] on from the nearest to `text`.
+pub fn text_size(text: f32, by: isize) -> f32 {
+    let distance = |i: &usize| (TEXT_SIZES[*i] - text).abs();
+    let nearest = (0..TEXT_SIZES.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let at = nearest.unwrap_or_default().saturating_add_signed(by);
+    TEXT_SIZES[at.min(TEXT_SIZES.len() - 1)]
+}
+
 pub fn caption() -> TextStyle {
     TextStyle::Name("caption".into())
 }
@@ -161,6 +173,27 @@ impl Theme {
             ThemeKind::Light => &LIGHT,
             ThemeKind::Dark => &DARK,
             ThemeKind::Projector => &PROJECTOR,
+        }
+    }
+
+    /// With text of one of [`TEXT_SIZES`].
+    pub fn sized(kind: ThemeKind, text: f32) -> &'static Self {
+        static SIZED: LazyLock<Vec<Theme>> = LazyLock::new(|| {
+            let of_kind = |kind| TEXT_SIZES.map(|text| Theme::of(kind).with_text(text));
+            ThemeKind::ALL.into_iter().flat_map(of_kind).collect()
+        });
+        let nth = TEXT_SIZES.iter().position(|size| *size == text);
+        nth.map_or_else(
+            || Self::of(kind),
+            |nth| &SIZED[kind as usize * TEXT_SIZES.len() + nth],
+        )
+    }
+
+    fn with_text(&self, text: f32) -> Self {
+        Self {
+            text_scale: self.text_scale * text,
+            title_scale: self.title_scale * text,
+            ..self.clone()
         }
     }
 
@@ -275,16 +308,17 @@ impl Theme {
     }
 }
 
-/// egui keeps a style for light and one for dark surroundings: both are set, and the one of `kind` is chosen.
-pub fn install(ctx: &egui::Context, kind: ThemeKind) {
-    let (light, preference) = match kind {
-        ThemeKind::Light => (&LIGHT, ThemePreference::Light),
-        ThemeKind::Dark => (&LIGHT, ThemePreference::Dark),
-        ThemeKind::Projector => (&PROJECTOR, ThemePreference::Light),
+/// egui keeps a style for light and one for dark surroundings: both are set, and the one of `theme` is chosen. Its own keys that
+/// enlarge all are off: text has a size of its own.
+pub fn install(ctx: &egui::Context, theme: &Theme) {
+    let (light, dark, preference) = match theme.kind {
+        ThemeKind::Light | ThemeKind::Projector => (theme, &DARK, ThemePreference::Light),
+        ThemeKind::Dark => (&LIGHT, theme, ThemePreference::Dark),
     };
     ctx.set_style_of(egui::Theme::Light, light.style());
-    ctx.set_style_of(egui::Theme::Dark, DARK.style());
+    ctx.set_style_of(egui::Theme::Dark, dark.style());
     ctx.set_theme(preference);
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
 }
 
 #[cfg(test)]
@@ -302,10 +336,25 @@ mod tests {
     }
 
     #[test]
+    fn text_goes_from_size_to_size_and_no_further() {
+        assert_eq!([text_size(1.0, 1), text_size(1.0, -1)], [1.1, 0.9]);
+        assert_eq!([text_size(2.0, 1), text_size(0.9, -1)], [2.0, 0.9]);
+        assert_eq!([text_size(1.33, 0), text_size(17.0, 0)], [1.25, 2.0]);
+        for kind in ThemeKind::ALL {
+            assert_eq!(Theme::sized(kind, 1.0), Theme::of(kind));
+            assert_eq!(
+                Theme::sized(kind, 2.0).text_scale,
+                2.0 * Theme::of(kind).text_scale
+            );
+            assert_eq!(Theme::sized(kind, 2.0).kind, kind);
+        }
+    }
+
+    #[test]
     fn both_styles_of_egui_are_set() {
         for kind in ThemeKind::ALL {
             let ctx = egui::Context::default();
-            install(&ctx, kind);
+            install(&ctx, Theme::of(kind));
             assert_eq!(ctx.global_style().visuals.panel_fill, Theme::of(kind).panel);
             assert!(ctx.style_of(egui::Theme::Dark).visuals.dark_mode);
             assert!(!ctx.style_of(egui::Theme::Light).visuals.dark_mode);

@@ -77,7 +77,8 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edi
     asked
 }
 
-fn list(id: &str, shown: String) -> ComboBox<'_> {
+/// A button that opens a list of choices.
+pub fn list(id: &str, shown: String) -> ComboBox<'_> {
     ComboBox::from_id_salt(id)
         .height(LIST_PTS)
         .icon(chevron)

@@ -18,7 +18,7 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_ans
     ui.spacing_mut().item_spacing.y = 8.0;
     for (i, block) in blocks.iter().enumerate() {
         match block {
-            Block::Paragraph(text) => running(ui, look, text),
+            Block::Paragraph(text) | Block::Note(text) => running(ui, look, text),
             Block::ListItem {
                 depth,
                 marker,

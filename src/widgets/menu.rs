@@ -5,7 +5,10 @@ use egui::{
     containers::menu::{self, MenuButton, MenuConfig, SubMenuButton},
 };
 
-use crate::{paint::ThemeKind, text::Lang};
+use crate::{
+    paint::{ThemeKind, theme::TEXT_SIZES},
+    text::Lang,
+};
 
 use super::prelude::*;
 
@@ -77,4 +80,9 @@ pub const fn theme_key(kind: ThemeKind) -> &'static str {
 pub fn theme_menu(ui: &mut Ui, look: Look<'_>) -> Option<ThemeKind> {
     let mut all = ThemeKind::ALL.into_iter();
     all.find(|&kind| is_chosen(ui, kind == look.theme.kind, look.say(theme_key(kind))))
+}
+
+pub fn text_menu(ui: &mut Ui, current: f32) -> Option<f32> {
+    let mut all = TEXT_SIZES.into_iter();
+    all.find(|&size| is_chosen(ui, size == current, format!("{:.0} %", 100.0 * size)))
 }

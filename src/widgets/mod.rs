@@ -32,10 +32,12 @@ pub use caption::{caption, caption_text, height_for_all};
 pub use composed::{Composition, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped};
-pub use headings::{column_title, rule, section};
+pub use headings::{column_title, focus_ring, rule, section};
 pub use hit::link_at;
 pub use lesson_text::{lesson_text, step_title};
-pub use menu::{form_button, language_menu, menu_button, menu_style, theme_key, theme_menu};
+pub use menu::{
+    form_button, language_menu, menu_button, menu_style, text_menu, theme_key, theme_menu,
+};
 pub use pan_zoom::PanZoom;
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use selecting::select;

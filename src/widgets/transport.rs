@@ -140,7 +140,13 @@ impl Icon {
 }
 
 pub fn icon_button(ui: &mut Ui, look: Look<'_>, icon: Icon, name: &str, enabled: bool) -> Response {
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(32.0), Sense::click());
+    // What cannot be pressed is no stop of Tab.
+    let sense = if enabled {
+        Sense::click()
+    } else {
+        Sense::hover()
+    };
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(32.0), sense);
     let theme = look.theme;
     let colour = match (enabled, response.hovered()) {
         (false, _) => theme.faint.gamma_multiply(0.6),

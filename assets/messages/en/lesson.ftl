@@ -94,6 +94,7 @@ problem-empty-section = The step “{ $name }” has a heading but no text.
 problem-long-paragraph = The paragraph has { $count } characters, more than { $limit }.
 problem-unsupported-markdown = This kind of Markdown cannot be used in a lesson.
 problem-stray-emphasis = These asterisks do not make the text bold.
+problem-stray-note = This note for the speaker would be read by all.
 problem-more =
     { $count ->
         [one] { $count } more problem in this file is not shown.
@@ -144,6 +145,7 @@ expect-heading = Expected: a heading “## id: Title” for each step, with its 
 expect-section = Expected: “## { $name }: Title” after this, with its text below.
 expect-markdown = Expected: paragraphs, **bold**, *italics*, `code`, lists, code blocks, and a block quote for an answer.
 expect-emphasis = Expected: **bold**, with no space inside the asterisks; next to a Chinese character, move punctuation outside them.
+expect-note = Expected: a paragraph of its own, outside lists and answers, in which every line begins with “!> ”.
 
 ## What a value is
 

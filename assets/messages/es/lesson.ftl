@@ -94,6 +94,7 @@ problem-empty-section = El paso «{ $name }» tiene encabezado, pero no texto.
 problem-long-paragraph = El párrafo tiene { $count } caracteres, más de { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown no se admite en una lección.
 problem-stray-emphasis = Estos asteriscos no ponen el texto en negrita.
+problem-stray-note = Esta nota para quien presenta la leería todo el mundo.
 problem-more =
     { $count ->
         [one] No se muestra { $count } problema más de este archivo.
@@ -144,6 +145,7 @@ expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, c
 expect-section = Se esperaba: «## { $name }: Título» a continuación, con su texto debajo.
 expect-markdown = Se esperaba: párrafos, **negrita**, *cursiva*, `código`, listas, bloques de código y una cita para la respuesta.
 expect-emphasis = Se esperaba: **negrita**, sin espacios por dentro de los asteriscos; junto a un carácter chino, con la puntuación fuera.
+expect-note = Se esperaba: un párrafo propio, fuera de listas y respuestas, con “!> ” al principio de cada línea.
 
 ## What a value is
 

@@ -94,6 +94,7 @@ problem-empty-section = O passo “{ $name }” tem cabeçalho, mas não tem tex
 problem-long-paragraph = O parágrafo tem { $count } caracteres, mais que { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown não é aceito em uma lição.
 problem-stray-emphasis = Estes asteriscos não deixam o texto em negrito.
+problem-stray-note = Esta nota para quem apresenta seria lida por todos.
 problem-more =
     { $count ->
         [1] Mais { $count } problema deste arquivo não é mostrado.
@@ -144,6 +145,7 @@ expect-heading = Esperado: um cabeçalho “## id: Título” para cada passo, c
 expect-section = Esperado: “## { $name }: Título” a seguir, com seu texto abaixo.
 expect-markdown = Esperado: parágrafos, **negrito**, *itálico*, `código`, listas, blocos de código e uma citação para a resposta.
 expect-emphasis = Esperado: **negrito**, sem espaços por dentro dos asteriscos; ao lado de um caractere chinês, com a pontuação fora.
+expect-note = Esperado: um parágrafo próprio, fora de listas e respostas, com “!> ” no início de cada linha.
 
 ## What a value is
 

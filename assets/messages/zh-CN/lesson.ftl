@@ -90,6 +90,7 @@ problem-empty-section = 步骤“{ $name }”只有标题，没有文本。
 problem-long-paragraph = 这一段有 { $count } 个字符，超过 { $limit } 个。
 problem-unsupported-markdown = 课文中不能使用这种 Markdown。
 problem-stray-emphasis = 这些星号没有起到加粗的作用。
+problem-stray-note = 这条给讲者的备注会被所有人看到。
 problem-more = 此文件中还有 { $count } 个问题未显示。
 
 ## What was expected in its place
@@ -136,6 +137,7 @@ expect-heading = 应为：每一步有一个标题“## id: 标题”，正文�
 expect-section = 应为：此后有“## { $name }: 标题”，正文在其下。
 expect-markdown = 应为：段落、**加粗**、*斜体*、`代码`、列表、代码块，以及表示答案的引用块。
 expect-emphasis = 应为：**加粗**，星号内侧不留空格；若紧邻汉字，请将标点移到星号之外。
+expect-note = 应为：单独成段，不在列表或答案之内，且每一行都以“!> ”开头。
 
 ## What a value is
 

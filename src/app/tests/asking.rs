@@ -3,6 +3,7 @@
 use std::{cell::RefCell, rc::Rc};
 
 use super::*;
+use crate::paint::Image;
 
 /// A desktop whose dialogs are answered by the test.
 #[derive(Clone, Default)]
@@ -37,8 +38,11 @@ impl Platform for Asked {
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
         Desktop::default().write(path, bytes)
     }
-    fn draw(&mut self, _: StageFigure<'_>) -> Result<Vec<u8>, Diagnostic> {
-        Ok(b"a figure".to_vec())
+    fn draw(&mut self, _: StageFigure<'_>) -> Result<Image, Diagnostic> {
+        Ok(Image {
+            size: [1, 1],
+            rgba: vec![255; 4],
+        })
     }
 }
 

@@ -181,20 +181,106 @@ fn told(n_lines: usize, last: &str) -> (Bench, String) {
 }
 
 #[test]
-fn an_error_that_is_too_long_scrolls_in_sight() {
-    let (bench, _) = told(59, &format!("a = {}", "[".repeat(400)));
-    let notices = Id::unique("notices");
-    let area = bench.ctx.memory(|memory| memory.area_rect(notices));
+fn a_message_stands_above_the_stage_and_hides_neither_it_nor_the_lesson() {
     let screen = Rect::from_min_size(Pos2::ZERO, SIZE);
-    let is_in_sight = area.is_some_and(|area| screen.contains_rect(area));
-    assert!(is_in_sight, "{area:?}");
+    for n_lines in [0, 59] {
+        let (mut bench, text) = told(n_lines, "the last line");
+        let close = bench.found("Close");
+        assert!(screen.contains_rect(close), "{close}");
+        let lesson = bench
+            .app
+            .bookmark
+            .title(Lang::En)
+            .expect("a step")
+            .to_owned();
+        let texts = bench.texts();
+        let title = texts.iter().find(|(text, _)| *text == lesson);
+        let title = title.expect("the lesson is read").1;
+        let lines = texts
+            .iter()
+            .filter(|(line, _)| text.lines().any(|it| it == line));
+        let lines: Vec<Rect> = lines.map(|(_, rect)| *rect).collect();
+        assert!(!lines.is_empty());
+        let stage = bench.on_screen([0.0, 0.0]);
+        for line in lines {
+            assert!(
+                line.left() > title.right() && line.bottom() < stage.y,
+                "{line}"
+            );
+            assert!(screen.contains_rect(line), "it is wrapped: {line}");
+        }
+    }
 }
 
 #[test]
-fn the_last_line_of_a_listing_is_whole_where_its_lines_are_too_long() {
-    let (mut bench, text) = told(1, "the last line");
-    let mut written = bench.written().into_iter();
-    let found = written.find(|(known, ..)| *known == text);
-    let (_, rect, clip) = found.expect("it is written");
-    assert!(clip.bottom() >= rect.bottom(), "{rect} in {clip}");
+fn recent_files_are_at_hand_and_one_that_is_gone_leaves() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = |n: usize| {
+        folder
+            .path()
+            .join(format!("{n}.toml"))
+            .display()
+            .to_string()
+    };
+    let mut bench = on_a_desktop();
+    for n in 0..9 {
+        bench.edit(Edit::Add(None));
+        let save = Dialog::Save(Target::new(path(n)));
+        bench.command(Command::Show(Some(save)));
+        bench.command(Command::Confirm);
+    }
+    let recent = |bench: &Bench| bench.app.settings().recent;
+    let newest_first: Vec<String> = (1..9).rev().map(path).collect();
+    assert_eq!(recent(&bench), newest_first, "eight, the last one first");
+    bench.open_menus(&["Scene", "Open a recent file"]);
+    let mut named = bench.named().into_iter();
+    let row = named.find(|(name, _)| name.starts_with("3.toml"));
+    bench.press_at(row.expect("it is in the list").1.center());
+    assert_eq!(bench.app.history.file(), Some(&*path(3)));
+    assert_eq!(recent(&bench)[0], path(3));
+    fs::remove_file(path(8)).expect("it is there");
+    bench.command(Command::OpenRecent(path(8)));
+    assert!(bench.said().contains(&path(8)), "{}", bench.said());
+    assert!(!recent(&bench).contains(&path(8)));
+    assert_eq!(
+        bench.app.history.file(),
+        Some(&*path(3)),
+        "all else is as it was"
+    );
+}
+
+#[test]
+fn the_figure_goes_to_the_clipboard_as_an_export_writes_it() {
+    let mut bench = on_a_desktop();
+    let event = key_event(Key::C, true, ctrl() | Modifiers::SHIFT);
+    let output = bench.run(vec![event], Vec::new());
+    let copied = output
+        .platform_output
+        .commands
+        .iter()
+        .find_map(|command| match command {
+            egui::OutputCommand::CopyImage(image) => Some(image),
+            _ => None,
+        });
+    let copied = copied.expect("an image");
+    assert_eq!(copied.size, [1920, 1080]);
+    let said = bench.said();
+    assert!(said.contains("1920") && said.contains("1080"), "{said}");
+    let picture = Picture {
+        title: None,
+        lesson: None,
+        scene: bench.app.scene(),
+        step: bench.app.position(),
+        before: None,
+        options: Options {
+            lang: Lang::En,
+            theme: ThemeKind::Light,
+            size_px: [1920, 1080],
+            steps: Steps::Figures,
+            asks: false,
+        },
+    };
+    let drawn = Studio::new(ThemeKind::Light).draw(&picture);
+    let pixels = copied.pixels.iter().flat_map(|pixel| pixel.to_array());
+    assert!(pixels.eq(drawn.rgba), "as `clipscope export` draws it");
 }

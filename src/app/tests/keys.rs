@@ -45,3 +45,53 @@ fn playing_takes_its_time_and_stops_at_the_end() {
     assert_eq!(bench.app.position(), n_steps);
     assert!(!bench.app.playback.transport.is_playing());
 }
+
+/// Where Tab goes, from the first handle on: the widget of each stop.
+fn stops(bench: &mut Bench, n: usize) -> Vec<egui::Response> {
+    let mut stops = Vec::new();
+    for _ in 0..n {
+        bench.key(Key::Tab);
+        let focused = bench.ctx.memory(egui::Memory::focused);
+        stops.extend(focused.and_then(|id| bench.ctx.read_response(id)));
+    }
+    stops
+}
+
+#[test]
+fn tab_walks_the_bar_from_left_to_right_and_stops_at_nothing_that_is_disabled() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::LAST);
+    let stops = stops(&mut bench, 60);
+    let in_bar = stops.iter().filter(|it| it.rect.bottom() < 44.0);
+    let lefts: Vec<f32> = in_bar.map(|it| it.rect.left()).collect();
+    let first = lefts
+        .iter()
+        .position(|left| *left == lefts.iter().copied().fold(f32::MAX, f32::min));
+    let lefts = &lefts[first.expect("a stop in the bar")..];
+    assert!(lefts.len() >= 8, "{lefts:?}");
+    let round = lefts.iter().skip(1).position(|left| *left == lefts[0]);
+    let once = &lefts[..round.map_or(lefts.len(), |at| at + 1)];
+    assert!(once.is_sorted(), "{once:?}");
+    assert!(stops.iter().all(egui::Response::enabled));
+    let forward = bench.found("One step forward");
+    assert!(stops.iter().all(|it| it.rect != forward), "there is none");
+}
+
+#[test]
+fn the_list_of_keys_is_scrolled_by_keys() {
+    let mut bench = Bench::course(vec2(1280.0, 420.0));
+    bench.key(Key::Questionmark);
+    bench.settle();
+    let last = Catalog::of(Lang::En).term("help-turn");
+    let is_seen = |bench: &mut Bench| bench.texts().iter().any(|(text, _)| *text == last);
+    assert!(!is_seen(&mut bench));
+    for _ in 0..8 {
+        bench.key(Key::PageDown);
+        bench.settle();
+    }
+    assert!(is_seen(&mut bench));
+    bench.key(Key::Home);
+    bench.settle();
+    assert!(!is_seen(&mut bench));
+    assert_eq!(bench.app.bookmark.at, [0, 0], "the page is not turned");
+}

@@ -6,6 +6,7 @@ mod crowds;
 mod depth;
 mod files;
 mod frames;
+mod free_scenes;
 mod frustum_menu;
 mod hands;
 mod keys;
@@ -16,6 +17,7 @@ mod pages;
 mod places;
 mod polygons;
 mod presentation;
+mod text_size;
 mod third_lab;
 mod verdicts;
 

@@ -144,7 +144,7 @@ fn from_a_free_scene_one_comes_back_to_the_step_of_its_lab() {
     for bench in [&mut bench, &mut again] {
         bench.command(Command::Free);
         assert_eq!(
-            (bench.app.bookmark.at, bench.app.bookmark.free),
+            (bench.app.bookmark.at, bench.app.bookmark.free.as_ref()),
             (frustum, None)
         );
     }

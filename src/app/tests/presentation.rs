@@ -1,6 +1,7 @@
 //! The presentation: what it shows, and that all is as before when it is over.
 
 use super::*;
+use crate::lesson::Block;
 
 fn dark() -> Bench {
     Bench::seen(Lang::En, ThemeKind::Dark, SIZE)
@@ -168,19 +169,61 @@ fn where_the_course_is_folded_a_button_shows_the_question_and_the_page_key_its_a
     });
     let step = asks.expect("a step of the lesson asks");
     let before = bench.texts().len();
-    let button = bench.names.iter().find(|(name, _)| name == "What is asked");
-    let place = button.expect("in the strip").1.center();
-    bench.tap(place);
+    bench.click_on("What is asked");
     bench.settle();
     assert!(bench.texts().len() > before, "the question");
-    assert!(
-        bench
-            .names
-            .iter()
-            .any(|(name, _)| name == "Show the answer")
-    );
+    bench.found("Show the answer");
     bench.key(Key::PageDown);
     assert!(bench.app.shown.is_answered);
     bench.key(Key::PageDown);
     assert_ne!(bench.app.bookmark.at, [2, step]);
+}
+
+fn has(bench: &mut Bench, part: &str) -> bool {
+    bench.texts().iter().any(|(text, _)| text.contains(part))
+}
+
+/// A test has one window: there the second one lies in the first.
+#[test]
+fn the_speaker_reads_notes_that_nobody_else_sees() {
+    let mut bench = Bench::course(vec2(1920.0, 1080.0));
+    let lesson = &bench.app.bookmark.course.lessons[0];
+    let text = lesson.step_text(0, Lang::En).expect("its text");
+    let [Block::Note(note)] = &text.note[..] else {
+        panic!("one note, not {:?}", text.note);
+    };
+    let (note, next) = (note[0].text.clone(), lesson.step_title(1, Lang::En));
+    let next = next.expect("another step").to_owned();
+    assert!(!has(&mut bench, &note) && !has(&mut bench, "!>"));
+    bench.key(Key::F5);
+    assert!(!has(&mut bench, &note));
+    bench.key(Key::N);
+    bench.settle();
+    assert!(has(&mut bench, &note) && has(&mut bench, &next));
+    bench.key(Key::N);
+    bench.settle();
+    assert!(!has(&mut bench, &note));
+}
+
+#[test]
+fn the_speakers_clock_is_drawn_once_a_minute() {
+    let mut bench = Bench::course(vec2(1920.0, 1080.0));
+    bench.key(Key::F5);
+    bench.key(Key::N);
+    bench.frame(5.0, Vec::new());
+    for _ in 0..5 {
+        bench.frame(bench.wait_secs.min(1.0), Vec::new());
+    }
+    assert!(
+        (50.0..=61.0).contains(&bench.wait_secs),
+        "{}",
+        bench.wait_secs
+    );
+    assert!(has(&mut bench, "0:00"));
+    bench.frame(bench.wait_secs, Vec::new());
+    assert!(has(&mut bench, "0:01"));
+    bench.key(Key::N);
+    bench.frame(5.0, Vec::new());
+    bench.frame(5.0, Vec::new());
+    assert!(bench.wait_secs > 1e6, "wakes in {} s", bench.wait_secs);
 }

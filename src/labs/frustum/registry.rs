@@ -36,6 +36,7 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
         about_key: "lab-frustum-about",
         methods: || FRUSTUM.all().map(Method::card).collect(),
         first_scene: || first_scene().into(),
+        smallest_scene: || first_scene().alone().into(),
         lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
         adopt: |scene| FRUSTUM.adopted(scene),
         outlines: &[],

@@ -17,6 +17,7 @@ pub static LAB: &Lab = &Lab {
     about_key: "lab-lines-about",
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
+    smallest_scene: || Scene::first().into(),
     lock_groups: &["p1", "p2", "segment", window_handles::GROUP, "clip"],
     adopt: |_| None,
     outlines: &[],

@@ -22,6 +22,7 @@ pub static LAB: &Lab = &Lab {
     about_key: "lab-polygons-about",
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
+    smallest_scene: || Scene::smallest().into(),
     lock_groups: &["polygon", window_handles::GROUP, "clip"],
     adopt: |_| None,
     outlines: &OUTLINES,

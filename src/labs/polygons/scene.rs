@@ -143,9 +143,17 @@ impl Scene {
     /// # Panics
     /// Never: its numbers are valid.
     pub fn first() -> Self {
+        Self::of(&[[-2.0, -0.5], [0.5, -1.5], [1.5, 0.5], [0.0, 2.0]])
+    }
+
+    pub fn smallest() -> Self {
+        Self::of(&[[-1.5, -0.5], [1.0, -0.5], [0.0, 1.5]])
+    }
+
+    fn of(outline: &[[f64; 2]]) -> Self {
         let method = Method::all().next();
         let window = Window::new(-1.0, -1.0, 1.0, 1.0);
-        let subject = Polygon::new(&[[-2.0, -0.5], [0.5, -1.5], [1.5, 0.5], [0.0, 2.0]]);
+        let subject = Polygon::new(outline);
         let parts = method.zip(window.ok()).zip(subject.ok());
         let ((method, window), subject) = parts.expect("constants that are valid");
         Self::new(method, window, subject)

@@ -240,6 +240,13 @@ impl Scene {
         }
     }
 
+    /// With the first of its objects only.
+    pub fn alone(mut self) -> Self {
+        self.objects.truncate(1);
+        self.focus_on(0);
+        self
+    }
+
     /// Replaces all objects, the first in focus.
     ///
     /// # Errors

@@ -29,6 +29,7 @@ pub static SURFACES: SpaceLab = SpaceLab {
         about_key: "lab-surfaces-about",
         methods: || SURFACES.all().map(Method::card).collect(),
         first_scene: || first_scene().into(),
+        smallest_scene: || first_scene().alone().into(),
         lock_groups: &["camera", "volume", "object"],
         adopt: |scene| SURFACES.adopted(scene),
         outlines: &[],

@@ -24,6 +24,7 @@ pub struct Placed {
 /// A step's text as it was written.
 #[derive(Clone, Debug)]
 pub struct WrittenStep {
+    /// Its notes stand among the blocks of its body, in the order of the references.
     text: StepText,
     /// In the order in which they stand.
     references: Vec<Placed>,
@@ -102,9 +103,11 @@ impl WrittenStep {
                 values: values.collect::<Vec<_>>().into_iter(),
             };
             let title = filler.fill(&self.text.title);
-            let mut body = filler.blocks(&self.text.body);
+            let blocks = filler.blocks(&self.text.body).into_iter();
+            let is_note = |block: &Block| matches!(block, Block::Note(_));
+            let (note, mut body): (Vec<_>, Vec<_>) = blocks.partition(is_note);
             mentions::mark(&mut body, lang);
-            StepText { title, body }
+            StepText { title, body, note }
         })
     }
 
@@ -164,7 +167,7 @@ impl Filler {
         let mut blocks = blocks.to_vec();
         for block in &mut blocks {
             match block {
-                Block::Paragraph(text) | Block::ListItem { text, .. } => {
+                Block::Paragraph(text) | Block::ListItem { text, .. } | Block::Note(text) => {
                     for part in text {
                         part.text = self.fill(&part.text);
                     }

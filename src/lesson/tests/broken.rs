@@ -73,6 +73,9 @@ const BROKEN_TEXTS: &str = r"
 - one => - <b>one</b> => 11:3 unsupported-markdown
 - one => - see [this](that) => 11:7 unsupported-markdown
 - one => - **甲。**乙 => 11:3 stray-emphasis
+- one => !> Wait\nand see => 11:1 stray-note
+- one => - !> Wait => 11:1 stray-note
+- one => !>Wait => 11:1 stray-note
 ";
 
 #[test]

@@ -185,3 +185,34 @@ fn large_files_are_read_in_no_time() {
     let problems = Course::check(&with(LESSON, &format!("{TEXT}{sections}"))).problems;
     assert_eq!(problems.len(), 4 * 101);
 }
+
+/// Nobody but the speaker sees it: it is no part of the text, and its references are filled in all the same.
+#[test]
+fn a_note_is_for_the_speaker() {
+    let body = "A {scene.window[0]}.\n\n!> Wait for **{scene.window[2]}**\n!> answers.\n\n!> Then go on.\n\nB {scene.window[3]}.\n";
+    let text = TEXT.replace("- one\n- two\n", body);
+    let loaded = Course::check(&with(LESSON, &text));
+    assert_eq!(loaded.problems, []);
+    let text = loaded.course.lessons[0].step_text(1, Lang::En);
+    let text = text.expect("its text");
+    let said = |blocks: &[Block]| -> Vec<String> {
+        let of_block = |block: &Block| match block {
+            Block::Paragraph(parts) | Block::Note(parts) => {
+                parts.iter().map(|it| &*it.text).collect()
+            }
+            other => panic!("{other:?}"),
+        };
+        blocks.iter().map(of_block).collect()
+    };
+    let [note, more] = &said(&text.note)[..] else {
+        panic!("two notes, not {:?}", text.note);
+    };
+    let body = said(&text.body);
+    assert_eq!(body.len(), 2);
+    assert!(
+        note.starts_with("Wait for ") && note.ends_with(" answers."),
+        "{note}"
+    );
+    assert_eq!(more, "Then go on.");
+    assert!(body.iter().all(|text| !text.contains('⟦')), "{body:?}");
+}

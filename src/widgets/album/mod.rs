@@ -35,11 +35,11 @@ pub struct Album {
     captions: Heights,
 }
 
-/// How high the highest sentence is, in a theme, a language and a width that have been asked for.
+/// How high the highest sentence is, in a theme, a language, a width and a size of text that have been asked for.
 #[derive(Default)]
 struct Heights(RefCell<Vec<(Kind, f32)>>);
 
-type Kind = (ThemeKind, Lang, u32);
+type Kind = (ThemeKind, Lang, [u32; 2]);
 
 impl Heights {
     fn once(&self, kind: Kind, measured: impl FnOnce() -> f32) -> f32 {
@@ -106,7 +106,8 @@ impl Album {
 
     /// How high a sentence is, in lines of this width, with room for each of the lesson's.
     pub fn caption_height(&self, painter: &Painter, look: Look<'_>, width: f32) -> f32 {
-        let kind = (look.theme.kind, look.catalog.lang(), width.to_bits());
+        let sizes = [width, look.theme.text_scale].map(f32::to_bits);
+        let kind = (look.theme.kind, look.catalog.lang(), sizes);
         let height = |recorded: &Recorded| {
             let catalog = look.catalog.alike(recorded.notation);
             let look = Look { catalog, ..look };

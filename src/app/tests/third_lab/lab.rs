@@ -26,6 +26,7 @@ pub static LAB: &Lab = &Lab {
     about_key: "object-window",
     methods: || vec![&CARD],
     first_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
+    smallest_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
     lock_groups: &["box"],
     adopt: |_| None,
     outlines: &[],
