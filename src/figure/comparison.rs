@@ -88,11 +88,12 @@ impl Comparison {
                 let counts = vec![Counts::default(); 1 + others.len()];
                 let mut costs = View::costs(Vec::new(), counts).need();
                 // On the way what they ask stands where their costs come to stand.
-                let begun: Vec<Frame> = runs
+                let begun = runs.iter().map(|run| run.frame(run.n_steps().min(1)));
+                let frames = [begun.collect(), ends(runs)];
+                for table in frames
                     .iter()
-                    .map(|it| it.frame(it.n_steps().min(1)))
-                    .collect();
-                if let Some(table) = asked(&begun) {
+                    .filter_map(|frames: &Vec<Frame>| asked(frames))
+                {
                     let (id, body) = (View::COSTS, Body::Table(table));
                     costs.widen(&View { id, body }.need());
                 }

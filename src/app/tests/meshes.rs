@@ -122,7 +122,7 @@ fn escape_gives_a_mesh_up() {
     assert!(said(&bench).contains("large.obj"), "it says what it does");
     bench.apply(Command::Cancel);
     assert!(bench.app.loading.is_empty());
-    assert!(said(&bench).contains("given up"), "{}", said(&bench));
+    assert!(said(&bench).contains("was cancelled"), "{}", said(&bench));
     thread::sleep(Duration::from_millis(50));
     bench.settle();
     assert_eq!(*bench.app.scene(), before);

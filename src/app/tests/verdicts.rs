@@ -57,7 +57,7 @@ fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
         (
             "frustum",
             &[
-                ("intersection-polygon", corner, "corner V₀", "first"),
+                ("intersection-polygon", corner, "vertex V₀", "first"),
                 ("intersection-polygon", edge, "edge V₁V₂", "cross"),
                 ("liang-barsky-3d", [3.0, 2.5, -4.0], "P₂", "row"),
             ],
@@ -171,7 +171,7 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let notes = verdict.expect("it is told").notes;
     let said = |note: &Message| Catalog::of(Lang::En).message(note);
     let said: Vec<String> = notes.iter().map(said).collect();
-    let nearest = "nearest there is face 1 of object B";
+    let nearest = "nearest face there is face 1 of object B";
     assert!(said.join(" ").contains(nearest), "{said:?}");
 }
 
