@@ -117,13 +117,17 @@ fn a_mesh_is_read_once_and_its_texture_is_missed_aloud() {
     );
     desk.write("l/x.mtl", "newmtl m\nmap_Kd x.png\n");
     desk.write("l/x.png", black_png(8192));
-    ends(&desk, &["check", "l"], 0, "in order");
+    ends(&desk, &["check", "l"], 0, "without errors");
     for (file, content, says) in [
-        ("l/x.png", &b"\x89PNG no"[..], "“x.png” is no PNG or JPEG"),
+        (
+            "l/x.png",
+            &b"\x89PNG no"[..],
+            "“x.png” is not a PNG or JPEG",
+        ),
         (
             "l/x.mtl",
             b"newmtl m\nmap_Kd ../x.png\n",
-            "does not lie beside the mesh",
+            "is not beside the mesh",
         ),
         (
             "l/x.mtl",

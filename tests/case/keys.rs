@@ -106,7 +106,7 @@ fn an_entry_of_a_list_is_new_once_and_its_vertices_have_one_name() {
         "{key}"
     );
     assert!(!key.contains("V₁"), "{key}");
-    assert!(key.contains("a₁, a₂: how far"), "{key}");
+    assert!(key.contains("a₁, a₂: the distances"), "{key}");
     let steps = steps(&key);
     let changed = steps.iter().flat_map(|cells| cells[3].split("<br>"));
     let in_lists = changed.filter(|it| it.contains(": S = ") || it.contains(": C = "));
