@@ -66,6 +66,7 @@ depth-done = Done: { $fragments ->
 
 ## Views
 
+raster-brightness = Brightness in thousandths
 raster-depth = Depth in thousandths
 raster-depth-unit = Depth in units of { $unit }
 raster-straight = Distance from near to far, in thousandths
@@ -93,6 +94,12 @@ raster-wrong = { $count ->
     [one] One pixel is wrong
    *[other] { $count } pixels are wrong
   }
+depth-glass-behind = { $triangle } is behind { $other } at pixel { $at } and is lost, though { $other } lets { $through } of the light through.
+depth-glass-done = Done: { $unsorted ->
+    [0] at every pixel each surface came over what is behind it
+    [one] at one pixel a pane came before what is behind it, and that was lost: one depth a pixel keeps no order
+   *[other] at { $unsorted } pixels a pane came before what is behind it, and that was lost: one depth a pixel keeps no order
+  }. Average times each was computed:
 depth-done-stored = Done: the depths of { $pixels ->
     [one] one pixel
    *[other] { $pixels } pixels
@@ -164,6 +171,10 @@ ray-seen = Pixel { $at } takes { $triangle }: the smallest t of { $hits ->
     [one] one hit.
    *[other] { $hits } hits.
   }
+ray-seen-before-others = Pixel { $at } takes { $triangle }: the ray ends at t = { $t }, and { $hidden } { $hits ->
+    [2] lies
+   *[other] lie
+  } in the shadow of { $triangle }.
 ray-seen-nothing = Pixel { $at } stays background: no triangle is hit.
 ray-done = Done: { $rays ->
     [one] one ray, which
@@ -390,7 +401,7 @@ surface-costs-pairs = Painter: { $count } pairs of { $triangles } triangles; the
 surface-costs-questions = Ray casting: { $count } questions of rays to { $triangles } triangles; like n to the power { $exponent }.
 surface-costs-fragments = Depth buffer: { $count } fragments of { $triangles } triangles; like n to the power { $exponent }.
 surface-costs-overdraw = Overdraw: { $fragments } fragments for { $pixels } pixels, each computed { $overdraw } times.
-surface-costs-note = Exponents are the slopes of straight lines fitted to the logarithms. Pairs are counted up to 1,000 triangles, and only where there is an order; beyond, the line ends.
+surface-costs-note = Exponents are the slopes of straight lines fitted to the logarithms. Pairs are counted only where there is an order; where there is none, the line has a gap.
 
 ## The raster's form
 
@@ -406,6 +417,7 @@ raster-steps-triangles = a triangle
 raster-tones = Tones tell
 raster-tones-triangles = which triangle
 raster-tones-counts = how often computed
+raster-tones-brightness = the brightness
 raster-tones-stored = the depth as stored
 raster-tones-distance = its distance
 raster-number = Depth

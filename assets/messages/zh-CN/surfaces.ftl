@@ -57,6 +57,7 @@ depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { 
 
 ## Views
 
+raster-brightness = 亮度，以千分之一计
 raster-depth = 深度，以千分之一计
 raster-depth-unit = 深度，以 { $unit } 为单位
 raster-straight = 近到远的距离，以千分之一计
@@ -81,6 +82,11 @@ occlusion-triangles = 每个物体的三角形数
 scale-near = 近 { $value }
 scale-far = { $value } 远
 raster-wrong = { $count } 个像素有误
+depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍去，虽然 { $other } 让 { $through } 的光透过。
+depth-glass-done = 完成：{ $unsorted ->
+    [0] 在每个像素，每个面都画在它后面的面之后
+   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍去：每个像素只有一个深度，记不住顺序
+  }。平均每个像素计算的次数：
 depth-done-stored = 完成：{ $pixels } 个像素的深度从 { $least } 到 { $most }。
 depth-done-distance = 完成：{ $pixels } 个像素的距离从 { $least } 到 { $most }。
 depth-done-nothing = 完成：{ $fragments } 个片元一个也没有写入。
@@ -137,6 +143,7 @@ ray-says-before-near = 与 { $triangle } 交于近平面之前：t < 1。
 ray-says-beyond-far = 与 { $triangle } 交于远平面之外。
 ray-says-beside = 光线与 { $triangle } 的平面交于三角形之外：未命中。
 ray-seen = 像素 { $at } 取 { $triangle }：{ $hits } 个命中中 t 最小。
+ray-seen-before-others = 像素 { $at } 取 { $triangle }：{ $hits } 个命中里光线止于 t = { $t }，{ $hidden } 被 { $triangle } 遮住。
 ray-seen-nothing = 像素 { $at } 保持背景：没有命中任何三角形。
 ray-done = 完成：{ $rays } 条光线，每条询问 { $triangles } 个三角形。
 ray-culled = 不询问
@@ -306,7 +313,7 @@ surface-costs-pairs = 画家算法：{ $triangles } 个三角形询问 { $count 
 surface-costs-questions = 光线投射：光线对 { $triangles } 个三角形共询问 { $count } 次；随 n 的 { $exponent } 次幂增长。
 surface-costs-fragments = 深度缓冲：{ $triangles } 个三角形产生 { $count } 个片元；随 n 的 { $exponent } 次幂增长。
 surface-costs-overdraw = 过度绘制：{ $fragments } 个片元对 { $pixels } 个像素，每个像素平均计算 { $overdraw } 次。
-surface-costs-note = 指数是对数坐标下拟合直线的斜率。成对询问只数到 1000 个三角形，且只在存在次序时计数；再多则曲线到此为止。
+surface-costs-note = 指数是对数坐标下拟合直线的斜率。成对询问只在存在次序时计数；没有次序处，曲线缺一个点。
 
 ## The raster's form
 
@@ -322,6 +329,7 @@ raster-steps-triangles = 一个三角形
 raster-tones = 浓淡表示
 raster-tones-triangles = 哪个三角形
 raster-tones-counts = 计算了几次
+raster-tones-brightness = 亮度
 raster-tones-stored = 存储的深度
 raster-tones-distance = 距离
 raster-number = 深度格式
