@@ -6,10 +6,10 @@ use crate::{
     algo::surface::{
         Bsp, BspChoice, BspEvent, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Hierarchy,
         Occlusion, OcclusionEvent, OcclusionInput, Painter, PainterAnswer, PainterEvent, Picture,
-        RayCasting, RayCastingInput, Surfaces, Viewport,
+        RayCasting, RayCastingInput, Surfaces, Tint, Viewport,
     },
     geom::ViewVolume,
-    input::{CULL, FRUSTUM, SIZE},
+    input::{At, CULL, FRUSTUM, SIZE},
     labs::{surfaces::with_occluders, telling::Each},
     trace::{Real, Told},
 };
@@ -58,12 +58,41 @@ fn triangles_told(name_key: &'static str, triangles: &[Triangle]) -> Given {
     Given::new(name_key, triangles.iter().enumerate().map(triangle))
 }
 
+/// How each triangle looks, its opacity and its brightness: then the picture is also told in brightness.
+const TINTS: Part<Vec<Tint>> = Part::new("tints", &Shape::POINTS, |got| {
+    let tint = |(i, &[opacity, brightness]): (usize, &[f64; 2])| {
+        let value = [opacity, brightness]
+            .into_iter()
+            .find(|x| !(0.0..=1.0).contains(x));
+        let problem = Message::new("problem-out-of-range");
+        let problem = problem.with("value", Formula::decimals().num(value.unwrap_or_default()));
+        let fault = Fault::new("degenerate", problem).at(At::Entry(i));
+        Tint::new(opacity, brightness).ok_or(fault)
+    };
+    got.rows().iter().enumerate().map(tint).collect()
+})
+.told(|got| {
+    let tint = |(id, &[opacity, brightness]): (usize, &[f64; 2])| {
+        let formula = Formula::decimals().sym(format!("{id}: α = ")).num(opacity);
+        Value::Formula(formula.sym(", C_s = ").num(brightness))
+    };
+    let tints = got.rows().iter().enumerate().map(tint);
+    vec![Given::new("object-tints", tints)]
+});
+
 const ON_RASTER: [Field; 4] = [
     SIZE.required(),
     FRUSTUM.required(),
     TRIANGLES.required(),
     CULL.optional,
 ];
+
+const TINTED: [Field; 5] = {
+    let [size, frustum, triangles, cull] = ON_RASTER;
+    [size, frustum, triangles, cull, TINTS.optional]
+};
+
+const BRIGHTNESS: Field = Field::optional("brightness", &Shape::List(&Shape::Number));
 
 const IDS: Field = Field::required("ids", &Shape::Wholes(&[Dim::ANY], -1, i64::MAX));
 const SEEN: [Field; 2] = [
@@ -76,6 +105,18 @@ fn surfaces(fields: &Fields<'_>) -> Result<Surfaces, Refusal> {
     let triangles = fields.need(&TRIANGLES)?;
     let culls_backs = fields.get(&CULL)?.unwrap_or(false);
     on_raster(fields, raster, &TRIANGLES, (triangles, culls_backs))
+}
+
+fn tinted(fields: &Fields<'_>) -> Result<Surfaces, Refusal> {
+    let surfaces = surfaces(fields)?;
+    let Some(tints) = fields.get(&TINTS)? else {
+        return Ok(surfaces);
+    };
+    let problem = Message::new("case-tints-length")
+        .with("expected", surfaces.triangles().len())
+        .with("found", tints.len());
+    let tinted = surfaces.with_tints(tints);
+    tinted.ok_or_else(|| fields.refuse(&TINTS, Fault::new(Code::WrongLength.id(), problem)))
 }
 
 fn too_large<T>(fields: &Fields<'_>, part: &Part<T>, problem: Message) -> Refusal {
@@ -112,12 +153,12 @@ fn on_raster<T>(
 }
 
 impl Solve for DepthBuffer {
-    const FIELDS: &'static [Field] = &ON_RASTER;
-    const OUTPUT: &'static [Field] = &SEEN;
+    const FIELDS: &'static [Field] = &TINTED;
+    const OUTPUT: &'static [Field] = &[SEEN[0], SEEN[1], BRIGHTNESS];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
     const NUMBERS: Numbers = Numbers::OrInfinite;
     const BUDGET: u64 = 2_000_000_000;
-    const READ: Reading<Self> = |fields| Ok(DepthBufferInput::new(surfaces(fields)?));
+    const READ: Reading<Self> = |fields| Ok(DepthBufferInput::new(tinted(fields)?));
     const VERDICT: Verdict<Self> = |output| seen(&output.picture);
 }
 
@@ -142,15 +183,16 @@ impl Solve for RayCasting {
 }
 
 impl Solve for Painter {
-    const FIELDS: &'static [Field] = &ON_RASTER;
+    const FIELDS: &'static [Field] = &TINTED;
     const OUTPUT: &'static [Field] = &[
         Field::optional("ids", IDS.shape),
         Field::choice("order", &Shape::COUNTS),
         Field::choice("cycle", &Shape::COUNTS),
+        BRIGHTNESS,
     ];
     const LONG_BY: Option<&'static str> = Some(TRIANGLES.name());
     const BUDGET: u64 = 8_000_000_000;
-    const READ: Reading<Self> = surfaces;
+    const READ: Reading<Self> = tinted;
     const VERDICT: Verdict<Self> = |output| match &output.answer {
         PainterAnswer::Order { order, .. } => {
             Message::new("case-painted").with("ids", listed(order))

@@ -43,6 +43,33 @@ fn all_say_who_is_seen() {
 }
 
 #[test]
+fn light_comes_through_what_is_not_opaque() {
+    let tints = r#","tints":[[1,0],[0.5,0.25]]"#;
+    for algorithm in ["depth-buffer", "painter"] {
+        let found = solved(algorithm, "[2,2]", WALLS, tints);
+        let brightness = json!([0.0, 0.0, 0.125, 0.125]);
+        assert_eq!(found["output"]["brightness"], brightness, "{found}");
+        let plain = solved(algorithm, "[2,2]", WALLS, "");
+        assert!(plain["output"].get("brightness").is_none(), "{plain}");
+    }
+    // The pane first: the wall behind it is lost.
+    let turned = "[[[-6,0,-2],[0,-6,-2],[6,0,-2]],[[-9,-9,-3],[9,-9,-3],[0,18,-3]]]";
+    let tints = r#","tints":[[0.5,0.25],[1,0]]"#;
+    for (algorithm, expected) in [("depth-buffer", 0.625), ("painter", 0.125)] {
+        let found = solved(algorithm, "[2,2]", turned, tints);
+        assert_eq!(found["output"]["brightness"][2], json!(expected), "{found}");
+    }
+    for (tints, code, field) in [
+        ("[[1,0]]", "wrong-length", "tints"),
+        ("[[1,0],[0.5,1.5]]", "degenerate", "tints[1]"),
+    ] {
+        let more = format!(r#","tints":{tints}"#);
+        let refused = refusal(&case_of("painter", "[2,2]", WALLS, &more));
+        assert_eq!(refused, [code, field], "{tints}");
+    }
+}
+
+#[test]
 fn backs_are_left_out_where_they_are_culled() {
     let turned = "[[[-9,-9,-3],[9,-9,-3],[0,18,-3]],[[-6,0,-2],[6,0,-2],[0,-6,-2]]]";
     for algorithm in ALGORITHMS {

@@ -2,6 +2,7 @@
 
 mod bsp;
 mod depth_buffer;
+mod glass;
 mod occlusion;
 mod oracle;
 mod painter;

@@ -5,6 +5,7 @@ use clipscope::{
         DepthBuffer, DepthBufferInput, Hierarchy, Meeting, Picture, RayCasting, RayCastingEvent,
         RayCastingInput, Rays, Surfaces,
     },
+    algo::volume::signed_distance,
     geom::{Solid, ViewVolume},
     trace::{Recording, laws, silent},
 };
@@ -230,4 +231,41 @@ fn t_is_one_on_the_raster_and_depth_says_how_far() {
             assert!((rays.t_of(distance) - t).abs() < 1e-12);
         }
     }
+}
+
+/// What lies in the shadow is met behind the triangle by the line of sight through it, and nothing else is.
+#[test]
+fn in_the_shadow_is_what_a_ray_meets_later() {
+    let triangle = |z: f64| [[-1.0, -1.0, z], [1.5, -0.5, z - 0.5], [0.0, 1.25, z]];
+    let wall = [[-20.0, -20.0, -8.0], [20.0, -20.0, -8.0], [0.0, 40.0, -8.0]];
+    for volume in [
+        ViewVolume::perspective(60.0, 1.0, 1.0, 12.0),
+        ViewVolume::parallel(5.0, 1.0, 1.0, 12.0),
+    ] {
+        let volume = volume.expect("a volume");
+        let surfaces = Surfaces::new([24, 24], volume, [triangle(-4.0), wall], false);
+        let surfaces = surfaces.expect("finite");
+        let planes = surfaces.behind(0).expect("it has an area");
+        let rays = Rays::of(&surfaces);
+        let mut n_hidden = 0;
+        for pixel in (0..24).flat_map(|row| (0..24).map(move |column| [column, row])) {
+            let ray = rays.through(pixel);
+            let at = |id| silent::<RayCasting>(&one(&surfaces.part(id..id + 1), pixel)).depth;
+            let place = (pixel[1] * 24 + pixel[0]) as usize;
+            let [own, far] = [0, 1].map(|id| at(id)[place]);
+            let met = ray.at(rays.t_at(far));
+            let distances = planes.map(|plane| signed_distance::<f64>(&plane, met));
+            let least = distances.into_iter().fold(f64::INFINITY, f64::min);
+            if least.abs() > 1e-9 {
+                assert_eq!(least > 0.0, own.is_finite(), "{pixel:?} {distances:?}");
+            }
+            n_hidden += usize::from(own.is_finite());
+        }
+        assert!(n_hidden > 20);
+    }
+}
+
+fn one(surfaces: &Surfaces, pixel: [u32; 2]) -> RayCastingInput {
+    let (surfaces, pixel) = (surfaces.clone(), Some(pixel));
+    RayCastingInput { surfaces, pixel }
 }

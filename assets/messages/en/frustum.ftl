@@ -315,6 +315,7 @@ object-turn-x = Turned about x
 object-turn-y = Turned about y
 object-turn-z = Turned about z
 object-size = Size
+object-opacity = Opacity
 solid-cube = Cube
 solid-tetrahedron = Tetrahedron
 solid-octahedron = Octahedron

@@ -127,6 +127,7 @@ expect-camera = Expected: position, target, up, fov_y_deg (or height), aspect, n
 expect-eye = Expected: pitch_deg from −89 to 89, distance from 1e-6 to 1e6, fov_y_deg from 1 to 120.
 expect-objects = Expected: a list of objects, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], or “street” with “count” and “seed”.
 expect-mesh = Expected: name, vertices [[x, y, z], …] and faces [[i, j, k], …], whose indices count from 0; there can also be uvs [[u, v], …], one for each vertex. In place of the lists there can be obj, the text of an OBJ file; picture is its texture, a PNG or JPEG file in base64.
+expect-opacity = Expected: a number from 0, which is not seen, to 1, which hides all behind it.
 expect-picture = Expected: a PNG or a JPEG file in base64.
 expect-pixel = Expected: a pixel [column, row], counted from 0 at the top left.
 expect-mesh-file = Expected: the name of an OBJ file in the lesson’s folder, such as "cow.obj", or a table with name, vertices and faces.

@@ -344,6 +344,7 @@ words-wa-holes = A hole belongs to the ring that it lies in.
 verdict-vertex-kept = { $vertex } is kept.
 verdict-vertex-cut = { $vertex } is cut away here: this is the first border that it is beyond.
 verdict-vertex-passed-by = No walk passes { $vertex }: it is not in the answer.
+verdict-edge-dropped = From { $from } to { $to } the edge is cut away.
 verdict-vertex-in = Moved { $move } inwards, at right angles to the border ({ $edge }), { $vertex } would be kept.
 verdict-vertex-never = No move at right angles to the border ({ $edge }) would keep { $vertex }.
 verdict-vertex-out = Moved outwards by more than { $move }, at right angles to the nearest border ({ $edge }), { $vertex } would be cut away.

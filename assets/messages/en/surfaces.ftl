@@ -72,6 +72,7 @@ depth-done = Done: { $fragments ->
     [one] one pixel
    *[other] { $pixels } pixels
   }. Average times each pixel was computed:
+raster-brightness = Brightness in thousandths
 
 ## Views
 
@@ -114,6 +115,12 @@ raster-wrong = { $count ->
     [one] One pixel is wrong
    *[other] { $count } pixels are wrong
   }
+depth-glass-behind = { $triangle } is behind { $other } at pixel { $at } and is lost, though { $other } lets { $through } of the light through.
+depth-glass-done = Done: { $unsorted ->
+    [0] at every pixel each surface came over what is behind it
+    [one] at one pixel a pane came before what is behind it, and that was lost: one depth a pixel keeps no order
+   *[other] at { $unsorted } pixels a pane came before what is behind it, and that was lost: one depth a pixel keeps no order
+  }. Average times each was computed:
 depth-done-stored = Done: the depths of { $pixels ->
     [one] one pixel
    *[other] { $pixels } pixels
@@ -188,6 +195,10 @@ ray-seen = Pixel { $at } shows { $triangle }: it has the smallest t of { $hits -
     [one] one hit.
    *[other] { $hits } hits.
   }
+ray-seen-before-others = Pixel { $at } takes { $triangle }: the ray ends at t = { $t }, and { $hidden } { $hits ->
+    [2] lies
+   *[other] lie
+  } in the shadow of { $triangle }.
 ray-seen-nothing = Pixel { $at } keeps the background: its ray hits no triangle.
 ray-done = Done: { $rays ->
     [one] one ray,
@@ -438,7 +449,7 @@ surface-costs-pairs = Painter: { $count } pairs of { $triangles } triangles test
 surface-costs-questions = Ray casting: { $count } tests of a ray against one of { $triangles } triangles; they grow like n to the power { $exponent }.
 surface-costs-fragments = Depth buffer: { $count } fragments of { $triangles } triangles; they grow like n to the power { $exponent }.
 surface-costs-overdraw = Overdraw: { $fragments } fragments for { $pixels } pixels; each pixel is computed { $overdraw } times on average.
-surface-costs-note = The exponents are the slopes of straight lines fitted to the logarithms. Pairs are counted up to 1,000 triangles, and only where there is an order; beyond that, the line ends.
+surface-costs-note = The exponents are the slopes of straight lines fitted to the logarithms. Pairs are counted only where there is an order; where there is none, the line has a gap.
 
 ## The raster's form
 
@@ -454,6 +465,7 @@ raster-steps-triangles = a triangle
 raster-tones = Tones show
 raster-tones-triangles = which triangle
 raster-tones-counts = how often it is computed
+raster-tones-brightness = the brightness
 raster-tones-stored = the depth as stored
 raster-tones-distance = the distance
 raster-number = Depth

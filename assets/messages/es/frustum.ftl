@@ -315,6 +315,7 @@ object-turn-x = Giro en torno a x
 object-turn-y = Giro en torno a y
 object-turn-z = Giro en torno a z
 object-size = Tamaño
+object-opacity = Opacidad
 solid-cube = Cubo
 solid-tetrahedron = Tetraedro
 solid-octahedron = Octaedro

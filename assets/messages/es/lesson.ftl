@@ -127,6 +127,7 @@ expect-camera = Se esperaba: position, target, up, fov_y_deg (o height), aspect,
 expect-eye = Se esperaba: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Se esperaba: una lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], o «street» con «count» y «seed».
 expect-mesh = Se esperaba: name, vertices [[x, y, z], …] y faces [[i, j, k], …], cuyos índices cuentan desde 0; también puede haber uvs [[u, v], …], una por vértice. En lugar de las listas puede estar obj, el texto de un archivo OBJ; picture es su textura, un archivo PNG o JPEG en base64.
+expect-opacity = Se esperaba: un número de 0, que no se ve, a 1, que tapa todo lo que tiene detrás.
 expect-picture = Se esperaba: un archivo PNG o JPEG en base64.
 expect-pixel = Se esperaba: un píxel [columna, fila], contado desde 0 arriba a la izquierda.
 expect-mesh-file = Se esperaba: el nombre de un archivo OBJ de la carpeta de la lección, como "cow.obj", o una tabla con name, vertices y faces.

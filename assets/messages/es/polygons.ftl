@@ -339,6 +339,7 @@ words-wa-holes = Un agujero pertenece al anillo en el que está.
 verdict-vertex-kept = { $vertex } se conserva.
 verdict-vertex-cut = { $vertex } se recorta aquí: es el primer borde más allá del cual está.
 verdict-vertex-passed-by = Ningún recorrido pasa por { $vertex }: no está en el resultado.
+verdict-edge-dropped = De { $from } a { $to }, la arista se descarta.
 verdict-vertex-in = Desplazado { $move } hacia dentro, en perpendicular al borde ({ $edge }), { $vertex } se conservaría.
 verdict-vertex-never = Ningún desplazamiento en perpendicular al borde ({ $edge }) conservaría { $vertex }.
 verdict-vertex-out = Desplazado más de { $move } hacia fuera, en perpendicular al borde más cercano ({ $edge }), { $vertex } se recortaría.

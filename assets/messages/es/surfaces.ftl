@@ -72,6 +72,7 @@ depth-done = Terminado: { $fragments ->
     [one] un píxel
    *[other] { $pixels } píxeles
   }. Veces que se calculó cada píxel, en promedio:
+raster-brightness = Brillo en milésimas
 
 ## Views
 
@@ -114,6 +115,12 @@ raster-wrong = { $count ->
     [one] Un píxel equivocado
    *[other] { $count } píxeles equivocados
   }
+depth-glass-behind = En el píxel { $at }, { $triangle } está detrás de { $other } y se pierde, aunque { $other } deja pasar { $through } de la luz.
+depth-glass-done = Terminado: { $unsorted ->
+    [0] en cada píxel, cada superficie llegó después de lo que tiene detrás
+    [one] en un píxel, un cristal llegó antes que lo que tiene detrás, y eso se perdió: una profundidad por píxel no guarda ningún orden
+   *[other] en { $unsorted } píxeles, un cristal llegó antes que lo que tiene detrás, y eso se perdió: una profundidad por píxel no guarda ningún orden
+  }. Veces que se calculó cada uno, en promedio:
 depth-done-stored = Terminado: las profundidades de { $pixels ->
     [one] un píxel
    *[other] { $pixels } píxeles
@@ -188,6 +195,10 @@ ray-seen = El píxel { $at } muestra { $triangle }: tiene el menor t de { $hits 
     [one] un impacto.
    *[other] { $hits } impactos.
   }
+ray-seen-before-others = El píxel { $at } toma { $triangle }: el rayo acaba en t = { $t }, y { $hidden } { $hits ->
+    [2] queda
+   *[other] quedan
+  } en la sombra de { $triangle }.
 ray-seen-nothing = El píxel { $at } conserva el fondo: su rayo no da en ningún triángulo.
 ray-done = Terminado: { $rays ->
     [one] un rayo, probado con
@@ -438,7 +449,7 @@ surface-costs-pairs = Pintor: { $count } pares comprobados con { $triangles } tr
 surface-costs-questions = Lanzamiento de rayos: { $count } pruebas de un rayo con uno de { $triangles } triángulos; crecen como n elevado a { $exponent }.
 surface-costs-fragments = Búfer de profundidad: { $count } fragmentos de { $triangles } triángulos; crecen como n elevado a { $exponent }.
 surface-costs-overdraw = Sobredibujado: { $fragments } fragmentos para { $pixels } píxeles; cada píxel se calcula { $overdraw } veces de media.
-surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los logaritmos. Los pares se cuentan hasta 1000 triángulos, y solo donde hay un orden; más allá, la línea termina.
+surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los logaritmos. Los pares se cuentan solo donde hay un orden; donde no lo hay, a la línea le falta un punto.
 
 ## The raster's form
 
@@ -454,6 +465,7 @@ raster-steps-triangles = un triángulo
 raster-tones = Los tonos muestran
 raster-tones-triangles = qué triángulo
 raster-tones-counts = cuántas veces se calculan
+raster-tones-brightness = el brillo
 raster-tones-stored = la profundidad guardada
 raster-tones-distance = la distancia
 raster-number = Profundidad

@@ -315,6 +315,7 @@ object-turn-x = Giro em torno de x
 object-turn-y = Giro em torno de y
 object-turn-z = Giro em torno de z
 object-size = Tamanho
+object-opacity = Opacidade
 solid-cube = Cubo
 solid-tetrahedron = Tetraedro
 solid-octahedron = Octaedro

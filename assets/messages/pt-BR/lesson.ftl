@@ -127,6 +127,7 @@ expect-camera = Esperado: position, target, up, fov_y_deg (ou height), aspect, n
 expect-eye = Esperado: pitch_deg de −89 a 89, distance de 1e-6 a 1e6, fov_y_deg de 1 a 120.
 expect-objects = Esperado: uma lista de objetos, [{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …], ou “street” com “count” e “seed”.
 expect-mesh = Esperado: name, vertices [[x, y, z], …] e faces [[i, j, k], …], cujos índices contam a partir de 0; também pode haver uvs [[u, v], …], uma por vértice. No lugar das listas pode estar obj, o texto de um arquivo OBJ; picture é sua textura, um arquivo PNG ou JPEG em base64.
+expect-opacity = Esperado: um número de 0, que não se vê, a 1, que esconde tudo o que está atrás.
 expect-picture = Esperado: um arquivo PNG ou JPEG em base64.
 expect-pixel = Esperado: um pixel [coluna, linha], contado a partir de 0 no canto superior esquerdo.
 expect-mesh-file = Esperado: o nome de um arquivo OBJ da pasta da lição, como "cow.obj", ou uma tabela com name, vertices e faces.

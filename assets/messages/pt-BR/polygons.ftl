@@ -337,6 +337,7 @@ words-wa-holes = Um furo pertence ao anel em que está.
 verdict-vertex-kept = { $vertex } é mantido.
 verdict-vertex-cut = { $vertex } é cortado aqui: é a primeira borda além da qual ele está.
 verdict-vertex-passed-by = Nenhum percurso passa por { $vertex }: ele não está no resultado.
+verdict-edge-dropped = De { $from } a { $to }, a aresta é descartada.
 verdict-vertex-in = Deslocado { $move } para dentro, na perpendicular à borda ({ $edge }), { $vertex } seria mantido.
 verdict-vertex-never = Nenhum deslocamento na perpendicular à borda ({ $edge }) manteria { $vertex }.
 verdict-vertex-out = Deslocado mais de { $move } para fora, na perpendicular à borda mais próxima ({ $edge }), { $vertex } seria cortado.

@@ -72,6 +72,7 @@ depth-done = Pronto: { $fragments ->
     [1] um pixel
    *[other] { $pixels } pixels
   }. Em média, quantas vezes cada pixel foi calculado:
+raster-brightness = Brilho em milésimos
 
 ## Views
 
@@ -114,6 +115,12 @@ raster-wrong = { $count ->
     [1] Um pixel errado
    *[other] { $count } pixels errados
   }
+depth-glass-behind = No pixel { $at }, { $triangle } está atrás de { $other } e se perde, embora { $other } deixe passar { $through } da luz.
+depth-glass-done = Pronto: { $unsorted ->
+    [0] em cada pixel, cada superfície veio depois do que está atrás dela
+    [1] em um pixel, um vidro veio antes do que está atrás dele, e isso se perdeu: uma profundidade por pixel não guarda ordem nenhuma
+   *[other] em { $unsorted } pixels, um vidro veio antes do que está atrás dele, e isso se perdeu: uma profundidade por pixel não guarda ordem nenhuma
+  }. Em média, cada um foi calculado tantas vezes:
 depth-done-stored = Pronto: as profundidades de { $pixels ->
     [1] um pixel
    *[other] { $pixels } pixels
@@ -188,6 +195,10 @@ ray-seen = O pixel { $at } mostra { $triangle }: ele tem o menor t de { $hits ->
     [1] um ponto atingido.
    *[other] { $hits } pontos atingidos.
   }
+ray-seen-before-others = O pixel { $at } fica com { $triangle }: o raio acaba em t = { $t }, e { $hidden } { $hits ->
+    [2] fica
+   *[other] ficam
+  } na sombra de { $triangle }.
 ray-seen-nothing = O pixel { $at } continua com a cor de fundo: nenhum triângulo é atingido.
 ray-done = Pronto: { $rays ->
     [1] um raio, testado com
@@ -438,7 +449,7 @@ surface-costs-pairs = Pintor: { $count } pares testados com { $triangles } triâ
 surface-costs-questions = Lançamento de raios: { $count } testes de um raio com um de { $triangles } triângulos; crescem como n elevado a { $exponent }.
 surface-costs-fragments = Buffer de profundidade: { $count } fragmentos de { $triangles } triângulos; crescem como n elevado a { $exponent }.
 surface-costs-overdraw = Sobredesenho: { $fragments } fragmentos para { $pixels } pixels; cada pixel é calculado { $overdraw } vezes em média.
-surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos logaritmos. Os pares são contados até 1000 triângulos, e só onde há uma ordem; além disso, a linha termina.
+surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos logaritmos. Os pares são contados só onde há uma ordem; onde não há, falta um ponto na linha.
 
 ## The raster's form
 
@@ -454,6 +465,7 @@ raster-steps-triangles = um triângulo
 raster-tones = Os tons mostram
 raster-tones-triangles = qual triângulo
 raster-tones-counts = quantas vezes são calculados
+raster-tones-brightness = o brilho
 raster-tones-stored = a profundidade guardada
 raster-tones-distance = a distância
 raster-number = Profundidade

@@ -225,6 +225,7 @@ object-turn-x = 绕 x 轴旋转
 object-turn-y = 绕 y 轴旋转
 object-turn-z = 绕 z 轴旋转
 object-size = 大小
+object-opacity = 不透明度
 solid-cube = 立方体
 solid-tetrahedron = 四面体
 solid-octahedron = 八面体

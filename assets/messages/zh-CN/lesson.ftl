@@ -119,6 +119,7 @@ expect-camera = 应为：position、target、up、fov_y_deg（或 height）、as
 expect-eye = 应为：pitch_deg 在 −89 到 89 之间，distance 在 1e-6 到 1e6 之间，fov_y_deg 在 1 到 120 之间。
 expect-objects = 应为：物体的列表，[{ "{" } solid = "cube", at = [x, y, z], size = 1 { "}" }, …]，或带有“count”和“seed”的“street”。
 expect-mesh = 应为：name、vertices [[x, y, z], …] 和 faces [[i, j, k], …]，下标从 0 数起；也可以有 uvs [[u, v], …]，每个顶点一个。也可以不用列表而用 obj，即 OBJ 文件的内容；picture 是它的纹理，为 base64 编码的 PNG 或 JPEG 文件。
+expect-opacity = 应为：从 0（看不见）到 1（完全遮住后面）的一个数。
 expect-picture = 应为：base64 编码的 PNG 或 JPEG 文件。
 expect-pixel = 应为：一个像素 [列, 行]，从左上角的 0 数起。
 expect-mesh-file = 应为：课程文件夹中 OBJ 文件的名称，例如 "cow.obj"，或含有 name、vertices 和 faces 的表。

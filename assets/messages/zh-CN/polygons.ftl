@@ -338,6 +338,7 @@ words-wa-holes = 内孔属于包围它的环。
 verdict-vertex-kept = { $vertex } 保留。
 verdict-vertex-cut = { $vertex } 在这里被裁去：这是它越过的第一条边界。
 verdict-vertex-passed-by = 没有任何行走经过 { $vertex }：它不在结果中。
+verdict-edge-dropped = 从 { $from } 到 { $to }，这段边被舍去。
 verdict-vertex-in = 垂直于该边界（{ $edge }）向内移动 { $move }，{ $vertex } 就会保留。
 verdict-vertex-never = 垂直于该边界（{ $edge }）怎样移动，{ $vertex } 都不会保留。
 verdict-vertex-out = 垂直于最近的边界（{ $edge }）向外移动超过 { $move }，{ $vertex } 就会被裁去。

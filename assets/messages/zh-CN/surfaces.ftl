@@ -54,6 +54,7 @@ depth-fragment-tie = 在像素 { $at }，{ $triangle } 与 { $other } 一样近�
 depth-fragment-lost-to-nothing = 像素 { $at } 虽然还空着，{ $triangle } 却没有写入。
 depth-nothing = 空
 depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { $pixels } 个像素。平均每个像素计算的次数：
+raster-brightness = 亮度，以千分之一计
 
 ## Views
 
@@ -81,6 +82,11 @@ occlusion-triangles = 每个物体的三角形数
 scale-near = 近 { $value }
 scale-far = { $value } 远
 raster-wrong = { $count } 个像素有误
+depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍去，虽然 { $other } 让 { $through } 的光透过。
+depth-glass-done = 完成：{ $unsorted ->
+    [0] 在每个像素，每个面都画在它后面的面之后
+   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍去：每个像素只有一个深度，记不住顺序
+  }。平均每个像素计算的次数：
 depth-done-stored = 完成：{ $pixels } 个像素的深度从 { $least } 到 { $most }。
 depth-done-distance = 完成：{ $pixels } 个像素的距离从 { $least } 到 { $most }。
 depth-done-nothing = 完成：{ $fragments } 个片元，一个也没有写入。
@@ -137,6 +143,7 @@ ray-says-before-near = 与 { $triangle } 的交点在近平面之前：t < 1。
 ray-says-beyond-far = 与 { $triangle } 的交点在远平面之外。
 ray-says-beside = 光线与 { $triangle } 的平面交于三角形之外：未命中。
 ray-seen = 像素 { $at } 显示 { $triangle }：它是 { $hits } 个命中中 t 最小的。
+ray-seen-before-others = 像素 { $at } 取 { $triangle }：{ $hits } 个命中里光线止于 t = { $t }，{ $hidden } 被 { $triangle } 遮住。
 ray-seen-nothing = 像素 { $at } 保持背景色：光线没有命中任何三角形。
 ray-done = 完成：{ $rays } 条光线，每条测试 { $triangles } 个三角形。
 ray-culled = 未测试
@@ -306,7 +313,7 @@ surface-costs-pairs = 画家算法：{ $triangles } 个三角形检验 { $count 
 surface-costs-questions = 光线投射：光线对 { $triangles } 个三角形共测试 { $count } 次；随 n 的 { $exponent } 次幂增长。
 surface-costs-fragments = 深度缓冲：{ $triangles } 个三角形产生 { $count } 个片元；随 n 的 { $exponent } 次幂增长。
 surface-costs-overdraw = 过度绘制：{ $fragments } 个片元对 { $pixels } 个像素，每个像素平均计算 { $overdraw } 次。
-surface-costs-note = 指数是对数坐标下拟合直线的斜率。检验的对数只数到 1000 个三角形，且只在存在次序时计数；再往后曲线到此为止。
+surface-costs-note = 指数是对数坐标下拟合直线的斜率。检验的对数只在存在次序时计数；没有次序处，曲线缺一个点。
 
 ## The raster's form
 
@@ -322,6 +329,7 @@ raster-steps-triangles = 一个三角形
 raster-tones = 浓淡表示
 raster-tones-triangles = 哪个三角形
 raster-tones-counts = 计算了几次
+raster-tones-brightness = 亮度
 raster-tones-stored = 存储的深度
 raster-tones-distance = 距离
 raster-number = 深度格式

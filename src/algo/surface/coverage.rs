@@ -12,7 +12,7 @@ use crate::{
 };
 
 use super::{
-    Cull, Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Viewport,
+    Cull, Picture, Rays, ScreenTriangle, SurfaceRules, Surfaces, Tint, Viewport,
     assembly::{Seen, for_each_piece},
     excess::excess,
     scan::try_for_each_span,
@@ -219,6 +219,16 @@ impl Rows {
     pub fn paint(&self, picture: &mut Picture, id: u32) {
         for &(row, columns) in &self.0 {
             picture.put_row(row, columns, id);
+        }
+    }
+
+    /// The same in brightness.
+    pub fn paint_over<R: Real>(&self, brightness: &mut [f64], width: u32, tint: Tint) {
+        for &(row, columns) in &self.0 {
+            let [first, end] = columns.map(|column| (row * width + column) as usize);
+            for there in &mut brightness[first..end] {
+                *there = tint.over::<R>(*there);
+            }
         }
     }
 }

@@ -31,16 +31,16 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
-use std::{convert::Infallible, marker::PhantomData};
+use std::marker::PhantomData;
 
 use serde::Serialize;
 
 use crate::{
     algo::ring::Right,
-    trace::{Listening, Method, Real, Tell, Told},
+    trace::{Method, Real, Tell, Told},
 };
 
-use super::{DepthFormat, Picture, SurfaceRules, Surfaces, coverage::Coverage};
+use super::{DepthFormat, Picture, SurfaceRules, Surfaces, Tint, coverage::Coverage};
 
 /// A run can go on from every so-manieth triangle: so many are drawn in less than a millisecond.
 const REST_EVERY: usize = 512;
@@ -107,6 +107,9 @@ pub struct Fragment {
     pub stored_id: i32,
     /// Is it written?
     pub kept: bool,
+    /// How bright the pixel was and is now, where it is written and surfaces have tints.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blend: Option<[f64; 2]>,
 }
 
 /// How much has been done.
@@ -179,6 +182,9 @@ pub struct DepthBufferOutput {
     pub picture: Picture,
     /// What is stored of each pixel, row by row; not finite where nothing was written.
     pub depth: Vec<f64>,
+    /// How bright each pixel is, row by row; empty where no surface has a tint.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub brightness: Vec<f64>,
     /// How much was done.
     #[serde(skip)]
     pub tally: FragmentTally,
@@ -204,6 +210,7 @@ impl<L: SurfaceRules> Method for DepthBuffer<L> {
             so_far: DepthBufferOutput {
                 picture: Picture::empty(input.surfaces.size()),
                 depth: vec![input.format.nothing(); input.surfaces.n_pixels()],
+                brightness: input.surfaces.paper(),
                 tally: FragmentTally::default(),
             },
             n_past: None,
@@ -272,7 +279,7 @@ pub(super) fn triangle<L: SurfaceRules, R: Real, T: Tell<DepthBuffer<L>>>(
         return Told::Continue(());
     };
     let coverage = Coverage::of::<L>(&input.surfaces, triangle);
-    let drawn = coverage.is_some();
+    let (drawn, tint) = (coverage.is_some(), input.surfaces.tint(id));
     if input.steps != DepthSteps::Triangles {
         let tally = held.so_far.tally;
         tell.tell(held, Event::Triangle { id, drawn, tally })?;
@@ -288,7 +295,8 @@ pub(super) fn triangle<L: SurfaceRules, R: Real, T: Tell<DepthBuffer<L>>>(
             for column in wanted {
                 let depth = span.depth::<R>(column);
                 let so_far = &mut held.so_far;
-                let fragment = so_far.fragment::<L, R>(&input.format, id, [column, row], depth);
+                let own = (id, tint, depth);
+                let fragment = so_far.fragment::<L, R>(&input.format, own, [column, row]);
                 so_far.tally.add(&fragment);
                 if input.steps == DepthSteps::Fragments {
                     let tally = so_far.tally;
@@ -319,9 +327,8 @@ impl DepthBufferOutput {
     fn fragment<L: SurfaceRules, R: Real>(
         &mut self,
         format: &DepthFormat,
-        id: u32,
+        (id, tint, depth): (u32, Option<Tint>, f64),
         pixel: [u32; 2],
-        depth: f64,
     ) -> Fragment {
         let (place, new) = (self.picture.place(pixel), format.stored(depth));
         let (stored, stored_id) = (self.depth[place], self.picture.ids()[place]);
@@ -331,9 +338,15 @@ impl DepthBufferOutput {
             [new, stored]
         };
         let kept = !L::COMPARES || format.is_nearer::<R>(front, behind);
+        let mut blend = None;
         if kept {
             self.depth[place] = new;
             self.picture.put(pixel, id);
+            if let Some(tint) = tint {
+                let before = self.brightness[place];
+                self.brightness[place] = tint.over::<R>(before);
+                blend = Some([before, self.brightness[place]]);
+            }
         }
         Fragment {
             id,
@@ -343,50 +356,7 @@ impl DepthBufferOutput {
             stored,
             stored_id,
             kept,
+            blend,
         }
     }
-}
-
-/// Every fragment that reaches a pixel, in order: one run, at this pixel only.
-#[must_use]
-pub fn pixel_story<L: SurfaceRules>(input: &DepthBufferInput, pixel: [u32; 2]) -> Vec<Fragment> {
-    let mut story = Vec::new();
-    each_fragment::<L>(input, Some(pixel), |fragment| story.push(fragment));
-    story
-}
-
-/// How often each pixel is computed, row by row, by the first so many fragments of a run at all pixels.
-#[must_use]
-pub fn times_computed<L: SurfaceRules>(input: &DepthBufferInput, n_fragments: u64) -> Vec<u32> {
-    let mut times = vec![0; input.surfaces.n_pixels()];
-    let [width, _] = input.surfaces.size();
-    let mut n_left = n_fragments;
-    each_fragment::<L>(input, None, |fragment| {
-        let [column, row] = fragment.pixel;
-        if n_left > 0 {
-            n_left -= 1;
-            times[(row * width + column) as usize] += 1;
-        }
-    });
-    times
-}
-
-fn each_fragment<L: SurfaceRules>(
-    input: &DepthBufferInput,
-    pixel: Option<[u32; 2]>,
-    mut look: impl FnMut(Fragment),
-) {
-    let input = DepthBufferInput {
-        pixel,
-        steps: DepthSteps::Fragments,
-        ..input.clone()
-    };
-    let mut listening = Listening(|_: &DepthBufferHeld, event| {
-        if let DepthBufferEvent::Fragment { fragment, .. } = event {
-            look(fragment);
-        }
-        Told::<Infallible>::Continue(())
-    });
-    let mut held = DepthBuffer::<L>::begin(&input);
-    let Told::Continue(()) = DepthBuffer::<L>::run::<f64, _>(&input, &mut held, &mut listening);
 }

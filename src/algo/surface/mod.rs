@@ -7,6 +7,7 @@
 
 mod assembly;
 mod bands;
+mod behind;
 mod box_division;
 mod bsp;
 mod bsp_tree;
@@ -15,6 +16,7 @@ mod depth_buffer;
 mod depth_format;
 mod excess;
 pub mod faulty;
+mod glass;
 mod hierarchy;
 mod near_one;
 mod occlusion;
@@ -28,6 +30,7 @@ mod rounded_box;
 mod scan;
 mod screen_triangle;
 mod sides;
+mod stories;
 mod surface_list;
 
 use super::ring::Right;
@@ -37,9 +40,10 @@ pub use bsp::{Bsp, BspEvent, BspHeld, BspInput, BspOutput, BspTooLarge};
 pub use bsp_tree::{BspChoice, BspNode, BspPiece, BspSide};
 pub use depth_buffer::{
     DepthBuffer, DepthBufferEvent, DepthBufferHeld, DepthBufferInput, DepthBufferOutput,
-    DepthSteps, Fragment, FragmentTally, pixel_story, times_computed,
+    DepthSteps, Fragment, FragmentTally,
 };
 pub use depth_format::{DepthBits, DepthFormat, DepthNumber};
+pub use glass::Tint;
 pub use hierarchy::Hierarchy;
 pub use occlusion::{
     Occlusion, OcclusionEvent, OcclusionHeld, OcclusionInput, OcclusionObject, OcclusionOutput,
@@ -54,6 +58,7 @@ pub use ray_hit::{Meeting, PlaneHit, RayHit};
 pub use rays::{Ray, Rays};
 pub use scan::{LANES, Lanes, draw_rows, shade_rows};
 pub use screen_triangle::{ScreenTriangle, Viewport};
+pub use stories::{pixel_story, times_computed};
 pub use surface_list::{Picture, Surfaces};
 
 /// What may be got wrong, known at compile time. The values given here are right; [`faulty`] has the others.

@@ -141,11 +141,14 @@ pub enum PainterAnswer {
 }
 
 /// The answer.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct PainterOutput {
     /// Is there an order?
     #[serde(flatten)]
     pub answer: PainterAnswer,
+    /// How bright each pixel is, row by row; empty where there is no order, or no surface has a tint.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub brightness: Vec<f64>,
     /// How many pairs were asked.
     #[serde(skip)]
     pub tally: PairTally,
@@ -166,6 +169,8 @@ pub struct PainterHeld {
     pub cycle: Vec<u32>,
     /// What has been painted so far.
     pub picture: Picture,
+    /// The same in brightness; empty where no surface has a tint.
+    pub brightness: Vec<f64>,
     /// How many pairs have been asked so far.
     pub tally: PairTally,
     /// How many of the placed have been painted.
@@ -196,6 +201,7 @@ impl<L: SurfaceRules> Method for Painter<L> {
             placed: Vec::new(),
             cycle: Vec::new(),
             picture: Picture::empty(surfaces.size()),
+            brightness: surfaces.paper(),
             tally: PairTally::default(),
             n_painted: 0,
             progress: Vec::new(),
@@ -227,7 +233,11 @@ impl<L: SurfaceRules> Method for Painter<L> {
             if (held.n_painted as u64).is_multiple_of(REST_EVERY) {
                 tell.rest(held);
             }
-            Rows::of(surfaces, id).paint(&mut held.picture, id);
+            let rows = Rows::of(surfaces, id);
+            rows.paint(&mut held.picture, id);
+            if let Some(tint) = surfaces.tint(id) {
+                rows.paint_over::<R>(&mut held.brightness, surfaces.size()[0], tint);
+            }
             held.n_painted += 1;
             tell.tell(held, Event::Paint { id })?;
         }
@@ -235,16 +245,17 @@ impl<L: SurfaceRules> Method for Painter<L> {
     }
 
     fn output(held: Self::Held) -> Self::Output {
-        let answer = if held.cycle.is_empty() {
-            PainterAnswer::Order {
-                order: held.placed,
-                picture: held.picture,
-            }
+        let (answer, brightness) = if held.cycle.is_empty() {
+            let (order, picture) = (held.placed, held.picture);
+            let answer = PainterAnswer::Order { picture, order };
+            (answer, held.brightness)
         } else {
-            PainterAnswer::Cycle { cycle: held.cycle }
+            let cycle = held.cycle;
+            (PainterAnswer::Cycle { cycle }, Vec::new())
         };
         PainterOutput {
             answer,
+            brightness,
             tally: held.tally,
         }
     }
@@ -355,20 +366,19 @@ fn objector<L: SurfaceRules, R: Real, T: Tell<Painter<L>>>(
         for (_, decided) in tests.filter(|(known, _)| **known == test) {
             *decided += 1;
         }
-        tell.tell(
-            held,
-            Event::Pair {
-                id,
-                other,
-                test,
-                may,
-                tally: held.tally,
-            },
-        )?;
+        // A run that is stopped where Q lets P pass goes on from here.
+        if let Some((_, from)) = held.waiting.last_mut() {
+            *from = next;
+        }
+        let event = Event::Pair {
+            id,
+            other,
+            test,
+            may,
+            tally: held.tally,
+        };
+        tell.tell(held, event)?;
         if !may {
-            if let Some((_, from)) = held.waiting.last_mut() {
-                *from = next;
-            }
             return Told::Continue(Some(q));
         }
     }

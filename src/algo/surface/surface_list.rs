@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::geom::{Sight, ViewVolume, sign_of_three, times_power};
 
-use super::Viewport;
+use super::{Tint, Viewport};
 
 /// Triangles before a camera. All numbers are finite; a triangle's id is its place in the list.
 #[derive(Clone, PartialEq, Debug)]
@@ -14,6 +14,8 @@ pub struct Surfaces {
     viewport: Viewport,
     volume: ViewVolume,
     triangles: Arc<[[[f64; 3]; 3]]>,
+    /// By id; empty where all are opaque and no brightness is asked for.
+    tints: Arc<[Tint]>,
     culls_backs: bool,
 }
 
@@ -39,8 +41,16 @@ impl Surfaces {
             viewport,
             volume,
             triangles,
+            tints: Arc::default(),
             culls_backs,
         })
+    }
+
+    /// The same with a tint for each of them; `None` where there are not as many.
+    #[must_use]
+    pub fn with_tints(self, tints: impl Into<Arc<[Tint]>>) -> Option<Self> {
+        let tints = tints.into();
+        (tints.len() == self.triangles.len()).then_some(Self { tints, ..self })
     }
 
     /// The pixels.
@@ -78,6 +88,25 @@ impl Surfaces {
         (0..).take(self.triangles.len())
     }
 
+    /// Is a picture in brightness asked for?
+    #[must_use]
+    pub fn is_tinted(&self) -> bool {
+        !self.tints.is_empty()
+    }
+
+    /// Paper for a picture in brightness; no pixel of it where no surface has a tint.
+    #[must_use]
+    pub fn paper(&self) -> Vec<f64> {
+        let n_pixels = if self.is_tinted() { self.n_pixels() } else { 0 };
+        vec![Tint::PAPER; n_pixels]
+    }
+
+    /// How a triangle looks.
+    #[must_use]
+    pub fn tint(&self, id: u32) -> Option<Tint> {
+        self.tints.get(id as usize).copied()
+    }
+
     /// Is what shows its back left out?
     #[must_use]
     pub const fn culls_backs(&self) -> bool {
@@ -103,8 +132,10 @@ impl Surfaces {
     #[must_use]
     pub fn part(&self, ids: Range<usize>) -> Self {
         let to = ids.end.min(self.triangles.len());
+        let ids = ids.start.min(to)..to;
         Self {
-            triangles: self.triangles[ids.start.min(to)..to].into(),
+            tints: self.tints.get(ids.clone()).unwrap_or_default().into(),
+            triangles: self.triangles[ids].into(),
             ..self.clone()
         }
     }

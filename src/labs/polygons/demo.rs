@@ -39,6 +39,11 @@ pub trait PolygonTelling: Telling {
         None
     }
 
+    /// Parts of the subject's border that a step has dropped: where that is by a crossing, the step before has decided it.
+    fn dropped(_: &Step<'_, Self>) -> Vec<[Point; 2]> {
+        Vec::new()
+    }
+
     fn record(scene: &Scene) -> Result<Box<dyn Run>, UnfitScene> {
         let input = Self::input(scene)?;
         Ok(Box::new(Recorded::<Self>::new(input, None)))

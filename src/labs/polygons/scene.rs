@@ -77,6 +77,7 @@ pub struct VertexFate {
 pub enum Found {
     Crossing { step: usize, at: Point },
     Piece { step: usize, outline: Vec<Point> },
+    Dropped { step: usize, part: [Point; 2] },
 }
 
 pub struct MethodInfo {

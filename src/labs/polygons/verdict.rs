@@ -7,7 +7,7 @@ use crate::{
         polygon::ClipRegion,
     },
     figure::{Caption, Decides},
-    geom::{Location, Point, Segment, locate},
+    geom::{Location, Point, Segment, distance_to_segment, locate},
     labs::{Answers, Click, prelude::*, words::vertex_name},
 };
 
@@ -49,6 +49,9 @@ pub fn found<M: PolygonTelling>(scene: &Scene) -> Vec<Found> {
             let crossing = now.event().and_then(|event| M::crossing(&event));
             found.extend(crossing.map(|at| Found::Crossing { step, at }));
             found.extend(M::piece(now).map(|outline| Found::Piece { step, outline }));
+            let step = step - usize::from(crossing.is_some());
+            let dropped = M::dropped(now).into_iter();
+            found.extend(dropped.map(|part| Found::Dropped { step, part }));
         });
     }
     found
@@ -59,21 +62,33 @@ impl Answers for Scene {
         let [x, y, _] = click.at;
         let at = Point::new(x, y).ok()?;
         let found = (self.method.info().found)(self);
-        let near = found.iter().enumerate().filter_map(|(i, found)| {
-            let distance = match found {
-                Found::Crossing { at: there, .. } => (there.x() - x).hypot(there.y() - y),
-                Found::Piece { .. } => return None,
-            };
-            (distance <= click.reach).then_some((distance, i))
+        let nearest = |distance: &dyn Fn(&Found) -> Option<f64>| {
+            let near = found.iter().enumerate().filter_map(|(i, found)| {
+                let distance = distance(found)?;
+                (distance <= click.reach).then_some((distance, i))
+            });
+            near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
+        };
+        let crossing = nearest(&|found| match found {
+            Found::Crossing { at: there, .. } => Some((there.x() - x).hypot(there.y() - y)),
+            Found::Piece { .. } | Found::Dropped { .. } => None,
         });
-        let crossing = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i);
         let piece = || {
             found.iter().position(|found| match found {
-                Found::Crossing { .. } => false,
+                Found::Crossing { .. } | Found::Dropped { .. } => false,
                 Found::Piece { outline, .. } => locate(outline, at) == Location::Inside,
             })
         };
-        crossing.or_else(piece).map(found_link)
+        let dropped = || {
+            nearest(&|found| match found {
+                Found::Dropped { part, .. } => {
+                    let ends = part.map(Point::to_array);
+                    Some(distance_to_segment([x, y], ends))
+                }
+                Found::Crossing { .. } | Found::Piece { .. } => None,
+            })
+        };
+        crossing.or_else(piece).or_else(dropped).map(found_link)
     }
 
     fn verdict(&self, about: Link, (run, _): AtStep<'_>) -> Option<Verdict> {
@@ -83,12 +98,17 @@ impl Answers for Scene {
         }
         let found = (self.method.info().found)(self);
         let idx = (0..found.len()).find(|&i| about == found_link(i))?;
-        let step = match found[idx] {
-            Found::Crossing { step, .. } | Found::Piece { step, .. } => step,
+        let (step, note) = match found[idx] {
+            Found::Crossing { step, .. } | Found::Piece { step, .. } => (step, None),
+            Found::Dropped { step, part } => {
+                let [from, to] = part.map(|end| Value::Point(end.to_array()));
+                let message = Message::new("verdict-edge-dropped").with("from", from);
+                (step, Some(message.with("to", to)))
+            }
         };
         Some(Verdict {
             why: run.caption(step),
-            notes: Vec::new(),
+            notes: note.into_iter().collect(),
             step: Some(step),
             offer: None,
         })
@@ -224,6 +244,30 @@ mod tests {
             }
         }
         assert!(n_turned.iter().all(|&n| n > 5), "{n_turned:?}");
+    }
+
+    #[test]
+    fn a_click_on_what_is_dropped_asks_about_it() {
+        let mut scene = Scene::first();
+        for id in ["sutherland-hodgman", "weiler-atherton"] {
+            scene.set_method(id);
+            let runs = scene.record();
+            let found = (scene.method.info().found)(&scene);
+            let parts = found.iter().filter_map(|found| match found {
+                Found::Dropped { part, .. } => Some(part.map(Point::to_array)),
+                Found::Crossing { .. } | Found::Piece { .. } => None,
+            });
+            for [a, b] in parts {
+                let at = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0];
+                let click = Click {
+                    at,
+                    reach: 1e-9,
+                    ..Click::default()
+                };
+                let told = scene.verdict(scene.asked(&click).expect("it is"), (&*runs[0], 0));
+                assert_eq!(told.expect("it is told").notes.len(), 1, "{id}");
+            }
+        }
     }
 
     #[test]

@@ -33,6 +33,8 @@ pub enum SpaceChange {
     Turn([f64; 3]),
     /// Makes the object in focus so much larger than its model.
     Size(f64),
+    /// Lets light through the object in focus; from 0 to 1.
+    Opacity(f64),
     Street {
         count: usize,
         seed: u64,
@@ -56,6 +58,11 @@ impl ChangeOf for SpaceChange {
             }
             &Self::Turn(turn_deg) => reshape(scene, turn_deg, scene.focused().size())?,
             &Self::Size(size) => reshape(scene, scene.focused().turn_deg(), size)?,
+            &Self::Opacity(opacity) => {
+                if let Some(object) = scene.focused().clone().with_opacity(opacity) {
+                    scene.set_object(scene.focus(), object);
+                }
+            }
             &Self::Street { count, seed } => scene.set_objects(street(count, seed))?,
         }
         Ok(None)
@@ -67,8 +74,7 @@ impl ChangeOf for SpaceChange {
 }
 
 fn reshape(scene: &mut Scene, turn_deg: [f64; 3], size: f64) -> Result<(), Diagnostic> {
-    let old = scene.focused();
-    let object = Object::new(old.model().clone(), old.at(), turn_deg, size)?;
+    let object = scene.focused().reshaped(turn_deg, size)?;
     scene.set_object(scene.focus(), object);
     Ok(())
 }

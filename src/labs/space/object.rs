@@ -76,6 +76,7 @@ pub struct Object {
     at: [f64; 3],
     turn_deg: [f64; 3],
     size: f64,
+    opacity: f64,
 }
 
 impl Object {
@@ -89,18 +90,23 @@ impl Object {
         turn_deg: [f64; 3],
         size: f64,
     ) -> Result<Self, SpaceError> {
-        if size.is_nan() || size <= 0.0 {
-            return Err(SpaceError::Size(size));
-        }
         let object = Self {
             model,
             at,
             turn_deg,
             size,
+            opacity: 1.0,
         };
+        object.checked()
+    }
+
+    fn checked(self) -> Result<Self, SpaceError> {
+        if self.size.is_nan() || self.size <= 0.0 {
+            return Err(SpaceError::Size(self.size));
+        }
         // Each vertex has to have a place.
-        object.bounds()?;
-        Ok(object)
+        self.bounds()?;
+        Ok(self)
     }
 
     pub const fn model(&self) -> &Model {
@@ -121,12 +127,37 @@ impl Object {
         self.size
     }
 
+    /// How much it covers of what is behind it, up to 1.
+    pub const fn opacity(&self) -> f64 {
+        self.opacity
+    }
+
+    /// From 0 to 1; `None` beyond that.
+    pub fn with_opacity(self, opacity: f64) -> Option<Self> {
+        (0.0..=1.0)
+            .contains(&opacity)
+            .then_some(Self { opacity, ..self })
+    }
+
     /// Elsewhere.
     ///
     /// # Errors
     /// As for [`Object::new`].
     pub fn moved(&self, at: [f64; 3]) -> Result<Self, SpaceError> {
-        Self::new(self.model.clone(), at, self.turn_deg, self.size)
+        Self { at, ..self.clone() }.checked()
+    }
+
+    /// Turned and enlarged in another way.
+    ///
+    /// # Errors
+    /// As for [`Object::new`].
+    pub fn reshaped(&self, turn_deg: [f64; 3], size: f64) -> Result<Self, SpaceError> {
+        let reshaped = Self {
+            turn_deg,
+            size,
+            ..self.clone()
+        };
+        reshaped.checked()
     }
 
     /// With another place for a vertex of its mesh, in the world. A solid keeps its vertices.
@@ -152,7 +183,11 @@ impl Object {
             ..NamedMesh::clone(named)
         };
         let model = Model::Mesh(Arc::new(named));
-        Ok(Self::new(model, self.at, self.turn_deg, self.size)?)
+        let changed = Self {
+            model,
+            ..self.clone()
+        };
+        Ok(changed.checked()?)
     }
 
     pub fn world_from_model(&self) -> Matrix {

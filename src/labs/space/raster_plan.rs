@@ -30,6 +30,8 @@ pub enum Tones {
     Triangles,
     /// How often each has been computed.
     Counts,
+    /// How bright each is, where surfaces let light through.
+    Brightness,
 }
 
 impl Default for RasterPlan {

@@ -1,13 +1,13 @@
 //! All faces of a scene as triangles in view space, and what they are called.
 
-use std::ops::Range;
+use std::{iter::repeat_n, ops::Range};
 
 use crate::{
-    algo::surface::{Picture, Surfaces},
+    algo::surface::{Picture, Surfaces, Tint},
     labs::{prelude::*, split_mix::SplitMix64},
 };
 
-use super::{Scene, stage::object_link};
+use super::{Object, Scene, Tones, stage::object_link};
 
 /// More faces than these are not drawn: the rest is left out.
 const MOST_FACES: usize = 1_000_000;
@@ -31,8 +31,35 @@ pub fn surfaces_of(scene: &Scene, size: [u32; 2]) -> Surfaces {
     });
     let triangles: Vec<[[f64; 3]; 3]> = faces.take(MOST_FACES).collect();
     let culls_backs = scene.raster.culls_backs;
+    let tints = tints(scene, triangles.len());
     let surfaces = Surfaces::new(size, *camera.volume(), triangles, culls_backs);
-    surfaces.expect("finite vertices, and pixels")
+    let surfaces = surfaces.expect("finite vertices, and pixels");
+    if tints.is_empty() {
+        return surfaces;
+    }
+    surfaces.with_tints(tints).expect("one for each face")
+}
+
+/// Neighbours differ.
+const BRIGHTNESS: [f64; 4] = [0.25, 0.75, 0.0, 0.5];
+
+/// Of each of the first so many faces; none where all are opaque and nobody asks.
+fn tints(scene: &Scene, n_faces: usize) -> Vec<Tint> {
+    let objects = scene.objects().iter();
+    let is_asked = scene.raster.tones == Tones::Brightness;
+    if !is_asked && objects.clone().all(|object| object.opacity() == 1.0) {
+        return Vec::new();
+    }
+    let of_object = |(object, brightness): (&Object, f64)| {
+        let n_faces = object.model().mesh().faces().len();
+        Tint::new(object.opacity(), brightness).map(|tint| repeat_n(tint, n_faces))
+    };
+    let tints = objects.zip(BRIGHTNESS.into_iter().cycle());
+    tints
+        .filter_map(of_object)
+        .flatten()
+        .take(n_faces)
+        .collect()
 }
 
 pub fn surfaces_on_raster(scene: &Scene) -> Surfaces {

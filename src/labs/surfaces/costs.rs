@@ -2,9 +2,10 @@
 //! depth buffer. On streets of more and more triangles, in pieces that are short enough to be done between two frames.
 
 use crate::{
+    algo::ring::Right,
     algo::surface::{
-        DepthBuffer, DepthBufferInput, FragmentTally, Painter, PainterAnswer, RayCasting,
-        RayCastingInput, Surfaces,
+        DepthBuffer, DepthBufferInput, FragmentTally, Painter, PainterAnswer, PainterEvent,
+        PainterHeld, RayCasting, RayCastingInput, Surfaces,
     },
     geom::SpaceError,
     labs::space::{
@@ -12,19 +13,19 @@ use crate::{
         soup::{MOST_ASKED, surfaces_on_raster},
         street,
     },
-    trace::silent,
+    trace::{Listening, Method, Told, silent},
 };
 
 const SEED: u64 = 1;
-/// Pairs grow with the square: of more triangles they are not asked.
-const MOST_SORTED: usize = 1000;
+/// So many pairs that are asked are a piece of work.
+const PAIRS: u32 = 10_000;
 /// About so many questions of rays are a piece of work.
 const QUESTIONS: usize = 50_000;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SurfaceCounts {
     pub n_triangles: usize,
-    /// Asked by painter's algorithm; not known of too many triangles, nor where there is no order.
+    /// Asked by painter's algorithm; not known where there is no order.
     pub pairs: Option<u64>,
     /// Asked by rays: as many as pixels times triangles.
     pub questions: u64,
@@ -37,9 +38,9 @@ pub struct SurfaceCounting {
     stage: Stage,
 }
 
-#[derive(Clone, Copy)]
 enum Stage {
-    Painter,
+    /// So far.
+    Painter(Box<PainterHeld>),
     DepthBuffer,
     /// From this pixel on.
     Rays(usize),
@@ -65,19 +66,16 @@ impl SurfaceCounting {
             ..SurfaceCounts::default()
         };
         Ok(Self {
+            stage: Stage::Painter(Box::new(Painter::<Right>::begin(&surfaces))),
             surfaces,
             counts,
-            stage: Stage::Painter,
         })
     }
 
     /// Does a piece of the work; the counts, once nothing is left.
     pub fn work(&mut self) -> Option<SurfaceCounts> {
-        self.stage = match self.stage {
-            Stage::Painter => {
-                self.counts.pairs = self.pairs();
-                Stage::DepthBuffer
-            }
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Done) {
+            Stage::Painter(held) => self.pairs(held),
             Stage::DepthBuffer => {
                 let output = silent::<DepthBuffer>(&DepthBufferInput::new(self.surfaces.clone()));
                 self.counts.tally = output.tally;
@@ -89,15 +87,26 @@ impl SurfaceCounting {
         matches!(self.stage, Stage::Done).then_some(self.counts)
     }
 
-    fn pairs(&self) -> Option<u64> {
-        if self.counts.n_triangles > MOST_SORTED {
-            return None;
+    fn pairs(&mut self, mut held: Box<PainterHeld>) -> Stage {
+        let mut n_asked = 0;
+        let mut asked = Listening(|_: &PainterHeld, event| {
+            let may = matches!(event, PainterEvent::Pair { may: true, .. });
+            n_asked += u32::from(may);
+            if may && n_asked >= PAIRS {
+                Told::Break(())
+            } else {
+                Told::Continue(())
+            }
+        });
+        if Painter::<Right>::run::<f64, _>(&self.surfaces, &mut held, &mut asked).is_break() {
+            return Stage::Painter(held);
         }
-        let output = silent::<Painter>(&self.surfaces);
-        match output.answer {
+        let output = Painter::<Right>::output(*held);
+        self.counts.pairs = match output.answer {
             PainterAnswer::Order { .. } => Some(output.tally.pairs),
             PainterAnswer::Cycle { .. } => None,
-        }
+        };
+        Stage::DepthBuffer
     }
 
     fn rays(&mut self, from: usize) -> Stage {
@@ -157,8 +166,6 @@ mod tests {
         let tally = counts.tally;
         assert!(tally.pixels <= columns * rows && tally.pixels > 0);
         assert!(tally.fragments >= tally.writes && tally.writes >= tally.pixels);
-        let many = SurfaceCounting::new(&scene, 200).unwrap();
-        assert_eq!(many.pairs(), None, "too many to be asked in pairs");
     }
 
     #[test]

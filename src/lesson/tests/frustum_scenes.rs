@@ -118,6 +118,7 @@ focus = 1 => focus = -1 => 6:9 out-of-range
 face = 2 => face = 4 => 7:8 no-such-face
 "cube" => "cub" => 9:15 unknown-value
 size = 0.6 => size = 0 => 9:69 degenerate
+size = 0.6 => size = 0.6, opacity = 1.5 => 9:84 out-of-range
 at = [0, 1, 0] => at = [0, 1, 1e999] => 9:35 not-finite
 solid = "cube",  =>  => 9:5 missing-field
 { mesh = => { solid = "cube", mesh = => 10:30 two-models
@@ -245,8 +246,11 @@ fn model() -> impl Strategy<Value = Model> {
 }
 
 fn object() -> impl Strategy<Value = Object> {
-    (model(), place(), place(), 0.01..90.0)
-        .prop_map(|(model, at, turn, size)| Object::new(model, at, turn, size).expect("finite"))
+    let opacity = prop_oneof![Just(1.0), 0.0..1.0];
+    (model(), place(), place(), 0.01..90.0, opacity).prop_map(|(model, at, turn, size, opacity)| {
+        let object = Object::new(model, at, turn, size).expect("finite");
+        object.with_opacity(opacity).expect("a part of one")
+    })
 }
 
 prop_compose! {

@@ -2,7 +2,7 @@
 
 use crate::{
     geom::Solid,
-    labs::space::{MAX_OBJECTS, Model, Object, Part, Scene, SpaceChange},
+    labs::space::{MAX_OBJECTS, Model, Object, Part, Scene, SpaceChange, Subject},
     lesson::spot,
     panels::prelude::*,
 };
@@ -90,6 +90,12 @@ fn place(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
     let size = ("object-size", "");
     if let Some(size) = number_field(ui, look, size, object.size(), &(0.01..=100.0)) {
         asked = Some(tuned(SpaceChange::Size(size), FIRST_NUMBER + 5));
+    }
+    if scene.method.info().subject == Subject::Surfaces {
+        let opacity = ("object-opacity", "");
+        if let Some(opacity) = number_field(ui, look, opacity, object.opacity(), &(0.0..=1.0)) {
+            asked = Some(tuned(SpaceChange::Opacity(opacity), FIRST_NUMBER + 7));
+        }
     }
     asked
 }

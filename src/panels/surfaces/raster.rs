@@ -69,6 +69,7 @@ fn choices(ui: &mut Ui, look: Look<'_>, plan: &mut RasterPlan) {
         (Tones::Distance, "raster-tones-distance"),
         (Tones::Triangles, "raster-tones-triangles"),
         (Tones::Counts, "raster-tones-counts"),
+        (Tones::Brightness, "raster-tones-brightness"),
     ] {
         ui.radio_value(&mut plan.tones, tones, look.say(key));
     }

@@ -10,7 +10,7 @@ use super::{
     lists::{names, outline, output_symbol},
     prelude::*,
     result::result,
-    sutherland_hodgman::{SOURCE, crossing_of, input},
+    sutherland_hodgman::{SOURCE, crossing_of, dropped_by, input},
 };
 
 pseudocode! {
@@ -40,6 +40,10 @@ impl PolygonTelling for Pipeline {
 
     fn crossing(event: &Event<Point>) -> Option<Point> {
         crossing_of(event)
+    }
+
+    fn dropped(step: &Step<'_, Self>) -> Vec<[Point; 2]> {
+        dropped_by(step.past)
     }
 
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {

@@ -46,6 +46,10 @@ impl<L: Variant> PolygonTelling for SutherlandHodgman<Point, L> {
         crossing_of(event)
     }
 
+    fn dropped(step: &Step<'_, Self>) -> Vec<[Point; 2]> {
+        dropped_by(step.past)
+    }
+
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
         let is_done = matches!(step.event(), Some(Event::Done { .. }));
         is_done.then(|| step.held.lists.list().clone())
@@ -81,6 +85,21 @@ pub fn crossing_of(event: &impl RingEvent<Point>) -> Option<Point> {
         Happening::Cross(crossing) => Some(crossing.at),
         _ => None,
     }
+}
+
+/// What a border has dropped of the edge that was looked at last: all of it, or what lies beyond the crossing.
+pub fn dropped_by(past: &[impl RingEvent<Point>]) -> Vec<[Point; 2]> {
+    let Some(EdgeTest { ends, rule, .. }) = Asked::of(past).test else {
+        return Vec::new();
+    };
+    let [s, p] = ends;
+    let part = match (past.last().and_then(RingEvent::happening), rule) {
+        (Some(Happening::Test(_)), Rule::OutOut) => Some([s, p]),
+        (Some(Happening::Cross(crossing)), Rule::InOut) => Some([crossing.at, p]),
+        (Some(Happening::Cross(crossing)), Rule::OutIn) => Some([s, crossing.at]),
+        (_, Rule::InIn | Rule::InOut | Rule::OutIn | Rule::OutOut) => None,
+    };
+    part.into_iter().collect()
 }
 
 /// The window, or the clip polygon where it is convex.

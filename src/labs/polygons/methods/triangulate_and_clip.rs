@@ -98,6 +98,10 @@ impl PolygonTelling for TriangulateAndClip {
         sutherland_hodgman::crossing_of(event)
     }
 
+    fn dropped(step: &Step<'_, Self>) -> Vec<[Point; 2]> {
+        sutherland_hodgman::dropped_by(step.past)
+    }
+
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
         let is_piece = matches!(
             step.event(),

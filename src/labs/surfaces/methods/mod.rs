@@ -4,6 +4,7 @@ mod asks;
 mod bars;
 mod bsp;
 mod depth_buffer;
+mod glass;
 mod occlusion;
 mod on_raster;
 mod painter;

@@ -332,9 +332,14 @@ pub fn titled(title: Value, n_wrong: usize) -> Value {
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
 pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
     let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    crossed(surfaces, picture.ids(), truth.picture.ids())
+}
+
+/// A cross wherever what is shown is not the truth.
+pub fn crossed<T: PartialEq>(surfaces: &Surfaces, shown: &[T], truth: &[T]) -> Vec<RasterMark> {
     let width = surfaces.size()[0] as usize;
-    let pairs = picture.ids().iter().zip(truth.picture.ids()).enumerate();
-    let wrong = pairs.filter(|(_, (shown, seen))| shown != seen);
+    let pairs = shown.iter().zip(truth).enumerate();
+    let wrong = pairs.filter(|(_, (shown, truth))| shown != truth);
     wrong
         .map(|(place, _)| mark(Role::Signal, RasterShape::Cross(middle_at(place, width))))
         .collect()

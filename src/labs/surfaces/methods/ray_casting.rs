@@ -1,6 +1,7 @@
 //! Ray casting, shown: the ray with its hits in space and on its own axis, every question, the picture so far.
 
 mod names;
+mod shadow;
 mod views;
 
 use crate::algo::surface::{
@@ -94,6 +95,9 @@ impl Telling for RayCasting {
         farther: Event::Ask { found: PlaneHit { meeting: Hit, .. }, nearest: false, .. } =>
             Row::new(Test, INSIDE, "ray-hit-farther").so(QUOTIENT)
                 .answers_as("meets", "ray-answer-farther").drops("triangle");
+        seen_before_others: Event::Seen { hit: Some(_), .. } if names::hits(step.past).count() > 1 =>
+            Row::new(Accept, NEAREST, "ray-seen-before-others").so(&["{order}"])
+                .picks("seen", "hits").keeps("at");
         seen: Event::Seen { hit: Some(_), .. } =>
             Row::new(Accept, NEAREST, "ray-seen").so(&["t = {t}"]).picks("seen", "hits").keeps("at");
         nothing: Event::Seen { hit: None, .. } =>

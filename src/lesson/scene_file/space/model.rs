@@ -6,13 +6,25 @@ use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
     geom::{Mesh, MeshError, Solid, SpaceError, Texture},
+    input::Fault,
     labs::space::{Model, NamedMesh, Object, Picture},
     lesson::{FileError, picture_of, prelude::*, read_obj, read_picture, scene_file::prelude::*},
 };
 
 use super::spot;
 
-const OBJECT: [&str; 5] = ["solid", "mesh", "at", "turn_deg", "size"];
+const OBJECT: [&str; 6] = ["solid", "mesh", "at", "turn_deg", "size", OPACITY.name()];
+
+/// How much an object covers of what is behind it.
+const OPACITY: Part<f64> = Part::new("opacity", &Shape::Number, |got| {
+    let opacity = got.number();
+    let is_valid = (0.0..=1.0).contains(&opacity);
+    let problem = || Message::new("problem-out-of-range").with("value", exact(opacity));
+    is_valid
+        .then_some(opacity)
+        .ok_or_else(|| Fault::new("out-of-range", problem()))
+})
+.expecting("expect-opacity");
 const MESH: [&str; 6] = ["name", "vertices", "uvs", "faces", "obj", "picture"];
 
 /// A mesh of more faces, or vertices, is not spelt number by number, but as the text of an OBJ file: that takes a tenth of
@@ -37,7 +49,11 @@ pub(super) fn object(node: Node<'_>) -> Option<Object> {
         };
         node.at(At::Field(name)).error(error, []);
     };
-    object.map_err(refuse).ok()
+    let opacity = fields.part(&OPACITY);
+    object
+        .map_err(refuse)
+        .ok()?
+        .with_opacity(opacity.unwrap_or(1.0))
 }
 
 /// What it looks like: `solid` or `mesh`.
@@ -259,6 +275,10 @@ pub(super) fn object_to_toml(object: &Object) -> String {
         ("at", Some(array(&object.at()))),
         ("turn_deg", Some(array(&object.turn_deg()))),
         ("size", Some(exact(object.size()))),
+        (
+            "opacity",
+            Some(exact(object.opacity())).filter(|_| object.opacity() != 1.0),
+        ),
     ])
 }
 

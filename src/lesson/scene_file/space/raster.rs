@@ -11,11 +11,12 @@ const STEPS: [(&str, DepthSteps); 3] = [
     ("spans", DepthSteps::Spans),
     ("triangles", DepthSteps::Triangles),
 ];
-const TONES: [(&str, Tones); 4] = [
+const TONES: [(&str, Tones); 5] = [
     ("depth", Tones::Depth),
     ("distance", Tones::Distance),
     ("triangles", Tones::Triangles),
     ("counts", Tones::Counts),
+    ("brightness", Tones::Brightness),
 ];
 /// Formats of depths: whole numbers of so many bits, and floating point; reversed, 1 is near.
 const DEPTHS: [&str; 16] = [
@@ -43,7 +44,7 @@ const ROWS: Shape = Shape::Whole(
     *RasterPlan::ROWS.end() as i64,
 );
 const STEP_NAMES: [&str; 3] = names(STEPS);
-const TONE_NAMES: [&str; 4] = names(TONES);
+const TONE_NAMES: [&str; 5] = names(TONES);
 
 /// What a file may say of a raster; what it does not say is as usual.
 pub(super) const RASTER: Part<RasterPlan> = Part::new(

@@ -29,7 +29,11 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
     if let Some(side) = shown.in_hand() {
         marks.extend(plane_at_work(lens.camera, side));
     }
-    let world = scenery.scene().places().segment;
+    let given = scenery.scene().places().segment;
+    let world = given.map(|at| lens.on_plane(at));
+    let feet = given.into_iter().zip(world).filter(|(at, foot)| at != foot);
+    let feet = feet.map(|(at, foot)| Mark3::new(Role::Soft, Shape3::Segment([at, foot])));
+    marks.extend(feet.map(Mark3::fine));
     marks.extend(lens.segment(&world));
     marks.extend(lens.images(&world));
     let screens = Body::Multiples(Multiples {
@@ -117,9 +121,15 @@ impl<'a> WLens<'a> {
         End::BOTH.into_iter().any(|end| self.is_behind(end))
     }
 
-    fn on_screen(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        let [width, height] = self.camera.volume().half_size();
-        self.camera.world_from_view([x * width, y * height, -1.0])
+    /// All of the lens lies in one plane, that of x and w: of a point there is its foot in it.
+    fn on_plane(&self, at: [f64; 3]) -> [f64; 3] {
+        let [x, _, z] = self.camera.view_from_world().point(at);
+        self.camera.world_from_view([x, 0.0, z])
+    }
+
+    fn on_screen(&self, [x, _]: [f64; 2]) -> [f64; 3] {
+        let [width, _] = self.camera.volume().half_size();
+        self.camera.world_from_view([x * width, 0.0, -1.0])
     }
 
     fn wedge(&self) -> Vec<Mark3> {

@@ -109,6 +109,29 @@ impl PolygonTelling for WeilerAtherton {
         }
     }
 
+    /// From where the subject leaves, up to the next intersection.
+    fn dropped(step: &Step<'_, Self>) -> Vec<[Point; 2]> {
+        let lists = &step.held.lists;
+        let entries = &lists.entries[0];
+        let at = |entry: &Entry| lists.at(entry, step.input.subject.rings());
+        let mut parts = Vec::new();
+        if let Some(Event::Labelled {
+            node_idx,
+            after: Side::Outside,
+            ..
+        }) = step.event()
+        {
+            let from = lists.nodes[node_idx as usize].place(Subject);
+            let mut from = from.map(|place| &entries[place]);
+            while let Some(entry) = from {
+                let next = &entries[entry.next as usize];
+                parts.push([at(entry), at(next)]);
+                from = next.node().is_none().then_some(next);
+            }
+        }
+        parts
+    }
+
     fn piece(step: &Step<'_, Self>) -> Option<Vec<Point>> {
         let is_piece = matches!(
             step.event()?,

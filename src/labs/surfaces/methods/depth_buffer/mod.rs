@@ -68,7 +68,7 @@ impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     }
 }
 
-const COMPARED: &[&str] = &["{z}{sign}{stored}"];
+const COMPARED: &[&str] = &["{z}{sign}{stored}", "{blend}"];
 const EMPTY: i32 = Picture::BACKGROUND;
 
 const fn drawn(key: &'static str) -> Row {
@@ -93,6 +93,7 @@ impl<L: Variant> Telling for DepthBuffer<L> {
         "watch-pixel",
         "z",
         "stored",
+        "C",
         "watch-fragments",
         "watch-writes",
         "watch-pixels",
@@ -127,7 +128,8 @@ impl<L: Variant> Telling for DepthBuffer<L> {
     }
 
     fn row_at(at: &At<'_, Self>) -> &'static Row {
-        names::in_shades(at).map_or_else(|| Self::row(&at.step), |shades| shades.row)
+        let own = || names::of_glass(at).unwrap_or_else(|| Self::row(&at.step));
+        names::in_shades(at).map_or_else(own, |shades| shades.row)
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

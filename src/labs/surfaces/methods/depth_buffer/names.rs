@@ -5,7 +5,10 @@ use crate::{
     labs::space::Tones,
 };
 
-use super::super::prelude::*;
+use super::super::{
+    glass::{blended, unsorted},
+    prelude::*,
+};
 
 use super::{
     numbers::{t_of, value},
@@ -33,6 +36,19 @@ pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Name
         ("sign", _) => spaced(sign(fragment?.new, fragment?.stored)),
         ("stored", _) => Named::maybe(fragment.map(|fragment| stored(fragment.stored)))
             .labelled(Value::Term("story-stored")),
+        ("blend", _) => blended(&input.surfaces, &fragment?)?.into(),
+        ("C", _) => {
+            let place = so_far.picture.place(pixel_of(at)?);
+            Formula::decimals()
+                .num(*so_far.brightness.get(place)?)
+                .into()
+        }
+        ("through", _) => {
+            let there = u32::try_from(fragment?.stored_id).ok()?;
+            let opacity = input.surfaces.tint(there)?.opacity();
+            Formula::decimals().num(1.0 - opacity).into()
+        }
+        ("unsorted", _) => unsorted(&input.surfaces, &so_far.brightness).len().into(),
         ("cleared", Some(Event::Clear { depth })) => stored(depth).into(),
         ("place", _) => {
             let id = current(at)?;
@@ -100,6 +116,28 @@ fn before(past: &[Event]) -> FragmentTally {
             | Event::Fragment { tally, .. },
         ) => *tally,
         Some(Event::Clear { .. } | Event::Done) | None => FragmentTally::default(),
+    }
+}
+
+/// The row of a step that is said in another way where light comes through.
+pub fn of_glass<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<&'static Row> {
+    const BEHIND: Row = Row::new(Test, COMPARE, "depth-glass-behind")
+        .so(&["{z}{sign}{stored}"])
+        .about("at")
+        .answers_as("nearer", "depth-fragment-lost");
+    const DONE: Row = Row::new(Accept, COMPARE, "depth-glass-done").so(&["{average}"]);
+    let surfaces = &at.step.input.surfaces;
+    match at.step.event()? {
+        Event::Fragment { fragment, .. } if !fragment.kept && fragment.new != fragment.stored => {
+            let there = surfaces.tint(u32::try_from(fragment.stored_id).ok()?)?;
+            (there.opacity() < 1.0).then_some(&BEHIND)
+        }
+        Event::Done if surfaces.is_tinted() && at.step.input.pixel.is_none() => Some(&DONE),
+        Event::Clear { .. }
+        | Event::Triangle { .. }
+        | Event::Span { .. }
+        | Event::Fragment { .. }
+        | Event::Done => None,
     }
 }
 

@@ -8,7 +8,10 @@ use crate::{
     labs::space::Tones,
 };
 
-use super::super::prelude::*;
+use super::super::{
+    glass::{bright, unsorted},
+    prelude::*,
+};
 
 use super::{
     names::{current, fragment_of, pixel_of},
@@ -119,6 +122,9 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
     let whole = whole_picture(at);
     let so_far = whole.as_ref().unwrap_or(&at.step.held.so_far);
     let current = current(at);
+    if scene.raster.tones == Tones::Brightness {
+        return in_brightness(at, so_far);
+    }
     let names_triangles = scene.beside.len() > 1 || scene.raster.tones == Tones::Triangles;
     let (mut title, scale, pixels) = if names_triangles {
         let letters = lettered(&so_far.picture, |id| name_of(at.scenery, id));
@@ -144,6 +150,19 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
         ..raster_so_far(&own.surfaces, pixels, over)
     }
+}
+
+fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOutput) -> Raster {
+    let surfaces = &at.step.input.surfaces;
+    let over = current(at).map_or_else(Vec::new, |id| outline(surfaces, id, Role::Accent));
+    let mut raster = bright(surfaces, &so_far.brightness, over);
+    raster.current = pixel_of(at).map(|pixel| pixel.map(|x| x as usize));
+    if at.step.event() == Some(Event::Done) {
+        let wrong = unsorted(surfaces, &so_far.brightness);
+        raster.title = titled(raster.title, wrong.len());
+        raster.over.extend(wrong);
+    }
+    raster
 }
 
 /// The tone is the depth's, the hue this step's triangle's.

@@ -5,7 +5,11 @@ use crate::{
     figure::{CellStage, Story, StoryCard, StoryFate},
 };
 
-use super::super::{asks::asks, prelude::*};
+use super::super::{
+    asks::asks,
+    glass::{GLASS_VIEW, glass},
+    prelude::*,
+};
 
 use super::{
     curve::{Landed, curves},
@@ -34,8 +38,14 @@ pub fn views<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Vec<View> {
             let curves = curves(&rays, format, &landed, before.as_ref());
             views.push(View::new(CURVE_VIEW, Body::Multiples(curves)));
         } else if let Some(pixel) = pixel {
-            let story = story(at, scenery, pixel);
-            views.push(View::new(STORY_VIEW, Body::Story(story)));
+            let told = pixel_story::<L>(input, pixel);
+            let stage = |id| stage(at, id);
+            let glass = glass(scenery, &input.surfaces, (pixel, &told), stage);
+            let story = || Body::Story(story(at, scenery, pixel));
+            views.push(match glass.map(Body::Table) {
+                Some(glass) => View::new(GLASS_VIEW, glass),
+                None => View::new(STORY_VIEW, story()),
+            });
         }
         views
     });

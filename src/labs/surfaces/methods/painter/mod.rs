@@ -56,6 +56,7 @@ impl<L: Variant> Telling for Painter<L> {
         "watch-behind-plane",
         "watch-before-plane",
         "watch-overlap",
+        "C",
     ])];
     const OPENING: Row = Row::new(Phase, KEY, "painter-opening");
 
@@ -80,7 +81,8 @@ impl<L: Variant> Telling for Painter<L> {
         cycle_closes: Event::Cycle { id } if step.held.constraints.contains(&[id, step.held.cycle[0]]) =>
             in_cycle("painter-cycle-closes");
         cycle_next: Event::Cycle { .. } => in_cycle("painter-cycle-next");
-        paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint").about("triangle");
+        paint: Event::Paint { .. } => Row::new(Cut, PAINT, "painter-paint")
+            .so(&["{blend}"]).about("triangle");
         done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
         no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
     }

@@ -4,12 +4,13 @@ use glam::DVec3;
 
 use crate::algo::{
     surface::{
-        DepthBuffer, DepthBufferInput, DepthSteps, Painter, PainterEvent as Event, PairTest,
+        DepthBuffer, DepthBufferInput, DepthSteps, Fragment, Painter, PainterEvent as Event,
+        PairTest, faulty::WritesAlways, pixel_story,
     },
     volume::signed_distance,
 };
 
-use super::super::{planes::plane_of, prelude::*};
+use super::super::{glass::blended, planes::plane_of, prelude::*};
 
 use super::variant::Variant;
 
@@ -38,6 +39,17 @@ pub fn named<L: Variant>(at: &At<'_, Painter<L>>, name: &str) -> Option<Named> {
         ("triangles", Some(_)) => held.list.len().into(),
         ("pairs" | "watch-pairs", _) => (held.tally.pairs as usize).into(),
         ("cycle", _) => held.cycle.len().into(),
+        ("blend", Some(Event::Paint { id })) => {
+            let (_, told) = painted_at(at)?;
+            let own = told.iter().find(|fragment| fragment.id == id)?;
+            blended(surfaces, own)?.into()
+        }
+        ("C", _) => {
+            let (pixel, _) = painted_at(at)?;
+            Formula::decimals()
+                .num(held.brightness[held.picture.place(pixel)])
+                .into()
+        }
         ("behind", _) => distances(surfaces, id?, other?)?.into(),
         ("front", _) => distances(surfaces, other?, id?)?.into(),
         ("hidden", _) => {
@@ -77,6 +89,18 @@ fn distances(surfaces: &Surfaces, of: u32, plane: u32) -> Option<Formula> {
     let sign = if eye < 0.0 { -1.0 } else { 1.0 };
     let distances = triangle.map(|at| sign * signed_distance::<f64>(&plane, at));
     Some(Formula::decimals().sym("d = ").list(&distances))
+}
+
+/// The pixel that is looked at, and what is painted there: to paint is to write without asking.
+fn painted_at<L: Variant>(at: &At<'_, Painter<L>>) -> Option<([u32; 2], Vec<Fragment>)> {
+    let surfaces = at.step.input;
+    let pixel = at.scenery?.scene().raster.pixel?;
+    let is_there = surfaces.is_tinted() && (0..2).all(|i| pixel[i] < surfaces.size()[i]);
+    let input = || DepthBufferInput {
+        order: at.step.held.placed.clone(),
+        ..DepthBufferInput::new(surfaces.clone())
+    };
+    is_there.then(|| (pixel, pixel_story::<WritesAlways>(&input(), pixel)))
 }
 
 pub const fn test_key(test: PairTest) -> &'static str {

@@ -10,6 +10,7 @@ use crate::{
 use super::super::{
     asks::asks,
     bars::{Bar, bars},
+    glass::{bright, unsorted},
     on_raster::seams,
     prelude::*,
 };
@@ -32,7 +33,7 @@ pub fn views<L: Variant>(at: &At<'_, Painter<L>>) -> Vec<View> {
         let raster = if scene.raster.tones == Tones::Counts && scene.beside.len() == 1 {
             pairs(at)
         } else {
-            raster(at)
+            raster(at, scene)
         };
         let mut views = vec![
             scenery.observer_with(
@@ -124,7 +125,7 @@ fn pairs<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
     }
 }
 
-fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
+fn raster<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Raster {
     let (surfaces, held) = (at.step.input, at.step.held);
     let [own, other] = about(at.step.event());
     let (picture, cycle) = (&held.picture, &held.cycle);
@@ -151,9 +152,18 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>) -> Raster {
     // Where the depths are that give the arrows.
     let dot = |at| mark(Role::Signal, RasterShape::Dot(at));
     over.extend(overlaps(at).into_iter().map(dot));
-    let mut raster = raster_so_far(surfaces, pixels(picture, own, letters), over);
+    let is_bright = scene.raster.tones == Tones::Brightness && !is_waiting;
+    let mut raster = if is_bright {
+        bright(surfaces, &held.brightness, over)
+    } else {
+        raster_so_far(surfaces, pixels(picture, own, letters), over)
+    };
     if is_done && cycle.is_empty() {
-        let wrong = wrong_pixels(surfaces, picture);
+        let wrong = if is_bright {
+            unsorted(surfaces, &held.brightness)
+        } else {
+            wrong_pixels(surfaces, picture)
+        };
         raster.title = titled(raster.title, wrong.len());
         raster.over.extend(wrong);
     }

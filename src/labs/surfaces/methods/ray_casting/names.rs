@@ -24,6 +24,26 @@ pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
             let link = Link::nth(Raster::LINK, held.so_far.picture.place(pixel));
             Named::from(pixel_formula(pixel)).linked(link)
         }
+        ("hidden", _) => {
+            let hidden =
+                hidden(at).map(|hit| text_of(name_of(at.scenery, hit.id), hit.id as usize));
+            Value::Name(hidden.collect::<Vec<_>>().join(", ")).into()
+        }
+        // `t = 2.94 < 3.9 < 4.2`
+        ("order", _) => {
+            let nearest = held.nearest?;
+            let mut times: Vec<f64> = hidden(at).map(|hit| hit.t).collect();
+            times.sort_by(f64::total_cmp);
+            let formula = Formula::decimals().sym("t = ").num(nearest.t);
+            times
+                .into_iter()
+                .fold((formula, nearest.t), |(formula, before), t| {
+                    let formula = formula.sym(format!(" {} ", sign(before, t)));
+                    (formula.num(t), t)
+                })
+                .0
+                .into()
+        }
         ("hits", _) => hits(past).count().into(),
         // `t = −(n·o + d) / (n·r) = 3.012 / 1.025 = 2.94`
         ("quotient", Some(Event::Ask { found, .. })) => {
@@ -100,6 +120,12 @@ fn hit_of(event: &Event) -> Option<RayHit> {
     };
     let (t, depth) = found.t.zip(depth)?;
     Some(RayHit { id, t, depth })
+}
+
+/// What the ray has met and does not reach.
+fn hidden<'a>(at: &At<'a, RayCasting>) -> impl Iterator<Item = RayHit> + use<'a> {
+    let nearest = at.step.held.nearest.map(|hit| hit.id);
+    hits(at.step.past).filter(move |hit| Some(hit.id) != nearest)
 }
 
 pub fn nearest_before(past: &[Event]) -> Option<RayHit> {

@@ -8,11 +8,14 @@ use crate::{
 
 use super::super::{asks::asks, prelude::*};
 
-use super::names::{asked, hits, quotient, turn};
+use super::{
+    names::{asked, hits, quotient, turn},
+    shadow::shadow,
+};
 
 const ASKED_VIEW: &str = "asked";
 const AXIS_VIEW: &str = "axis";
-/// Of more triangles the table has only those that were hit.
+/// Of more triangles the table has only those that were hit, and no shadow is drawn.
 const MOST_ROWS: usize = 12;
 
 pub fn views(at: &At<'_, RayCasting>) -> Vec<View> {
@@ -78,6 +81,9 @@ fn marks(at: &At<'_, RayCasting>, scenery: &Scenery) -> Vec<Mark3> {
     if let Some(hit) = nearest {
         let beyond = Shape3::Segment([place(hit.t), place(far)]);
         marks.push(Mark3::new(Role::Signal, beyond).fine().dashed());
+        if surfaces.triangles().len() <= MOST_ROWS {
+            marks.extend(shadow(surfaces, camera, hit.id));
+        }
     }
     let hits = hits(at.step.past).map(|hit| {
         let is_nearest = nearest.is_some_and(|nearest| nearest.id == hit.id);
