@@ -2,7 +2,12 @@
 
 use crate::labs::OutlineKind;
 
-use super::{desk::Page, dialog::Dialog, free_scenes::SceneAct, history::UndoGroup, prelude::*};
+use super::{
+    desk::{Page, SceneAct},
+    dialog::Dialog,
+    history::UndoGroup,
+    prelude::*,
+};
 
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{figure::Moment, labs::Scene, lesson::SceneFormats};
+use crate::labs::Scene;
 
-use super::{Settings, history::History};
+use super::history::History;
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 pub enum Page {
@@ -24,6 +24,44 @@ impl Page {
         match self {
             Self::Step(..) | Self::Free(_) => None,
             Self::Named(_, name) => Some(name),
+        }
+    }
+}
+
+/// What can be done about a whole scene, once it has been asked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SceneAct {
+    /// A new one, with as little in it as a scene can have.
+    New,
+    /// A new one that is what stands on the stage.
+    Copy,
+    Rename,
+    Delete,
+}
+
+impl SceneAct {
+    /// Each with its key, as menus write it.
+    pub const ALL: [(Self, &'static str); 4] = [
+        (Self::New, "Ctrl+N"),
+        (Self::Copy, "Ctrl+D"),
+        (Self::Rename, "Shift+F2"),
+        (Self::Delete, "Ctrl+Delete"),
+    ];
+
+    pub const fn button_key(self) -> &'static str {
+        match self {
+            Self::New | Self::Copy => "scene-make",
+            Self::Rename => "scene-rename-it",
+            Self::Delete => "scene-delete-it",
+        }
+    }
+
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::New => "scene-new",
+            Self::Copy => "scene-copy",
+            Self::Rename => "scene-rename",
+            Self::Delete => "scene-delete",
         }
     }
 }
@@ -50,27 +88,6 @@ pub struct StoredWork {
     /// What another window had made of the page before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<String>,
-}
-
-/// What is to be remembered, before its scenes are spelt: that takes a while where they are large.
-pub struct Snapshot {
-    pub settings: Settings,
-    /// Each without its scene's text, and the scene.
-    pub works: Vec<(StoredWork, Scene)>,
-    pub formats: SceneFormats,
-}
-
-impl Snapshot {
-    pub fn written(self) -> Settings {
-        let written = |(work, scene): (StoredWork, Scene)| StoredWork {
-            scene: self.formats.write(&scene, &Moment::Start),
-            ..work
-        };
-        Settings {
-            works: self.works.into_iter().map(written).collect(),
-            ..self.settings
-        }
-    }
 }
 
 #[derive(Default)]

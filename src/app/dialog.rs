@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{App, free_scenes::SceneAct, prelude::*};
+use super::{App, desk::SceneAct, prelude::*};
 
 #[derive(Clone, PartialEq, Debug)]
 pub enum Dialog {

@@ -5,49 +5,10 @@ use std::{collections::BTreeSet, iter};
 use super::{
     App, Command, Dialog,
     bookmark::FreeScene,
-    desk::{Page, Work},
+    desk::{Page, SceneAct, Work},
     history::History,
-    overlays,
     prelude::*,
 };
-
-/// What can be done about a whole scene, once it has been asked for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum SceneAct {
-    /// A new one, with as little in it as a scene can have.
-    New,
-    /// A new one that is what stands on the stage.
-    Copy,
-    Rename,
-    Delete,
-}
-
-impl SceneAct {
-    /// Each with its key, as menus write it.
-    pub const ALL: [(Self, &'static str); 4] = [
-        (Self::New, "Ctrl+N"),
-        (Self::Copy, "Ctrl+D"),
-        (Self::Rename, "Shift+F2"),
-        (Self::Delete, "Ctrl+Delete"),
-    ];
-
-    const fn button_key(self) -> &'static str {
-        match self {
-            Self::New | Self::Copy => "scene-make",
-            Self::Rename => "scene-rename-it",
-            Self::Delete => "scene-delete-it",
-        }
-    }
-
-    const fn key(self) -> &'static str {
-        match self {
-            Self::New => "scene-new",
-            Self::Copy => "scene-copy",
-            Self::Rename => "scene-rename",
-            Self::Delete => "scene-delete",
-        }
-    }
-}
 
 impl App {
     /// The free scenes of the open lab: the one without a name, and the others by their names.
@@ -100,23 +61,13 @@ impl App {
         self.shown.dialog = Some(Dialog::Scene(act, name.unwrap_or_default()));
     }
 
-    /// Has another scene of the lab this name?
-    fn is_taken(&self, name: &str) -> bool {
-        let open = self.bookmark.page();
-        let mut others = self.free_scenes().into_iter();
-        others.any(|page| page.name() == Some(name.trim()) && Some(&page) != open.as_ref())
-    }
-
-    fn is_open_scene(&self, name: &str) -> bool {
-        let free = self.bookmark.free.as_ref();
-        free.and_then(|free| free.name.as_deref()) == Some(name.trim())
-    }
-
-    /// Can this be done with this name?
-    fn takes_name(&self, act: SceneAct, name: &str) -> bool {
+    /// Can this be done with this name? Two scenes of a lab have two names.
+    pub(super) fn takes_name(&self, act: SceneAct, name: &str) -> bool {
+        let mut all = self.free_scenes().into_iter();
+        let known = all.find(|page| page.name() == Some(name.trim()));
         match act {
-            SceneAct::New | SceneAct::Copy => !self.is_taken(name) && !self.is_open_scene(name),
-            SceneAct::Rename => !self.is_taken(name),
+            SceneAct::New | SceneAct::Copy => known.is_none(),
+            SceneAct::Rename => known.is_none() || known == self.bookmark.page(),
             SceneAct::Delete => true,
         }
     }
@@ -178,38 +129,5 @@ pub fn menu(app: &App, ui: &mut Ui) {
         if ui.add_enabled(app.can(act), row).clicked() {
             app.push(Command::AskAboutScene(act));
         }
-    }
-}
-
-pub fn dialog(app: &App, ctx: &Context, act: SceneAct, name: &str) {
-    const MOST_LETTERS: usize = 60;
-    let look = app.look();
-    let mut changed = name.to_owned();
-    let response = overlays::modal("scene", look).show(ctx, |ui| {
-        ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
-        overlays::heading(app, ui, act.key());
-        ui.add_space(8.0);
-        let is_free = app.takes_name(act, name);
-        let entered = if act == SceneAct::Delete {
-            let asked = Message::new("scene-delete-asks").with("name", name.to_owned());
-            ui.add(Label::new(look.catalog.message(&asked)).wrap());
-            let has_focus = ui.memory(|memory| memory.focused().is_some());
-            !has_focus && ui.input(|input| input.key_pressed(Key::Enter))
-        } else {
-            overlays::text_field(ui, look, "scene-name", &mut changed)
-        };
-        if !is_free {
-            ui.label(look.say("scene-name-taken"));
-        }
-        ui.add_space(8.0);
-        let is_ready = is_free && !name.trim().is_empty();
-        let answers = (entered, is_ready);
-        ui.horizontal(|ui| overlays::go_and_cancel(app, ui, act.button_key(), answers));
-    });
-    if changed != name {
-        let changed = changed.chars().take(MOST_LETTERS).collect();
-        overlays::show_changed(app, Dialog::Scene(act, changed));
-    } else if response.should_close() {
-        app.push(Command::Show(None));
     }
 }

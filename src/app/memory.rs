@@ -19,8 +19,9 @@ use crate::{export::write_whole, lesson::read_file};
 
 use super::{
     App, Settings,
-    desk::{Page, Snapshot, StoredWork},
+    desk::{Page, StoredWork},
     prelude::*,
+    settings::Snapshot,
 };
 
 /// More than all work that is kept takes.

@@ -79,10 +79,11 @@ use web_time::Instant;
 use crate::{lesson::SceneFormats, panels, widgets::Album};
 
 use bookmark::{Bookmark, FreeScene};
-use desk::{Desk, Snapshot};
+use desk::Desk;
 use history::History;
 use playback::Playback;
 use prelude::*;
+use settings::Snapshot;
 
 /// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
 pub struct Kit {

@@ -4,7 +4,7 @@ use egui::{Frame, Grid, KeyboardShortcut, Modal, TextEdit};
 
 use crate::widgets::{select, theme_key};
 
-use super::{App, BINDINGS, Command, Dialog, Figures, free_scenes, prelude::*};
+use super::{App, BINDINGS, Command, Dialog, Figures, desk::SceneAct, prelude::*};
 
 const WIDTH: f32 = 528.0;
 /// Of its width the keys take so much.
@@ -29,13 +29,13 @@ pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>]) {
     }
     match app.shown.dialog.as_ref() {
         Some(Dialog::Help) => help(app, ctx),
-        Some(Dialog::Scene(act, name)) => free_scenes::dialog(app, ctx, *act, name),
+        Some(Dialog::Scene(act, name)) => scene_dialog(app, ctx, *act, name),
         Some(dialog) => path_dialog(app, ctx, dialog),
         None => {}
     }
 }
 
-pub fn modal(id: &str, look: Look<'_>) -> Modal {
+fn modal(id: &str, look: Look<'_>) -> Modal {
     let frame = Frame::new()
         .fill(look.theme.background)
         .stroke(Stroke::new(1.0, look.theme.hairline))
@@ -97,7 +97,7 @@ fn scroll_by_keys(ui: &Ui, height: f32) {
     }
 }
 
-pub fn heading(app: &App, ui: &mut Ui, key: &str) {
+fn heading(app: &App, ui: &mut Ui, key: &str) {
     let look = app.look();
     let size = vec2(
         ui.available_width().min(WIDTH * look.theme.text_scale),
@@ -183,8 +183,41 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
     }
 }
 
+fn scene_dialog(app: &App, ctx: &Context, act: SceneAct, name: &str) {
+    const MOST_LETTERS: usize = 60;
+    let look = app.look();
+    let mut changed = name.to_owned();
+    let response = modal("scene", look).show(ctx, |ui| {
+        ui.set_max_width((ctx.content_rect().width() - 64.0).clamp(120.0, 480.0));
+        heading(app, ui, act.key());
+        ui.add_space(8.0);
+        let is_free = app.takes_name(act, name);
+        let entered = if act == SceneAct::Delete {
+            let asked = Message::new("scene-delete-asks").with("name", name.to_owned());
+            ui.add(Label::new(look.catalog.message(&asked)).wrap());
+            let has_focus = ui.memory(|memory| memory.focused().is_some());
+            !has_focus && ui.input(|input| input.key_pressed(Key::Enter))
+        } else {
+            text_field(ui, look, "scene-name", &mut changed)
+        };
+        if !is_free {
+            ui.label(look.say("scene-name-taken"));
+        }
+        ui.add_space(8.0);
+        let is_ready = is_free && !name.trim().is_empty();
+        let answers = (entered, is_ready);
+        ui.horizontal(|ui| go_and_cancel(app, ui, act.button_key(), answers));
+    });
+    if changed != name {
+        let changed = changed.chars().take(MOST_LETTERS).collect();
+        show_changed(app, Dialog::Scene(act, changed));
+    } else if response.should_close() {
+        app.push(Command::Show(None));
+    }
+}
+
 /// The button that does it, where it is ready, and the one that does not.
-pub fn go_and_cancel(app: &App, ui: &mut Ui, action: &str, (entered, is_ready): (bool, bool)) {
+fn go_and_cancel(app: &App, ui: &mut Ui, action: &str, (entered, is_ready): (bool, bool)) {
     let look = app.look();
     let text = RichText::new(look.say(action))
         .text_style(theme::strong())
@@ -199,13 +232,13 @@ pub fn go_and_cancel(app: &App, ui: &mut Ui, action: &str, (entered, is_ready): 
 }
 
 /// What is written in a dialog now, before a press of its button, so that it does what is chosen now.
-pub fn show_changed(app: &App, changed: Dialog) {
+fn show_changed(app: &App, changed: Dialog) {
     let mut commands = app.commands.borrow_mut();
     commands.insert(0, Command::Show(Some(changed)));
 }
 
 /// A field with this name; has Enter been pressed in it?
-pub fn text_field(ui: &mut Ui, look: Look<'_>, key: &str, written: &mut String) -> bool {
+fn text_field(ui: &mut Ui, look: Look<'_>, key: &str, written: &mut String) -> bool {
     let label = ui.label(soft(look, key));
     let field = TextEdit::singleline(written)
         .desired_width(f32::INFINITY)

@@ -3,6 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    figure::Moment,
+    labs::Scene,
+    lesson::SceneFormats,
     paint::{ThemeKind, theme::text_size},
     text::Lang,
     trace::Transport,
@@ -139,6 +142,27 @@ impl Settings {
         let values = names.iter().filter_map(|name| std::env::var(name).ok());
         let values: Vec<String> = values.collect();
         Self::for_locales(values.iter().flat_map(|value| value.split(':')))
+    }
+}
+
+/// What is to be remembered, before its scenes are spelt: that takes a while where they are large.
+pub struct Snapshot {
+    pub settings: Settings,
+    /// Each without its scene's text, and the scene.
+    pub works: Vec<(StoredWork, Scene)>,
+    pub formats: SceneFormats,
+}
+
+impl Snapshot {
+    pub fn written(self) -> Settings {
+        let written = |(work, scene): (StoredWork, Scene)| StoredWork {
+            scene: self.formats.write(&scene, &Moment::Start),
+            ..work
+        };
+        Settings {
+            works: self.works.into_iter().map(written).collect(),
+            ..self.settings
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scenes of one's own: made, named, gone between, deleted, and there again after a restart.
 
 use super::*;
-use crate::app::free_scenes::SceneAct;
+use crate::app::desk::SceneAct;
 
 /// Makes a scene of this name, as its dialog does.
 fn make(bench: &mut Bench, act: SceneAct, name: &str) {
