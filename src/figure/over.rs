@@ -153,6 +153,10 @@ fn corners(marks: &[Mark]) -> Vec<[f64; 2]> {
     outlines.flatten().copied().collect()
 }
 
+const fn is_dot(mark: &Mark3) -> bool {
+    matches!(mark.shape, Shape3::Dot(_))
+}
+
 fn solids(space: &mut Space, right: &Space) {
     for mark in &mut space.marks {
         if let Shape3::Ring(at) = mark.shape
@@ -161,7 +165,14 @@ fn solids(space: &mut Space, right: &Space) {
             *mark = Mark3::new(Role::Signal, Shape3::Ring(at)).labelled(Value::Term("sh-outside"));
         }
     }
-    let missing = crossed(&mut space.marks, &right.marks);
+    let mut missing = crossed(&mut space.marks, &right.marks);
+    let n_dots = |marks: &[Mark3]| marks.iter().filter(|it| is_dot(it)).count();
+    let are_fewer = n_dots(&space.marks) < n_dots(&right.marks);
+    for mark in missing.iter_mut().filter(|it| are_fewer && is_dot(it)) {
+        if let Some(label) = &mut mark.label {
+            label.text = not_so(with_what("is-missing", label.text.clone()));
+        }
+    }
     space.marks.extend(missing);
     let facet = |it: &(&Facet, Role)| (it.1 != Role::Discarded).then(|| bits(&it.0.corners));
     let edge = |it: &&Edge3| (it.role != Role::Discarded).then(|| bits(&it.ends));

@@ -21,7 +21,7 @@ pub fn shadow(surfaces: &Surfaces, camera: &Camera, id: u32) -> Vec<Mark3> {
         let corners: Vec<[f64; 3]> = corners.collect();
         let wash = Mark3::new(Role::Ink, Shape3::Wash(corners.clone()));
         let outline = Mark3::new(Role::Ink, Shape3::Outline(corners));
-        [wash, outline.fine().dashed()]
+        [wash, outline.dashed()]
     });
     marks.collect()
 }
