@@ -109,6 +109,8 @@ impl App {
             Command::Language(lang) => settings.lang = lang,
             Command::Theme(theme) => settings.theme = theme,
             Command::Code(code) => shown.code = code,
+            Command::Section(id) => self.open_section(id),
+            Command::Control(id) => self.lead_to(id, now),
             Command::Snap(snap) => settings.snap = snap,
             Command::Board(board) => {
                 settings.board = board;

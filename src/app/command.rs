@@ -64,6 +64,10 @@ pub enum Command {
     Language(Lang),
     Theme(ThemeKind),
     Code(CodeView),
+    /// Opens a section of what can be set, by its id, or none.
+    Section(Option<&'static str>),
+    /// Leads to a control, by its id, or to the first of a section.
+    Control(&'static str),
     Snap(bool),
     /// What stands beside the drawings is so many times as large as it is at first.
     Board(f32),

@@ -4,7 +4,7 @@ use egui::Frame;
 
 use crate::widgets::rule;
 
-use super::{App, Command, menus::asked_of, prelude::*};
+use super::{App, Command, menus::panel_rows, prelude::*};
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
@@ -24,9 +24,9 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
             }
         }
         rule(ui, look);
-        let panel = panel_of(panels, app.scene());
-        let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
-        app.push_all(asked.map(asked_of));
+        if let Some(panel) = panel_of(panels, app.scene()) {
+            panel_rows(app, ui, panel);
+        }
         rule(ui, look);
         ui.label(soft(look, "free-from-course"));
     });

@@ -213,6 +213,7 @@ words-faulty-painter-keys = Take the list as it is sorted, and ask nobody.
 faulty-painter-nearest-differs = Step { $step } is the first that differs: the key is the nearest vertex, not the farthest.
 faulty-painter-keys-differs = Step { $step } is the first that differs: nobody is asked whether this one may come next.
 surfaces-first = The first { $triangles } of { $all } triangles only: nobody could follow the steps of all.
+refused-too-many-faces = Refused: the scene has { $triangles } triangles, and this method takes { $most } at most. Take objects out, or choose another method.
 painter-opening = { $triangles ->
     [one] One triangle is
    *[other] { $triangles } triangles are
@@ -397,8 +398,7 @@ surface-costs-note = Exponents are the slopes of straight lines fitted to the lo
 raster-title = Raster
 raster-rows = Rows
 raster-shuffle = Shuffle (0: not)
-raster-column = Pixel’s column (−1: all)
-raster-row = Pixel’s row (−1: all)
+raster-pixel = Pixel (−1: all)
 raster-steps = A step is
 raster-steps-fragments = a fragment
 raster-steps-spans = a row of a triangle

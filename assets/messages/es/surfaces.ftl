@@ -213,6 +213,7 @@ words-faulty-painter-keys = Toma la lista tal como está ordenada, sin preguntar
 faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es el vértice más cercano, no el más lejano.
 faulty-painter-keys-differs = El paso { $step } es el primero que difiere: a nadie se le pregunta si este puede ser el siguiente.
 surfaces-first = Solo los primeros { $triangles } de { $all } triángulos: nadie podría seguir los pasos de todos.
+refused-too-many-faces = Rechazado: la escena tiene { $triangles } triángulos y este método admite { $most } como máximo. Quita objetos o elige otro método.
 painter-opening = { $triangles ->
     [one] Hay un triángulo
    *[other] Hay { $triangles } triángulos
@@ -400,8 +401,7 @@ surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los
 raster-title = Ráster
 raster-rows = Filas
 raster-shuffle = Barajar (0: no)
-raster-column = Columna del píxel (−1: todos)
-raster-row = Fila del píxel (−1: todos)
+raster-pixel = Píxel (−1: todos)
 raster-steps = Un paso es
 raster-steps-fragments = un fragmento
 raster-steps-spans = una fila de un triángulo

@@ -213,6 +213,7 @@ words-faulty-painter-keys = Pegue a lista como está ordenada, sem perguntar.
 faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é o vértice mais próximo, não o mais distante.
 faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se pergunta a ninguém se este pode ser o próximo.
 surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: ninguém poderia acompanhar os passos de todos.
+refused-too-many-faces = Recusado: a cena tem { $triangles } triângulos, e este método aceita no máximo { $most }. Tire objetos ou escolha outro método.
 painter-opening = { $triangles ->
     [1] Há um triângulo
    *[other] Há { $triangles } triângulos
@@ -400,8 +401,7 @@ surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos l
 raster-title = Raster
 raster-rows = Linhas
 raster-shuffle = Embaralhar (0: não)
-raster-column = Coluna do pixel (−1: todos)
-raster-row = Linha do pixel (−1: todos)
+raster-pixel = Pixel (−1: todos)
 raster-steps = Um passo é
 raster-steps-fragments = um fragmento
 raster-steps-spans = uma linha de um triângulo

@@ -18,6 +18,7 @@ pub static LAB: &Lab = &Lab {
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
     lock_groups: &["p1", "p2", "segment", window_handles::GROUP, "clip"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &[],
 };

@@ -23,6 +23,7 @@ pub static LAB: &Lab = &Lab {
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
     lock_groups: &["polygon", window_handles::GROUP, "clip"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &OUTLINES,
 };

@@ -15,7 +15,7 @@ use crate::{
         Lab, MethodEntry,
         space::{
             Method, MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
-            TaughtCamera, demo,
+            TaughtCamera, controls, demo,
         },
     },
 };
@@ -30,6 +30,7 @@ pub static SURFACES: SpaceLab = SpaceLab {
         methods: || SURFACES.all().map(Method::card).collect(),
         first_scene: || first_scene().into(),
         lock_groups: &["camera", "volume", "object"],
+        controls: || controls::ids(&["camera", "object", "raster"]),
         adopt: |scene| SURFACES.adopted(scene),
         outlines: &[],
     },

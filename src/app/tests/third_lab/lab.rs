@@ -27,6 +27,7 @@ pub static LAB: &Lab = &Lab {
     methods: || vec![&CARD],
     first_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
     lock_groups: &["box"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &[],
 };
