@@ -62,7 +62,7 @@ fn row((lab, method, size): (&'static str, &'static str, f64), n: usize) {
     let edits = [
         Edit::own(SpaceChange::Street { count: 1, seed: 1 }),
         Edit::own(SpaceChange::Add(Model::Mesh(Arc::new(named)))),
-        Edit::own(SpaceChange::Size(size)),
+        Edit::own(SpaceChange::Set("object.size", 0, size)),
         Edit::Method(method),
     ];
     let start = Instant::now();

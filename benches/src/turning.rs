@@ -3,7 +3,7 @@
 use std::{sync::Arc, time::Instant};
 
 use clipscope::{
-    figure::{Body, Edge3, Facet, Link, Mark3, Role, Seer, Shape3, Space, View},
+    figure::{Body, Edge3, Edging, Facet, Link, Mark3, Role, Seer, Shape3, Space, View},
     geom::{Camera, Matrix, Mesh, Orbit, Solid, ViewVolume},
     paint::{Theme, ThemeKind, fonts, theme},
     text::{Catalog, Lang},
@@ -56,8 +56,15 @@ pub fn run() {
 
 /// The median and what 95 % are under, in milliseconds.
 fn row(facets: &[Facet], target: Target) -> [f64; 2] {
-    let edges = Edge3::of(facets);
+    let mut edges = Edge3::of(facets);
     let n = (facets.len(), edges.len());
+    let mut facets = facets.to_vec();
+    // As the app does where they are too many.
+    if edges.len() > 3_000 {
+        edges.clear();
+        let edging = Edging::Samples { is_open: false };
+        facets.iter_mut().for_each(|facet| facet.edging = edging);
+    }
     let millis = frames(facets.into(), edges.into());
     let [half, most] = [median(millis.clone()), quantile(millis, 0.95)];
     println!(
@@ -190,6 +197,7 @@ fn put(facets: &mut Vec<Facet>, mesh: &Mesh, world_from_model: &Matrix) {
             role: Role::Accent,
             link,
             skin: None,
+            edging: Edging::Lines,
         }
     }));
 }

@@ -125,6 +125,8 @@ impl App {
             Command::TextStep(0) => settings.text = 1.0,
             Command::TextStep(by) => settings.text = theme::text_size(settings.text, by),
             Command::Code(code) => shown.code = code,
+            Command::Section(id) => self.open_section(id),
+            Command::Control(id) => self.lead_to(id, now),
             Command::Snap(snap) => settings.snap = snap,
             Command::Board(board) => {
                 settings.board = board;

@@ -83,6 +83,10 @@ pub enum Command {
     /// Larger text, or smaller; 0 as large as at first.
     TextStep(isize),
     Code(CodeView),
+    /// Opens a section of what can be set, by its id, or none.
+    Section(Option<&'static str>),
+    /// Leads to a control, by its id, or to the first of a section.
+    Control(&'static str),
     Snap(bool),
     /// What stands beside the drawings is so many times as large as it is at first.
     Board(f32),

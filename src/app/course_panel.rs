@@ -54,7 +54,8 @@ pub fn show(app: &App, ui: &mut Ui) {
                     changed(app, ui);
                     ui.set_opacity(ASIDE);
                 }
-                lesson_text(ui, look, id, &step.body, app.shown.is_answered);
+                let asked = lesson_text(ui, look, id, &step.body, app.shown.is_answered);
+                app.push_all(asked.map(Command::Control));
                 shown_answer(app, ui);
                 if !lesson.speaks(app.settings.lang) {
                     ui.label(soft(look, "lesson-not-translated").small());

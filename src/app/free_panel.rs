@@ -4,7 +4,7 @@ use egui::Frame;
 
 use crate::{panels::list, widgets::rule};
 
-use super::{App, Command, free_scenes, menus::asked_of, prelude::*};
+use super::{App, Command, free_scenes, menus::panel_rows, prelude::*};
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
@@ -27,9 +27,9 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
             }
         }
         rule(ui, look);
-        let panel = panel_of(panels, app.scene());
-        let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
-        app.push_all(asked.map(asked_of));
+        if let Some(panel) = panel_of(panels, app.scene()) {
+            panel_rows(app, ui, panel);
+        }
         rule(ui, look);
         ui.label(soft(look, "free-from-course"));
     });

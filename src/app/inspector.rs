@@ -11,7 +11,9 @@ use crate::{
     },
 };
 
-use super::{App, Command, bars::step_text, prelude::*, stage_state::StageState, typing::told_of};
+use super::{
+    App, Command, bars::step_text, controls, prelude::*, stage_state::StageState, typing::told_of,
+};
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
 const CODE_PART: f32 = 0.42;
@@ -19,12 +21,12 @@ const CODE_LEAST: f32 = 96.0;
 const WATCH_LEAST: f32 = 78.0;
 
 /// Draws the panel. The room of its scroll bar is kept, also where there is none.
-pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
+pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
     let room = ui.available_height();
     let width = ui.available_width() - ui.spacing().scroll.allocated_width();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(width);
-        content(app, ui, state, room);
+        content(app, ui, state, (panels, room));
     });
 }
 
@@ -48,7 +50,12 @@ impl<'a> Inspected<'a> {
     }
 }
 
-pub fn content(app: &App, ui: &mut Ui, state: &mut StageState, room: f32) {
+pub fn content(
+    app: &App,
+    ui: &mut Ui,
+    state: &mut StageState,
+    (panels, room): (&mut [Box<dyn LabPanel>], f32),
+) {
     let Some(inspected) = Inspected::of(app, state.inspected) else {
         return;
     };
@@ -70,6 +77,7 @@ pub fn content(app: &App, ui: &mut Ui, state: &mut StageState, room: f32) {
     let [code_most, watch_most] = shares(room - fixed, [code.height(), table]);
     let in_code = pseudocode(app, ui, state, (&code, code_most), &inspected);
     let in_table = watched(app, ui, state, (&scalars, watch_most), &inspected);
+    controls::show(app, ui, panels);
     rule(ui, look);
     costs(app, ui, column);
     verdict(app, ui, state);

@@ -39,7 +39,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
                 panel.show(ui, |ui| left(app, ui, panels));
             }
             Room::Inspector => {
-                panel.show(ui, |ui| inspector::show(app, ui, state));
+                panel.show(ui, |ui| inspector::show(app, ui, state, panels));
             }
         }
     }
@@ -145,6 +145,6 @@ fn sides(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn L
                 right: 6,
                 ..margin(16)
             }))
-            .show(ui, |ui| inspector::show(app, ui, state));
+            .show(ui, |ui| inspector::show(app, ui, state, panels));
     }
 }

@@ -93,8 +93,9 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         });
     }
     let panel = panel_of(panels, app.scene());
-    let asked = panel.and_then(|panel| panel.menu(ui, look, app.scene()));
-    app.push_all(asked.map(asked_of));
+    if let Some(panel) = panel {
+        panel_rows(app, ui, panel);
+    }
     let here = app.scene().document().lab();
     let labs = panels.iter().map(|panel| panel.lab());
     for lab in labs.filter(|&lab| lab != here) {
@@ -119,6 +120,18 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         action(ui, look, ("action-notes", "N"), true).then(|| app.push(Command::Notes));
     }
     action(ui, look, ("action-help", "?"), true).then(|| app.push(Command::Help));
+}
+
+/// What a lab has: sections of what can be set lead to the inspector.
+pub fn panel_rows(app: &App, ui: &mut Ui, panel: &mut Box<dyn LabPanel>) {
+    let (look, scene) = (app.look(), app.scene());
+    for (id, title_key) in panel.sections(scene) {
+        if ui.button(format!("{}…", look.say(title_key))).clicked() {
+            app.push(Command::Control(id));
+            ui.close();
+        }
+    }
+    app.push_all(panel.menu(ui, look, scene).map(asked_of));
 }
 
 fn action(ui: &mut Ui, look: Look<'_>, (key, keys): (&str, &str), enabled: bool) -> bool {

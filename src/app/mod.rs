@@ -17,6 +17,7 @@ mod bookmark;
 mod chooser;
 mod clicks;
 mod command;
+mod controls;
 mod course_panel;
 mod desk;
 mod dialog;
@@ -142,6 +143,7 @@ struct Shown {
     size: Vec2,
     measures: bool,
     code: CodeView,
+    controls: controls::Controls,
     dialog: Option<Dialog>,
     is_measuring: bool,
     lists_lessons: bool,

@@ -15,6 +15,17 @@ pub struct Facet {
     pub role: Role,
     pub link: Option<Link>,
     pub skin: Option<Skin>,
+    pub edging: Edging,
+}
+
+/// How the edges of a facet's solid are drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Edging {
+    /// One by one: they are the space's.
+    #[default]
+    Lines,
+    /// They are too many: outlines are found between the samples of the picture. Has the solid an edge that bounds only one facet?
+    Samples { is_open: bool },
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -117,9 +128,10 @@ impl Facet {
         });
         Self {
             corners,
+            skin,
             role: self.role,
             link: self.link,
-            skin,
+            edging: self.edging,
         }
     }
 

@@ -30,7 +30,7 @@ pub use extent::{Need, Stand, needs, sentences, watches};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use eye::judged;
 pub use eye::{Eyes, Prospect};
-pub use facets::{Facet, Facets, Skin};
+pub use facets::{Edging, Facet, Facets, Skin};
 pub use frame::{Caption, Choice, Decides, Frame, Shown};
 pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
@@ -40,7 +40,7 @@ pub use layout::{Boundary, ColumnLayout, Layout, Sheet, Slot, Spacing};
 pub use lens::Lens;
 pub use mark::{Mark, Shape, Texel, Weight};
 pub use moment::{Moment, MomentError};
-pub use project::{Projected, is_outlined, project};
+pub use project::{Projected, project};
 pub(crate) use project::{between, complement, inside};
 pub use role::{Label, Link, Role};
 pub use run::{Run, Tick};

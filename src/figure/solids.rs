@@ -20,8 +20,6 @@ use super::{
 pub struct Solids {
     pub facets: Facets,
     pub lens: Lens,
-    /// They have more edges than are drawn one by one: outlines are found between the samples.
-    pub is_outlined: bool,
 }
 
 impl Solids {

@@ -25,6 +25,8 @@ pub struct Lab {
     pub smallest_scene: fn() -> Scene,
     /// Groups of handles that a lesson can lock.
     pub lock_groups: &'static [&'static str],
+    /// What can be set in the inspector, by the ids that a lesson's text leads there with: `section.control`.
+    pub controls: fn() -> Vec<&'static str>,
     /// Another lab's scene as one of its own, by its first method, if it can be one.
     pub adopt: fn(&Scene) -> Option<Scene>,
     /// What can be drawn by clicking, in the order of the menu.
@@ -233,8 +235,12 @@ impl Lock {
         groups.find(|&&known| known == name).copied().map(Self)
     }
 
+    pub fn holds(self, group: &str) -> bool {
+        self.0 == group
+    }
+
     pub fn any_holds(locks: &[Self], handle: Handle) -> bool {
-        locks.iter().any(|lock| lock.0 == handle.group())
+        locks.iter().any(|lock| lock.holds(handle.group()))
     }
 }
 

@@ -13,6 +13,7 @@ pub mod lines;
 pub mod polygons;
 mod prelude;
 pub mod recorded;
+mod refused;
 mod registry;
 mod rings;
 mod segments;

@@ -35,6 +35,8 @@ const MAX_STEPS: usize = 1_000;
 pub(super) struct Skeleton {
     /// The steps' ids, in order; `None` where one of them is not known for sure.
     pub ids: Option<Vec<String>>,
+    /// What its texts can lead to; `None` where its lab is not known.
+    pub controls: Option<Vec<&'static str>>,
     /// `None` where there is a mistake.
     pub body: Option<Body>,
     /// The scenes that no step shows, each with what is to be said of it where no text speaks of it either.
@@ -122,6 +124,7 @@ pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Op
         };
         Some(Skeleton {
             ids,
+            controls: format.map(|format| (format.lab.controls)()),
             unshown,
             body: body().filter(|_| complete),
         })

@@ -91,6 +91,7 @@ fn load_lesson(
 ) -> Option<Lesson> {
     let mut problems = Vec::new();
     let mut skeleton = lesson_toml(files, reading, id, names, &mut problems);
+    let controls = skeleton.as_mut().and_then(|it| it.controls.take());
     let ids = skeleton.as_ref().and_then(|it| it.ids.as_deref());
     let body = skeleton.as_ref().and_then(|it| it.body.as_ref());
     let body = body.filter(|_| reading.moments == Moments::Now);
@@ -105,7 +106,7 @@ fn load_lesson(
             continue;
         };
         let text = read(files, &path, None, &mut problems, |sink| {
-            let text = sections::read(ids, sink)?;
+            let text = sections::read(ids, controls.as_deref(), sink)?;
             if let Some((body, runs)) = checked {
                 for (written, step) in text.steps.iter().zip(&body.steps) {
                     written.check(step, runs, sink);

@@ -36,6 +36,8 @@ pub struct Inline {
     pub strong: bool,
     pub emphasis: bool,
     pub code: bool,
+    /// The control that it leads to, by its id.
+    pub control: Option<&'static str>,
     /// The term that this is the first mention of in its step, once the text is to be read.
     pub term: Option<&'static Word>,
 }
@@ -58,9 +60,17 @@ pub(super) enum TextPart {
     Block(Block),
 }
 
-/// Reads a text of which the references have been taken out; what the format has no place for is reported.
-pub(super) fn parse(text: &str, sink: &Sink<'_>) -> Vec<(TextPart, Range<usize>)> {
-    let mut reader = Reader::default();
+/// Reads a text of which the references have been taken out; what the format has no place for is reported. It can lead to these
+/// controls.
+pub(super) fn parse(
+    text: &str,
+    controls: Option<&[&'static str]>,
+    sink: &Sink<'_>,
+) -> Vec<(TextPart, Range<usize>)> {
+    let mut reader = Reader {
+        controls,
+        ..Reader::default()
+    };
     for (event, span) in Parser::new(text).into_offset_iter() {
         reader.event(event, span, sink);
     }
@@ -68,7 +78,10 @@ pub(super) fn parse(text: &str, sink: &Sink<'_>) -> Vec<(TextPart, Range<usize>)
 }
 
 #[derive(Default)]
-struct Reader {
+struct Reader<'a> {
+    /// None where the lab is not known.
+    controls: Option<&'a [&'static str]>,
+    control: Option<&'static str>,
     parts: Vec<(TextPart, Range<usize>)>,
     inlines: Vec<Inline>,
     strong: usize,
@@ -84,7 +97,7 @@ struct Reader {
     is_heading: bool,
 }
 
-impl Reader {
+impl Reader<'_> {
     fn event(&mut self, event: Event<'_>, span: Range<usize>, sink: &Sink<'_>) {
         match event {
             Event::Start(tag) => self.start(&tag, &span, sink),
@@ -139,7 +152,8 @@ impl Reader {
                     unsupported(span.clone(), sink);
                 }
             }
-            Tag::Link { .. } | Tag::Image { .. } => unsupported(span.clone(), sink),
+            Tag::Link { dest_url, .. } => self.control = self.link(dest_url, span, sink),
+            Tag::Image { .. } => unsupported(span.clone(), sink),
             _ => {}
         }
     }
@@ -148,6 +162,7 @@ impl Reader {
         match tag {
             TagEnd::Strong => self.strong -= 1,
             TagEnd::Emphasis => self.emphasis -= 1,
+            TagEnd::Link => self.control = None,
             TagEnd::Paragraph | TagEnd::Item => self.end_of_text(span, sink),
             TagEnd::List(_) => {
                 self.lists.pop();
@@ -167,6 +182,22 @@ impl Reader {
             TagEnd::Heading(level) => self.heading(level, span, sink),
             _ => {}
         }
+    }
+
+    /// The control that `control:section.name` names.
+    fn link(&self, url: &str, span: &Range<usize>, sink: &Sink<'_>) -> Option<&'static str> {
+        let Some(id) = url.strip_prefix("control:").filter(|_| !self.is_heading) else {
+            unsupported(span.clone(), sink);
+            return None;
+        };
+        let all = self.controls?;
+        let known = all.iter().find(|known| **known == id).copied();
+        if known.is_none() {
+            let message = Message::new("problem-unknown-control").with("name", clipped(id));
+            let meant = sink.nearest(id, all.iter().copied());
+            sink.error(span.clone(), message, suggestion(meant, all));
+        }
+        known
     }
 
     fn heading(&mut self, level: HeadingLevel, span: Range<usize>, sink: &Sink<'_>) {
@@ -250,8 +281,9 @@ impl Reader {
     fn push(&mut self, text: &str, code: bool) {
         let text = &Braces::without_filler(text);
         let (strong, emphasis) = (self.strong > 0, self.emphasis > 0);
+        let look = (strong, emphasis, code, self.control);
         match self.inlines.last_mut() {
-            Some(last) if (last.strong, last.emphasis, last.code) == (strong, emphasis, code) => {
+            Some(last) if (last.strong, last.emphasis, last.code, last.control) == look => {
                 last.text.push_str(text);
             }
             _ => self.inlines.push(Inline {
@@ -259,6 +291,7 @@ impl Reader {
                 strong,
                 emphasis,
                 code,
+                control: self.control,
                 term: None,
             }),
         }

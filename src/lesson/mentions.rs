@@ -96,7 +96,7 @@ fn mark_new(blocks: &mut [Block], lang: Lang, known: &mut Vec<&'static Word>) {
 
 /// A piece of text, parted where it mentions a term for the first time.
 fn parts(whole: Inline, lang: Lang, known: &mut Vec<&'static Word>) -> Vec<Inline> {
-    if whole.code {
+    if whole.code || whole.control.is_some() {
         return vec![whole];
     }
     let chars: Vec<char> = whole.text.chars().collect();

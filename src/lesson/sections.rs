@@ -18,8 +18,12 @@ struct Section {
     references: Vec<Range<usize>>,
 }
 
-/// Reads a text; `ids` are the lesson's steps, `None` where `lesson.toml` leaves them unclear.
-pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<WrittenText> {
+/// Reads a text; `ids` are the lesson's steps, `None` where `lesson.toml` leaves them unclear; `controls` is what it can lead to.
+pub(super) fn read(
+    ids: Option<&[String]>,
+    controls: Option<&[&'static str]>,
+    sink: &Sink<'_>,
+) -> Option<WrittenText> {
     if sink.source.bad_byte.is_some() {
         return None;
     }
@@ -29,7 +33,7 @@ pub(super) fn read(ids: Option<&[String]>, sink: &Sink<'_>) -> Option<WrittenTex
         sink.error(at..at + 1, Message::new("problem-bad-reference"), expected);
     }
     let mut file = Splitter::default();
-    for (part, span) in markdown::parse(&braces.text, sink) {
+    for (part, span) in markdown::parse(&braces.text, controls, sink) {
         match part {
             TextPart::Heading { level: 1, title } => file.title(title.trim(), span, sink),
             TextPart::Heading { title, .. } => file.section(&title, span, sink),

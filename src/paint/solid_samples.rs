@@ -6,7 +6,7 @@ use egui::Color32;
 
 use crate::figure::SolidPicture;
 
-use super::solid_outlines::{NONE, Seen, outlines};
+use super::solid_outlines::{Lined, NONE, Seen, outlines};
 
 /// Fewer samples are drawn sooner by one thread.
 const FEW: usize = 100_000;
@@ -22,8 +22,8 @@ pub const FINE: usize = 2;
 pub struct Samples<'a> {
     pub picture: &'a SolidPicture<'a>,
     pub tones: &'a [Color32],
-    /// Of the lines between facets, and how these are turned, where such lines are drawn.
-    pub outline: Option<(Color32, &'a [[f32; 3]])>,
+    /// Of lines that are found between facets, where there are any.
+    pub outline: Option<(Color32, Lined<'a>)>,
     pub size: [u32; 2],
     pub fine: u32,
 }
@@ -86,8 +86,9 @@ impl Samples<'_> {
         let (depths, facets) = (&mut seen.depths, &mut seen.facets);
         self.picture
             .draw_rows(first..end, depths, facets, &mut seen.texels);
+        seen.first_row = first as usize;
         let is_dark = match self.outline {
-            Some((_, normals)) => outlines(seen, normals),
+            Some((_, lined)) => outlines(seen, lined),
             None => vec![false; n_samples],
         };
         let fine = self.fine as usize;

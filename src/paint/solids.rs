@@ -7,12 +7,14 @@ use egui::{
     Color32, ColorImage, Context, Id, Mesh, Rect, Shape, TextureHandle, TextureOptions, Vec2, pos2,
 };
 use glam::DVec3;
+use rustc_hash::FxHashSet;
 
-use crate::figure::{Facet, Link, Role, SolidMesh, SolidPicture, Solids};
+use crate::figure::{Edging, Facet, Link, Role, SolidMesh, SolidPicture, Solids};
 
 use super::{
     Theme, ThemeKind, Viewport,
     pen::stroke_colour,
+    solid_outlines::Lined,
     solid_samples::{FINE, Samples},
 };
 
@@ -47,7 +49,12 @@ struct Drawn {
 struct Surface {
     mesh: Arc<SolidMesh>,
     normals: Arc<[[f32; 3]]>,
+    /// Of which facets lines are found between the samples, if of any.
+    outlined: Option<Arc<[bool]>>,
+    /// What they are about.
+    links: Arc<FxHashSet<Link>>,
     tones: Arc<[Color32]>,
+    are_dashed: Arc<[bool]>,
 }
 
 /// Where a picture stands: whole pixels of the screen, and the part of the lens's picture that is seen there.
@@ -79,12 +86,11 @@ pub fn solids(
     let found = places.position(|rect| rect == place.rect);
     let before = found.map(|found| kept.swap_remove(found));
     let is_moving = ctx.input(|input| input.pointer.any_down());
-    let is_lit = |lit: &Link| solids.facets.iter().any(|facet| facet.link == Some(*lit));
     let asked = Asked {
         solids: solids.clone(),
         place,
         theme: theme.kind,
-        lit: lit.filter(is_lit),
+        lit,
     };
     let mut drawn = match before {
         Some(drawn) if asked.is_seen_in(&drawn) && (drawn.is_fine || is_moving) => drawn,
@@ -125,8 +131,9 @@ impl Asked {
     }
 
     fn has_tones_of(&self, drawn: &Drawn) -> bool {
-        let drawn = &drawn.asked;
-        self.lit == drawn.lit && self.solids.facets == drawn.solids.facets
+        let is_about = |lit: &Link| drawn.surface.links.contains(lit);
+        let lit = [self.lit, drawn.asked.lit].map(|lit| lit.filter(is_about));
+        lit[0] == lit[1] && self.solids.facets == drawn.asked.solids.facets
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
@@ -134,6 +141,12 @@ impl Asked {
             && self.place == drawn.asked.place
             && self.has_tones_of(drawn)
             && self.solids.lens == drawn.asked.solids.lens
+    }
+
+    fn are_dashed(&self) -> Arc<[bool]> {
+        let facets = &self.solids.facets;
+        let is_dashed = |idx| facets.role(idx) == Some(Role::Discarded);
+        (0..facets.len()).map(is_dashed).collect()
     }
 
     fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
@@ -165,11 +178,16 @@ impl Asked {
         if let Some(picture) = SolidPicture::new(&surface.mesh, lens, part, samples) {
             let picture = picture.looking(&self.solids.facets);
             let ink = Theme::of(self.theme).ink;
-            let is_outlined = self.solids.is_outlined;
+            let lined = |are_found| Lined {
+                normals: &surface.normals,
+                are_found,
+                are_dashed: &surface.are_dashed,
+            };
+            let outlined = surface.outlined.as_deref();
             let samples = Samples {
                 picture: &picture,
                 tones: &surface.tones,
-                outline: is_outlined.then_some((ink, &surface.normals[..])),
+                outline: outlined.map(|are_found| (ink, lined(are_found))),
                 size,
                 fine,
             };
@@ -187,6 +205,7 @@ impl Drawn {
             Some(drawn) if asked.has_tones_of(drawn) => drawn.surface.clone(),
             Some(drawn) => Surface {
                 tones: asked.tones(&drawn.surface.normals),
+                are_dashed: asked.are_dashed(),
                 ..drawn.surface.clone()
             },
             None => Surface::of(&asked),
@@ -222,9 +241,15 @@ impl Surface {
         let facets = &asked.solids.facets;
         let normal = |facet: &Facet| facet.normal().as_vec3().to_array();
         let normals: Arc<[[f32; 3]]> = facets.iter().map(normal).collect();
+        let outlined = facets.iter().map(|facet| facet.edging != Edging::Lines);
+        let outlined: Arc<[bool]> = outlined.collect();
+        let links = facets.iter().filter_map(|facet| facet.link);
         Self {
             mesh: Arc::new(SolidMesh::of(facets)),
+            outlined: outlined.contains(&true).then_some(outlined),
+            links: Arc::new(links.collect()),
             tones: asked.tones(&normals),
+            are_dashed: asked.are_dashed(),
             normals,
         }
     }

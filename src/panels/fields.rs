@@ -10,36 +10,31 @@ use crate::{
     widgets::Look,
 };
 
-/// A number with its name before it and its unit behind; the other one that was asked for. One that was typed may lie beyond
-/// the range of dragging: whether it makes a scene, the scene knows.
+/// A number with its unit behind; the other one that was asked for. One that was typed may lie beyond the range of dragging:
+/// whether it makes a scene, the scene knows.
 pub fn number_field(
     ui: &mut Ui,
     look: Look<'_>,
-    (name_key, unit): (&str, &str),
+    unit: &str,
     value: f64,
     range: &RangeInclusive<f64>,
-) -> Option<f64> {
+) -> (Option<f64>, Response) {
     let mut number = value;
     // A hundredth of what it is for each point that the pointer moves.
     let speed = (0.01 * value.abs()).max(0.001);
-    let field = ui
-        .horizontal(|ui| {
-            let label = ui.label(look.say(name_key));
-            let field = DragValue::new(&mut number)
-                .speed(speed)
-                .suffix(unit)
-                .update_while_editing(false)
-                .custom_formatter(|x, _| written(look.catalog, x))
-                .custom_parser(|text| read(text, unit));
-            ui.add(field).labelled_by(label.id)
-        })
-        .inner;
+    let field = DragValue::new(&mut number)
+        .speed(speed)
+        .suffix(unit)
+        .update_while_editing(false)
+        .custom_formatter(|x, _| written(look.catalog, x))
+        .custom_parser(|text| read(text, unit));
+    let field = ui.add(field);
     if field.dragged() {
         number = number.clamp(*range.start(), *range.end());
     }
     // A field that was visited and left is read as it was rounded for show.
     let is_another = written(look.catalog, number) != written(look.catalog, value);
-    is_another.then_some(number)
+    (is_another.then_some(number), field)
 }
 
 fn written(catalog: &Catalog, x: f64) -> String {

@@ -8,7 +8,7 @@ use crate::{
     widgets::Look,
 };
 
-use super::bench::Bench;
+use super::{bench::Bench, form::Form};
 
 #[derive(Clone, Debug)]
 pub enum PanelAsk {
@@ -23,6 +23,16 @@ pub trait LabPanel {
     fn lab(&self) -> &'static Lab;
 
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
+
+    /// The sections of what can be set of a scene in the inspector: their ids, and the keys of their titles.
+    fn sections(&self, _: &Scene) -> Vec<(&'static str, &'static str)> {
+        Vec::new()
+    }
+
+    /// The rows of the section of this id.
+    fn section(&self, _: &mut Ui, _: &Form<'_>, _id: &str, _: &Scene) -> Option<PanelAsk> {
+        None
+    }
 
     /// What puts a mesh of this name into its scenes, if the lab shows meshes. It lies around the origin, between −1 and 1.
     fn add_mesh(&self, _name: &str, _mesh: &Mesh, _picture: Option<&Picture>) -> Option<Edit> {

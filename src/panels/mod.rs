@@ -2,6 +2,7 @@
 
 mod bench;
 mod fields;
+mod form;
 mod frustum;
 mod lab_panel;
 mod lines;
@@ -15,6 +16,7 @@ mod spots;
 mod surfaces;
 
 pub use bench::Bench;
+pub use form::Form;
 pub use lab_panel::{LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
 pub use pickers::{compare_choices, compare_picker, list, method_picker};

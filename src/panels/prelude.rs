@@ -1,6 +1,6 @@
 //! The words of every lab's part of the window.
 
-pub(super) use egui::{Button, DragValue, RichText, Slider, Ui};
+pub(super) use egui::{Button, RichText, Slider, Ui};
 
 pub(super) use crate::{
     labs::{self, Edit, Lab},

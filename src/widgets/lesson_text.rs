@@ -7,17 +7,25 @@ use crate::{
     paint::theme,
 };
 
-use super::prelude::*;
+use super::{headings::focus_ring, prelude::*};
 
 const LEADING: f32 = 0.35;
 /// Between the dots under a term, and how far above the bottom of its row they stand.
 const DOTS: f32 = 3.0;
 const UNDER: f32 = 2.0;
 
-pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_answered: bool) {
+/// The control that was asked for, of those that the text leads to.
+pub fn lesson_text(
+    ui: &mut Ui,
+    look: Look<'_>,
+    id: Id,
+    blocks: &[Block],
+    is_answered: bool,
+) -> Option<&'static str> {
     ui.spacing_mut().item_spacing.y = 8.0;
+    let mut asked = None;
     for (i, block) in blocks.iter().enumerate() {
-        match block {
+        let by_block = match block {
             Block::Paragraph(text) | Block::Note(text) => running(ui, look, text),
             Block::ListItem {
                 depth,
@@ -27,14 +35,23 @@ pub fn lesson_text(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block], is_ans
             Block::Code(code) => {
                 let code = RichText::new(code.trim_end()).monospace();
                 ui.add(Label::new(code.color(look.theme.ink)).selectable(true));
+                None
             }
             Block::Answer(blocks) if is_answered => answer(ui, look, id.with(i), blocks),
-            Block::Answer(_) => {}
-        }
+            Block::Answer(_) => None,
+        };
+        asked = asked.or(by_block);
     }
+    asked
 }
 
-fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[Inline]) {
+fn item(
+    ui: &mut Ui,
+    look: Look<'_>,
+    depth: usize,
+    marker: BlockMarker,
+    text: &[Inline],
+) -> Option<&'static str> {
     let indent = 16.0 * (depth + 1) as f32;
     let row = ui.available_rect_before_wrap();
     let mut inner = row;
@@ -61,9 +78,10 @@ fn item(ui: &mut Ui, look: Look<'_>, depth: usize, marker: BlockMarker, text: &[
         }
         BlockMarker::Continued => {}
     }
+    place.inner
 }
 
-fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
+fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) -> Option<&'static str> {
     let left = ui.cursor().left();
     let inner = id.with("shown");
     let shown = ui.indent(id, |ui| lesson_text(ui, look, inner, blocks, true));
@@ -75,12 +93,16 @@ fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) {
         ui.ctx().request_repaint();
     }
     ui.interact(rect, id, Sense::hover());
+    shown.inner
 }
 
-fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
+fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) -> Option<&'static str> {
     let spans = text.iter().map(|part| {
         let (style, colour) = match part {
             Inline { code: true, .. } => (TextStyle::Monospace, look.theme.ink),
+            Inline {
+                control: Some(_), ..
+            } => (TextStyle::Body, look.theme.accent),
             Inline { strong: true, .. } => (theme::strong(), look.theme.ink),
             _ => (TextStyle::Body, look.theme.soft),
         };
@@ -92,17 +114,43 @@ fn running(ui: &mut Ui, look: Look<'_>, text: &[Inline]) {
     let line_height = (size * (1.0 + LEADING)).round();
     let set = Typeset::running(ui.painter(), &spans, ui.available_width(), line_height);
     let shown = ui.add(Label::new(set.galley()).selectable(true));
-    let mut first = 0;
+    let (mut first, mut asked) = (0, None);
     for (part, span) in text.iter().zip(&spans) {
         let end = first + span.n_chars();
-        if let Some(word) = part.term {
+        let boxes = || {
             let boxes = set.boxes(first..end).into_iter();
             let boxes = boxes.map(|it| it.translate(shown.rect.min.to_vec2()));
-            let id = shown.id.with(first);
-            term(ui, look, id, (part, word), &boxes.collect::<Vec<_>>());
+            boxes.collect::<Vec<_>>()
+        };
+        let id = shown.id.with(first);
+        if part.control.is_some() && control(ui, look, id, part, &boxes()) {
+            asked = part.control;
+        } else if let Some(word) = part.term {
+            term(ui, look, id, (part, word), &boxes());
         }
         first = end;
     }
+    asked
+}
+
+/// Words that lead to a control, underlined: have they been pressed?
+fn control(ui: &Ui, look: Look<'_>, id: Id, part: &Inline, boxes: &[Rect]) -> bool {
+    let places = boxes.iter().enumerate();
+    let parts = places.map(|(i, &rect)| ui.interact(rect, id.with(i), Sense::click()));
+    let Some(response) = parts.reduce(|all, part| all | part) else {
+        return false;
+    };
+    response.widget_info(|| WidgetInfo::labeled(Role::Link, true, &part.text));
+    let width = if response.hovered() { 2.0 } else { 1.0 };
+    let stroke = look.theme.stroke(width, look.theme.accent);
+    for rect in boxes {
+        ui.painter()
+            .hline(rect.x_range(), rect.bottom() - UNDER, stroke);
+    }
+    focus_ring(ui.painter(), look, &response, response.rect, 2.0);
+    let about = look.say("lesson-to-control");
+    let response = response.on_hover_cursor(CursorIcon::PointingHand);
+    response.on_hover_text(about).clicked()
 }
 
 /// A mention of a term: dotted under it, and said in a sentence where it is pointed at or has the focus.

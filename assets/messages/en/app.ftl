@@ -24,6 +24,7 @@ panel-inspector = Inspector
 panel-algorithm = Algorithm
 panel-pseudocode = Pseudocode
 panel-watch = Watch
+panel-controls = Set
 panel-cost = Cost
 panel-timeline = Timeline
 panel-scene = Scene

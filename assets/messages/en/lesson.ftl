@@ -8,6 +8,7 @@ lesson-answer-hide = Hide the answer
 lesson-changed = This is your scene. The text is about the lesson’s own scene.
 lesson-has-changes = has your changes
 lesson-contents = All lessons, and the free scene
+lesson-to-control = Press to see where this is set.
 lesson-restore = Restore the lesson’s scene
 lesson-not-translated = This text has not been translated yet.
 
@@ -66,6 +67,7 @@ problem-mesh-too-large = The list has { $count } entries, but a scene file holds
 problem-no-such-mesh = There is no mesh “{ $name }” beside this file.
 problem-unknown-method = There is no method “{ $name }”.
 problem-unknown-lab = There is no lab “{ $name }”.
+problem-unknown-control = The lab has no control “{ $name }”.
 problem-unknown-scene = There is no scene “{ $name }”.
 problem-unknown-lock = There is no handle “{ $name }”.
 problem-unknown-value = “{ $name }” is not one of the values that this field takes.

@@ -248,6 +248,7 @@ words-faulty-painter-keys = Take the triangles in sorted order, without any test
 faulty-painter-nearest-differs = Step { $step } is the first that differs: the key is the distance of the nearest vertex, not of the farthest.
 faulty-painter-keys-differs = Step { $step } is the first that differs: no test decides whether this triangle may come next.
 surfaces-first = Only the first { $triangles } of { $all } triangles: the steps of all would be too many to follow.
+refused-too-many-faces = Refused: the scene has { $triangles } triangles, and this method takes { $most } at most. Take objects out, or choose another method.
 painter-opening = { $triangles ->
     [one] One triangle is
    *[other] { $triangles } triangles are
@@ -456,8 +457,7 @@ surface-costs-note = The exponents are the slopes of straight lines fitted to th
 raster-title = Raster
 raster-rows = Rows
 raster-shuffle = Shuffle (0: not)
-raster-column = Pixel’s column (−1: all)
-raster-row = Pixel’s row (−1: all)
+raster-pixel = Pixel (−1: all)
 raster-steps = A step is
 raster-steps-fragments = a fragment
 raster-steps-spans = a row of a triangle

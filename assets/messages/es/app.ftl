@@ -24,6 +24,7 @@ panel-inspector = Inspector
 panel-algorithm = Algoritmo
 panel-pseudocode = Pseudocódigo
 panel-watch = Variables
+panel-controls = Ajustar
 panel-cost = Coste
 panel-timeline = Línea de tiempo
 panel-scene = Datos de la escena

@@ -8,6 +8,7 @@ lesson-answer-hide = Ocultar la respuesta
 lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.
 lesson-has-changes = contiene cambios tuyos
 lesson-contents = Todas las lecciones y la escena libre
+lesson-to-control = Pulsa para ver dónde se ajusta.
 lesson-restore = Restaurar la de la lección
 lesson-not-translated = Este texto aún no está traducido.
 
@@ -66,6 +67,7 @@ problem-mesh-too-large = La lista tiene { $count } entradas; un archivo de escen
 problem-no-such-mesh = Junto a este archivo no hay ninguna malla «{ $name }».
 problem-unknown-method = No existe el método «{ $name }».
 problem-unknown-lab = No existe el laboratorio «{ $name }».
+problem-unknown-control = El laboratorio no tiene ningún control «{ $name }».
 problem-unknown-scene = No existe la escena «{ $name }».
 problem-unknown-lock = No existe el tirador «{ $name }».
 problem-unknown-value = «{ $name }» no es un valor de este campo.

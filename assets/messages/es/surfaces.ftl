@@ -248,6 +248,7 @@ words-faulty-painter-keys = Toma los triángulos tal como están ordenados, sin 
 faulty-painter-nearest-differs = El paso { $step } es el primero que difiere: la clave es la distancia del vértice más cercano, no la del más lejano.
 faulty-painter-keys-differs = El paso { $step } es el primero que difiere: no se comprueba si este triángulo puede ser el siguiente.
 surfaces-first = Solo los primeros { $triangles } de { $all } triángulos: los pasos de todos serían demasiados para seguirlos.
+refused-too-many-faces = Rechazado: la escena tiene { $triangles } triángulos y este método admite { $most } como máximo. Quita objetos o elige otro método.
 painter-opening = { $triangles ->
     [one] Hay un triángulo
    *[other] Hay { $triangles } triángulos
@@ -456,8 +457,7 @@ surface-costs-note = Los exponentes son las pendientes de rectas ajustadas a los
 raster-title = Ráster
 raster-rows = Filas
 raster-shuffle = Barajar (0: no)
-raster-column = Columna del píxel (−1: todos)
-raster-row = Fila del píxel (−1: todos)
+raster-pixel = Píxel (−1: todos)
 raster-steps = Un paso es
 raster-steps-fragments = un fragmento
 raster-steps-spans = una fila de un triángulo

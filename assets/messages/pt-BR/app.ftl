@@ -24,6 +24,7 @@ panel-inspector = Inspetor
 panel-algorithm = Algoritmo
 panel-pseudocode = Pseudocódigo
 panel-watch = Variáveis
+panel-controls = Ajustar
 panel-cost = Custo
 panel-timeline = Linha do tempo
 panel-scene = Dados da cena

@@ -8,6 +8,7 @@ lesson-answer-hide = Ocultar a resposta
 lesson-changed = Esta é a sua cena. O texto fala da cena da lição.
 lesson-has-changes = contém mudanças suas
 lesson-contents = Todas as lições e a cena livre
+lesson-to-control = Pressione para ver onde isto se ajusta.
 lesson-restore = Restaurar a da lição
 lesson-not-translated = Este texto ainda não foi traduzido.
 
@@ -66,6 +67,7 @@ problem-mesh-too-large = A lista tem { $count } itens; um arquivo de cena aceita
 problem-no-such-mesh = Não há nenhuma malha “{ $name }” ao lado deste arquivo.
 problem-unknown-method = Não existe o método “{ $name }”.
 problem-unknown-lab = Não existe o laboratório “{ $name }”.
+problem-unknown-control = O laboratório não tem nenhum controle “{ $name }”.
 problem-unknown-scene = Não existe a cena “{ $name }”.
 problem-unknown-lock = Não existe o ponto de controle “{ $name }”.
 problem-unknown-value = “{ $name }” não é um valor deste campo.

@@ -248,6 +248,7 @@ words-faulty-painter-keys = Tome os triângulos como estão ordenados, sem nenhu
 faulty-painter-nearest-differs = O passo { $step } é o primeiro que difere: a chave é a distância do vértice mais próximo, não a do mais distante.
 faulty-painter-keys-differs = O passo { $step } é o primeiro que difere: não se testa se este triângulo pode ser o próximo.
 surfaces-first = Só os primeiros { $triangles } de { $all } triângulos: os passos de todos seriam muitos para acompanhar.
+refused-too-many-faces = Recusado: a cena tem { $triangles } triângulos, e este método aceita no máximo { $most }. Tire objetos ou escolha outro método.
 painter-opening = { $triangles ->
     [1] Há um triângulo
    *[other] Há { $triangles } triângulos
@@ -456,8 +457,7 @@ surface-costs-note = Os expoentes são as inclinações de retas ajustadas aos l
 raster-title = Raster
 raster-rows = Linhas
 raster-shuffle = Embaralhar (0: não)
-raster-column = Coluna do pixel (−1: todos)
-raster-row = Linha do pixel (−1: todos)
+raster-pixel = Pixel (−1: todos)
 raster-steps = Um passo é
 raster-steps-fragments = um fragmento
 raster-steps-spans = uma linha de um triângulo

@@ -24,6 +24,7 @@ panel-inspector = 检查器
 panel-algorithm = 算法
 panel-pseudocode = 伪代码
 panel-watch = 变量
+panel-controls = 设置
 panel-cost = 运算量
 panel-timeline = 时间轴
 panel-scene = 场景

@@ -8,6 +8,7 @@ lesson-answer-hide = 隐藏答案
 lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
 lesson-has-changes = 含有你的改动
 lesson-contents = 全部课程与自由场景
+lesson-to-control = 按下即可看到在哪里设置。
 lesson-restore = 恢复课程的场景
 lesson-not-translated = 这段文字尚未翻译。
 
@@ -62,6 +63,7 @@ problem-mesh-too-large = 该列表有 { $count } 项，场景文件最多容纳 
 problem-no-such-mesh = 该文件旁没有网格“{ $name }”。
 problem-unknown-method = 没有名为“{ $name }”的算法。
 problem-unknown-lab = 没有名为“{ $name }”的实验。
+problem-unknown-control = 这个实验没有名为“{ $name }”的控件。
 problem-unknown-scene = 没有名为“{ $name }”的场景。
 problem-unknown-lock = 没有名为“{ $name }”的控制柄。
 problem-unknown-value = “{ $name }”不是这个字段可取的值。

@@ -1,4 +1,4 @@
-//! The frustum lab's menu: its camera, its objects.
+//! What a lab in space adds to menu and inspector: its camera, its objects, its raster.
 
 use super::*;
 use crate::{
@@ -14,10 +14,41 @@ impl Bench {
         }
     }
 
+    /// In the inspector the field of this name, which stands right of what says it; in a menu the place behind that.
+    fn field(&mut self, name: &str) -> Rect {
+        let first = self.found(name);
+        let all = self.names.iter().filter(|(known, _)| known == name);
+        let lefts = all.map(|(_, rect)| *rect);
+        let field = lefts
+            .max_by(|a, b| a.left().total_cmp(&b.left()))
+            .unwrap_or(first);
+        if field.left() > 0.6 * self.size.x {
+            field
+        } else {
+            first.translate(vec2(0.5 * first.width() + 24.0, 0.0))
+        }
+    }
+
+    /// Opens a list of choices and takes one.
+    fn choose(&mut self, name: &str, choice: &str) {
+        let list = self.field(name);
+        self.press_at(list.center());
+        self.click_on(choice);
+    }
+
+    /// The first words of the lesson's text that lead to a control.
+    fn link(&mut self) -> (String, Rect) {
+        let is_there = |text: &str, at: Rect| at.right() < 300.0 && text.ends_with(" rows");
+        let mut named = self.named().into_iter();
+        named
+            .find(|(text, at)| is_there(text, *at))
+            .expect("a link")
+    }
+
     /// Types a number into the field behind this name.
     pub(super) fn type_into(&mut self, name: &str, text: &str) {
-        let field = self.found(name);
-        self.press_at(field.right_center() + vec2(24.0, 0.0));
+        let field = self.field(name);
+        self.press_at(field.center());
         self.write(text);
         self.key(Key::Enter);
         self.settle();
@@ -28,7 +59,7 @@ impl Bench {
 fn the_camera_s_numbers_are_typed_and_undone() {
     let mut bench = Bench::lab("frustum");
     let before = bench.space().clone();
-    bench.open_menus(&["Scene", "Camera"]);
+    bench.open_menus(&["Scene", "Camera…"]);
     bench.type_into("Near plane", "3/2");
     assert_eq!(bench.space().camera.depths()[0], 1.5);
     bench.type_into("Field of view", "55");
@@ -41,22 +72,66 @@ fn the_camera_s_numbers_are_typed_and_undone() {
         "as they make a camera"
     );
     assert!(!bench.app.notices.is_empty(), "and that is said");
-    bench.command(Command::Undo);
-    bench.command(Command::Undo);
+    bench.type_into("Target x", "−1");
+    let [_, target, up] = bench.space().camera.places();
+    assert_eq!((target[0], up), (-1.0, before.camera.places()[2]));
+    for _ in 0..3 {
+        bench.command(Command::Undo);
+    }
     assert_eq!(*bench.space(), before);
+}
+
+#[test]
+fn what_a_lesson_locks_is_locked_in_the_inspector() {
+    let mut bench = Bench::course(ROOMY);
+    for (step, is_locked) in [(1, true), (2, false)] {
+        bench.command(Command::Open([18, step]));
+        bench.command(Command::Section(Some("camera")));
+        let before = bench.space().camera.depths()[0];
+        bench.type_into("Near plane", "3/2");
+        let now = bench.space().camera.depths()[0];
+        assert_eq!(now == before, is_locked, "step {step}: {before}, {now}");
+    }
+}
+
+#[test]
+fn a_text_leads_to_the_control_that_it_asks_for() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([33, 0]));
+    let rows = bench.space().raster.rows();
+    bench.app.settings.inspector = false;
+    bench.settle();
+    let (link, at) = bench.link();
+    assert_eq!(link, (2 * rows).to_string() + " rows");
+    bench.frame(0.1, vec![Event::PointerMoved(at.center())]);
+    assert_eq!(bench.cursor, CursorIcon::PointingHand);
+    bench.tap(at.center());
+    bench.frame(0.1, Vec::new());
+    bench.frame(0.1, Vec::new());
+    assert!(bench.wait_secs < 10.0, "it is lit for a moment");
+    // The field has the focus: what is typed goes there.
+    bench.write(&(2 * rows).to_string());
+    bench.key(Key::Enter);
+    assert_eq!(bench.space().raster.rows(), 2 * rows);
+    bench.frame(3.0, Vec::new());
+    bench.settle();
+    assert!(bench.wait_secs > 10.0, "and nothing is drawn any more");
+    bench.undo();
+    assert_eq!(bench.space().raster.rows(), rows);
 }
 
 #[test]
 fn perspective_and_parallel_see_as_much_at_the_target() {
     let mut bench = Bench::lab("frustum");
     let before = bench.space().camera.opening();
-    bench.open_menus(&["Scene", "Camera", "Parallel"]);
+    bench.command(Command::Section(Some("camera")));
+    bench.choose("Projection", "Parallel");
     let parallel = bench.space().camera.opening();
     assert!(
         matches!(parallel, Opening::Height(height) if height > 0.0),
         "{parallel:?}"
     );
-    bench.click_on("Perspective");
+    bench.choose("Projection", "Perspective");
     let after = bench.space().camera.opening();
     let (Opening::FovY(back), Opening::FovY(given)) = (after, before) else {
         panic!("in perspective");
@@ -73,14 +148,13 @@ fn objects_are_added_enlarged_and_removed() {
     assert_eq!(*bench.space().focused().model(), Model::Solid(Solid::Torus));
     bench.open_menus(&["Scene", "Add an object", "Spot the cow"]);
     assert_eq!(bench.space().focused().model().mesh().faces().len(), 5856);
-    bench.open_menus(&["Scene", "Object in focus"]);
+    bench.open_menus(&["Scene", "Object…"]);
     bench.type_into("Size", "0,5");
     assert_eq!(bench.space().focused().size(), 0.5);
-    bench.type_into("Turned about y", "−30°");
+    bench.type_into("Turn y", "−30°");
     assert_eq!(bench.space().focused().turn_deg(), [0.0, -30.0, 0.0]);
-    bench.type_into("Object", "1");
+    bench.type_into("Number", "1");
     assert_eq!(bench.space().focus(), 0);
-    bench.key(Key::Escape);
     bench.open_menus(&["Scene", "Remove the object in focus"]);
     assert_eq!(bench.space().objects().len(), n_objects + 1);
 }

@@ -34,13 +34,14 @@ fn said_in_english(key: &str) -> String {
 fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
     let room = Rect::from_min_size(ui.max_rect().min, vec2(INSPECTOR.x, 10_000.0));
     let mut stage = std::mem::take(&mut bench.app.stage);
+    let mut panels = std::mem::take(&mut bench.app.kit.panels);
     bench.app.shown.size = SIZE;
     bench.app.shown.measures = bench.app.measures();
     let inner = UiBuilder::new().max_rect(room);
     let shown = ui.scope_builder(inner, |ui| {
-        inspector::content(&bench.app, ui, &mut stage, INSPECTOR.y);
+        inspector::content(&bench.app, ui, &mut stage, (&mut panels, INSPECTOR.y));
     });
-    bench.app.stage = stage;
+    (bench.app.stage, bench.app.kit.panels) = (stage, panels);
     shown.response.rect.height()
 }
 

@@ -17,7 +17,7 @@ mod tests;
 use glam::DVec3;
 
 use super::{
-    facets::Facets,
+    facets::{Edging, Facet, Facets},
     lens::{Lens, Optics},
     mark::{Mark, Weight},
     space::{Edge3, Space},
@@ -25,7 +25,7 @@ use super::{
 
 use self::facets::FacetsInView;
 pub(crate) use interval::{between, complement, inside};
-pub use projected::{Projected, is_outlined};
+pub use projected::Projected;
 
 /// Tints, then the solids with their edges, then the marks, each in parts where a solid hides some of it.
 pub fn project(space: &Space, lens: &Lens) -> Vec<Mark> {
@@ -49,7 +49,10 @@ impl Seen {
     fn of(space: &Space, lens: &Lens, hides: bool) -> Option<Self> {
         let optics = Optics::of(lens)?;
         let bounds_two = |edge: &Edge3| edge.facets.iter().all(Option::is_some);
-        let is_closed = space.facets.are_all_shown() && space.edges.iter().all(bounds_two);
+        let is_open = |facet: &Facet| facet.edging == Edging::Samples { is_open: true };
+        let is_closed = space.facets.are_all_shown()
+            && space.edges.iter().all(bounds_two)
+            && !space.facets.iter().any(is_open);
         let hiding = if hides {
             space.facets.clone()
         } else {

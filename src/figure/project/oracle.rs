@@ -6,7 +6,7 @@ use super::{tests::space_of, *};
 use crate::geom::{Camera, Matrix, Orbit, Solid, ViewVolume};
 
 use super::super::{
-    facets::Facet,
+    facets::{Edging, Facet},
     mark::Shape,
     role::{Link, Role},
     solids::{SolidMesh, SolidPicture, Solids},
@@ -29,6 +29,7 @@ fn facets() -> Vec<Facet> {
                 role: Role::Accent,
                 link: Some(Link::nth("face", facets.len())),
                 skin: None,
+                edging: Edging::Lines,
             });
         }
     }
@@ -178,7 +179,6 @@ fn a_face_is_pointed_at_where_the_raster_shows_it() {
         let solids = Solids {
             facets: facets.clone().into(),
             lens,
-            is_outlined: false,
         };
         let part = [[-1.6, -1.0], [1.6, 1.0]];
         let picture = SolidPicture::new(&mesh, &lens, part, SIZE).expect("something is seen");

@@ -7,11 +7,9 @@ use super::super::{
     mark::{Mark, Shape},
     role::Role,
     solids::Solids,
-    space::{Edge3, Mark3, Shape3, Space},
+    space::{Mark3, Shape3, Space},
 };
 use super::Seen;
-
-const MOST_EDGES: usize = 3_000;
 
 #[derive(Clone, Debug)]
 pub struct Projected {
@@ -50,7 +48,7 @@ impl Projected {
     pub fn again(self, space: &Space, lens: &Lens) -> Self {
         if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
             Self::new(space, lens)
-        } else if self.space.facets != space.facets {
+        } else if self.space.facets != space.facets || *self.space.edges != *space.edges {
             self.with_looks(space).with_marks(space)
         } else if self.space.marks == space.marks {
             self
@@ -62,6 +60,7 @@ impl Projected {
     /// Where facets are not there, other parts of lines may be hidden.
     fn with_looks(mut self, space: &Space) -> Self {
         self.space.facets.clone_from(&space.facets);
+        self.space.edges.clone_from(&space.edges);
         if let Some(seen) = &mut self.seen {
             seen.facets.looks.clone_from(&space.facets);
             self.solids = seen.solids(space, &self.lens);
@@ -77,12 +76,12 @@ impl Projected {
         &self.marks
     }
 
+    /// Are they the same, whatever they look like now? The edges of those that are shared look as their facets do.
     fn has_solids_of(&self, space: &Space) -> bool {
         let (facets, edges) = (&self.space.facets, &self.space.edges);
         let is_as_whole = facets.are_all_shown() == space.facets.are_all_shown();
         let is_shared = facets.are_shared_with(&space.facets) && is_as_whole;
-        (is_shared || *facets == space.facets)
-            && (Arc::ptr_eq(edges, &space.edges) || *edges == space.edges)
+        is_shared || (*facets == space.facets && *edges == space.edges)
     }
 
     fn with_marks(mut self, space: &Space) -> Self {
@@ -111,11 +110,6 @@ impl Projected {
     }
 }
 
-/// Has it more edges than are drawn one by one?
-pub fn is_outlined(edges: &[Edge3]) -> bool {
-    edges.len() > MOST_EDGES
-}
-
 fn hides(space: &Space) -> bool {
     let is_line = |mark: &Mark3| {
         matches!(
@@ -123,24 +117,20 @@ fn hides(space: &Space) -> bool {
             Shape3::Segment(_) | Shape3::Outline(_) | Shape3::Sheet(_)
         )
     };
-    !is_outlined(&space.edges) || space.marks.iter().any(is_line)
+    !space.edges.is_empty() || space.marks.iter().any(is_line)
 }
 
 impl Seen {
     fn solids(&mut self, space: &Space, lens: &Lens) -> Vec<Mark> {
         let mut marks = Vec::new();
-        let is_outlined = is_outlined(&space.edges);
         if !space.facets.is_empty() {
             let solids = Solids {
                 facets: space.facets.clone(),
                 lens: *lens,
-                is_outlined,
             };
             marks.push(Mark::new(Role::Ink, Shape::Solids(solids)));
         }
-        if !is_outlined {
-            marks.extend(space.edges.iter().flat_map(|edge| self.edge(edge)));
-        }
+        marks.extend(space.edges.iter().flat_map(|edge| self.edge(edge)));
         marks
     }
 }

@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::{
-    figure::{Edge3, Facet, Mark3, Role, Seer, Shape, Shape3},
+    figure::{Edge3, Edging, Facet, Mark3, Role, Seer, Shape, Shape3},
     geom::Orbit,
 };
 
@@ -21,6 +21,7 @@ fn cube() -> Vec<Facet> {
             role: Role::Accent,
             link: None,
             skin: None,
+            edging: Edging::Lines,
         }
     };
     (0..3)

@@ -20,7 +20,9 @@ use crate::{
     labs::{
         Lab, MethodEntry,
         frustum::prelude::*,
-        space::{Method, MethodInfo, Model, Object, Opening, SpaceLab, TaughtCamera, demo},
+        space::{
+            Method, MethodInfo, Model, Object, Opening, SpaceLab, TaughtCamera, controls, demo,
+        },
     },
 };
 
@@ -38,6 +40,7 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
         first_scene: || first_scene().into(),
         smallest_scene: || first_scene().alone().into(),
         lock_groups: &["camera", "volume", "object", "point", "segment", "triangle"],
+        controls: || controls::ids(&["camera", "object", "point", "segment", "triangle"]),
         adopt: |scene| FRUSTUM.adopted(scene),
         outlines: &[],
     },

@@ -19,6 +19,7 @@ pub static LAB: &Lab = &Lab {
     first_scene: || Scene::first().into(),
     smallest_scene: || Scene::first().into(),
     lock_groups: &["p1", "p2", "segment", window_handles::GROUP, "clip"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &[],
 };

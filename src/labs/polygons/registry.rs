@@ -24,6 +24,7 @@ pub static LAB: &Lab = &Lab {
     first_scene: || Scene::first().into(),
     smallest_scene: || Scene::smallest().into(),
     lock_groups: &["polygon", window_handles::GROUP, "clip"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &OUTLINES,
 };

@@ -1,14 +1,9 @@
 //! A scene that a method cannot take: said and shown on stage, in place of a run.
 
-use std::ops::ControlFlow;
-
-use serde_json::{Value as Json, json};
-
 use crate::{
-    figure::{Caption, Shown, Tick, Words},
+    figure::Caption,
     geom::{ConvexPolygon, GeomError, Polygon, SimplePolygon},
-    labs::prelude::*,
-    trace::Counts,
+    labs::{prelude::*, refused::RefusedRun},
 };
 
 use super::Scene;
@@ -86,10 +81,10 @@ impl UnfitScene {
             ScenePart::Hole(_) => "part-hole",
             ScenePart::Clip => "part-clip",
         });
-        Box::new(UnfitRun {
-            refusal: self,
+        Box::new(RefusedRun {
+            code: self.error.code(),
             caption: Caption::new(message.with("part", part)),
-            marks,
+            views: vec![View::plane(marks)],
         })
     }
 
@@ -122,66 +117,5 @@ impl Scene {
             Some(clip) => ConvexPolygon::try_from(Vec::from(clip.clone()))
                 .map_err(|error| UnfitScene::new(ScenePart::Clip, error)),
         }
-    }
-}
-
-struct UnfitRun {
-    refusal: UnfitScene,
-    caption: Caption,
-    marks: Vec<Mark>,
-}
-
-impl Run for UnfitRun {
-    fn n_steps(&self) -> usize {
-        0
-    }
-
-    fn is_refused(&self) -> bool {
-        true
-    }
-
-    fn tick(&self, _step: usize) -> Tick {
-        Tick::Reject
-    }
-
-    fn event_json(&self, _step: usize) -> Json {
-        Json::Null
-    }
-
-    fn read_words(&self, _step: usize, _words: &mut Words) {}
-
-    fn counts_at(&self, _step: usize) -> Counts {
-        Counts::default()
-    }
-
-    fn code_line(&self, _step: usize) -> Option<usize> {
-        None
-    }
-
-    fn visit(
-        &self,
-        _from_to: [usize; 2],
-        look: &mut dyn FnMut(usize, &dyn Shown) -> ControlFlow<()>,
-    ) {
-        // Its only step: there is none after it to go on to.
-        let _ = look(0, self);
-    }
-
-    fn output_json(&self) -> Json {
-        json!({ "refused": self.refusal.error.code() })
-    }
-}
-
-impl Shown for UnfitRun {
-    fn caption(&self) -> Caption {
-        self.caption.clone()
-    }
-
-    fn watch(&self) -> Watch {
-        Watch::new()
-    }
-
-    fn views(&self) -> Vec<View> {
-        vec![View::plane(self.marks.clone())]
     }
 }

@@ -6,22 +6,13 @@ use crate::{
     text::Diagnostic,
 };
 
-use super::{Model, Object, Opening, Part, RasterPlan, Scene, street::street};
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CameraNumber {
-    /// The angle from bottom to top in degrees, or of a parallel camera the height.
-    Opening,
-    /// Width over height.
-    Aspect,
-    Near,
-    Far,
-}
+use super::{Model, Object, Opening, Part, RasterPlan, Scene, controls, street::street};
 
 #[derive(Clone, PartialEq, Debug)]
 pub enum SpaceChange {
     LookAt(Part, usize),
-    Camera(CameraNumber, f64),
+    /// Gives a control, by its id, in this place another number.
+    Set(&'static str, usize, f64),
     /// Goes on culling with the camera as it is now, while the camera itself flies on; or culls with the camera again.
     Freeze(bool),
     Raster(RasterPlan),
@@ -29,12 +20,6 @@ pub enum SpaceChange {
     Parallel(bool),
     /// One more, in front of the camera, where none is.
     Add(Model),
-    /// Turns the object in focus, in degrees.
-    Turn([f64; 3]),
-    /// Makes the object in focus so much larger than its model.
-    Size(f64),
-    /// Lets light through the object in focus; from 0 to 1.
-    Opacity(f64),
     Street {
         count: usize,
         seed: u64,
@@ -47,7 +32,7 @@ impl ChangeOf for SpaceChange {
     fn make(&self, scene: &mut Scene) -> Result<Option<Handle>, Diagnostic> {
         match self {
             &Self::LookAt(part, idx) => scene.look_at(part, idx)?,
-            &Self::Camera(number, value) => set_number(scene, number, value)?,
+            &Self::Set(id, place, to) => controls::set(scene, id, place, to)?,
             &Self::Freeze(is_frozen) => scene.frozen = is_frozen.then_some(scene.camera),
             &Self::Raster(plan) => scene.raster = plan,
             &Self::Parallel(is_parallel) => set_parallel(scene, is_parallel)?,
@@ -55,13 +40,6 @@ impl ChangeOf for SpaceChange {
                 let [_, target, _] = scene.camera.places();
                 let object = Object::new(model.clone(), target, [0.0; 3], 1.0)?;
                 scene.add_object(apart(scene, &object)?)?;
-            }
-            &Self::Turn(turn_deg) => reshape(scene, turn_deg, scene.focused().size())?,
-            &Self::Size(size) => reshape(scene, scene.focused().turn_deg(), size)?,
-            &Self::Opacity(opacity) => {
-                if let Some(object) = scene.focused().clone().with_opacity(opacity) {
-                    scene.set_object(scene.focus(), object);
-                }
             }
             &Self::Street { count, seed } => scene.set_objects(street(count, seed))?,
         }
@@ -71,23 +49,6 @@ impl ChangeOf for SpaceChange {
     fn is_another(&self) -> bool {
         matches!(self, Self::Street { .. })
     }
-}
-
-fn reshape(scene: &mut Scene, turn_deg: [f64; 3], size: f64) -> Result<(), Diagnostic> {
-    let object = scene.focused().reshaped(turn_deg, size)?;
-    scene.set_object(scene.focus(), object);
-    Ok(())
-}
-
-fn set_number(scene: &mut Scene, number: CameraNumber, value: f64) -> Result<(), Diagnostic> {
-    scene.camera = scene.camera.with(|it| match (number, it.opening) {
-        (CameraNumber::Opening, Opening::FovY(_)) => it.opening = Opening::FovY(value),
-        (CameraNumber::Opening, Opening::Height(_)) => it.opening = Opening::Height(value),
-        (CameraNumber::Aspect, _) => it.aspect = value,
-        (CameraNumber::Near, _) => it.depths[0] = value,
-        (CameraNumber::Far, _) => it.depths[1] = value,
-    })?;
-    Ok(())
 }
 
 /// At the distance of the target both see as much.

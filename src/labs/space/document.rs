@@ -113,6 +113,11 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
+    fn takes(&self, id: &str) -> bool {
+        let method = self.sibling(id);
+        method.is_some_and(|method| self.size() <= method.info().most_faces)
+    }
+
     fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
         self.add_object(beside(self)?)?;
         Ok(None)

@@ -134,14 +134,15 @@ impl Draggable for Scene {
         }
     }
 
-    /// While culling is frozen the volume that is drawn is not this camera's.
+    /// While culling is frozen the planes that are named are not this camera's.
     fn seized(&self, link: Link) -> Option<Handle> {
         let own = [
             (side_link(VolumeSide::Near), &NEAR),
             (side_link(VolumeSide::Far), &FAR),
             (Link::to("camera"), &POSITION),
         ];
-        let mut own = own.into_iter().filter(|_| self.frozen.is_none());
+        let is_own = |kind: &HandleKind| self.frozen.is_none() || kind.id == POSITION.id;
+        let mut own = own.into_iter().filter(|(_, kind)| is_own(kind));
         let own = own.find(|(of, _)| *of == link);
         // Faces are told of the object in hand only.
         let of_face = link.number_of("face").map(|_| self.focus());

@@ -2,6 +2,7 @@
 //! of and changed. Such a lab is a [`SpaceLab`] with a list of methods, and any scene of one opens in the other.
 
 mod change;
+pub mod controls;
 pub(in crate::labs) mod demo;
 mod document;
 mod handles;
@@ -17,7 +18,7 @@ mod street;
 mod subject;
 mod taught_camera;
 
-pub use change::{CameraNumber, SpaceChange};
+pub use change::SpaceChange;
 pub use object::{Model, NamedMesh, Object, Picture};
 pub use raster_plan::{RasterPlan, Tones};
 pub use scene::{MAX_OBJECTS, Method, MethodInfo, Part, Scene, SceneError, SpaceLab};

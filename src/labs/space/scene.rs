@@ -47,6 +47,8 @@ pub struct MethodInfo {
     pub subject: Subject,
     /// Can it say what became of a face of the object in focus?
     pub tells_faces: bool,
+    /// A scene of more faces is refused.
+    pub most_faces: usize,
     pub record: fn(&Scene) -> Box<dyn Run>,
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,

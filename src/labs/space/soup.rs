@@ -11,7 +11,7 @@ use super::{Object, Scene, Tones, stage::object_link};
 
 /// More faces than these are not drawn: the rest is left out.
 const MOST_FACES: usize = 1_000_000;
-/// Of more faces not each can be asked about others, or about each pixel: the rest is left out.
+/// Of more faces not each can be asked about each pixel.
 pub const MOST_ASKED: usize = 20_000;
 
 /// The faces of a scene, object after object, as its camera sees them with so many pixels.

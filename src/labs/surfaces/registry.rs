@@ -15,7 +15,7 @@ use crate::{
         Lab, MethodEntry,
         space::{
             Method, MethodInfo, Model, NamedMesh, Object, Opening, Scene, SpaceLab, SpaceTelling,
-            TaughtCamera, demo,
+            TaughtCamera, controls, demo,
         },
     },
 };
@@ -31,6 +31,7 @@ pub static SURFACES: SpaceLab = SpaceLab {
         first_scene: || first_scene().into(),
         smallest_scene: || first_scene().alone().into(),
         lock_groups: &["camera", "volume", "object"],
+        controls: || controls::ids(&["camera", "object", "raster"]),
         adopt: |scene| SURFACES.adopted(scene),
         outlines: &[],
     },

@@ -72,6 +72,7 @@ const BROKEN_TEXTS: &str = r"
 - one => ### Deeper => 11:1 unsupported-markdown
 - one => - <b>one</b> => 11:3 unsupported-markdown
 - one => - see [this](that) => 11:7 unsupported-markdown
+- one => - see [this](control:raster.rows) => 11:7 unknown-control
 - one => - **甲。**乙 => 11:3 stray-emphasis
 - one => !> Wait\nand see => 11:1 stray-note
 - one => - !> Wait => 11:1 stray-note

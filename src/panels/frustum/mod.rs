@@ -16,7 +16,7 @@ use super::{prelude::*, space::SpacePanel};
 use culling_costs::{Costs, CullingCost, CullingCosts, SWEEP};
 
 pub fn panel() -> SpacePanel<CullingCosts> {
-    SpacePanel::new(frustum::LAB, |_, _, _| None, culling_view)
+    SpacePanel::new(frustum::LAB, culling_view)
 }
 
 fn culling_view(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts, height: f32) {

@@ -1,17 +1,18 @@
-//! What the labs in three dimensions add to the window: a camera, objects, a street of many; and what something costs on
-//! streets of more and more boxes, in a window of its own.
+//! What the labs in three dimensions add to the window: camera, objects, raster and places in the inspector, a street of many
+//! in the menu; and what something costs on streets of more and more boxes, in a window of its own.
 
-mod camera;
+mod controls;
 mod objects;
+mod raster;
 
 use std::sync::Arc;
 
 use crate::{
     geom::Mesh,
-    labs::space::{Model, NamedMesh, Picture, Scene, SpaceChange},
+    labs::space::{Model, NamedMesh, Picture, Scene, SpaceChange, controls::sections},
 };
 
-use super::prelude::*;
+use super::{form::Form, prelude::*};
 
 /// Costs that are found on one street after the other.
 pub trait StreetCosts: Measuring {
@@ -29,8 +30,6 @@ pub trait StreetCosts: Measuring {
 /// The part of the window of a lab in three dimensions.
 pub struct SpacePanel<C> {
     lab: &'static Lab,
-    /// The first part of its menu.
-    form: fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>,
     street: Seeded,
     /// Those of the scene that was last shown, if they were asked for.
     costs: Option<C>,
@@ -39,14 +38,9 @@ pub struct SpacePanel<C> {
 }
 
 impl<C> SpacePanel<C> {
-    pub fn new(
-        lab: &'static Lab,
-        form: fn(&mut Ui, Look<'_>, &Scene) -> Option<PanelAsk>,
-        view: fn(&mut Ui, Look<'_>, &mut C, f32),
-    ) -> Self {
+    pub fn new(lab: &'static Lab, view: fn(&mut Ui, Look<'_>, &mut C, f32)) -> Self {
         Self {
             lab,
-            form,
             street: Seeded {
                 count: 100,
                 seed: 1,
@@ -64,11 +58,28 @@ impl<C: StreetCosts> LabPanel for SpacePanel<C> {
 
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &labs::Scene) -> Option<PanelAsk> {
         let scene = scene.get()?;
-        let first = (self.form)(ui, look, scene);
-        let camera = camera::form(ui, look, scene);
         let objects = objects::rows(ui, look, scene);
         let street = objects::street(ui, look, &mut self.street);
-        first.or(camera).or(objects).or(street)
+        objects.or(street)
+    }
+
+    fn sections(&self, scene: &labs::Scene) -> Vec<(&'static str, &'static str)> {
+        let sections = scene.get().into_iter().flat_map(sections);
+        sections
+            .map(|section| (section.id, section.title_key))
+            .collect()
+    }
+
+    fn section(
+        &self,
+        ui: &mut Ui,
+        form: &Form<'_>,
+        id: &str,
+        scene: &labs::Scene,
+    ) -> Option<PanelAsk> {
+        let scene = scene.get()?;
+        let section = sections(scene).find(|section| section.id == id)?;
+        controls::show(ui, form, section, scene)
     }
 
     fn add_mesh(&self, name: &str, mesh: &Mesh, picture: Option<&Picture>) -> Option<Edit> {
@@ -113,9 +124,4 @@ impl<C: StreetCosts> Bench for SpacePanel<C> {
 /// What the menu asks for once.
 fn own(change: SpaceChange) -> PanelAsk {
     PanelAsk::Edit(Edit::own(change))
-}
-
-/// What it asks for while a number is dragged: the number has this place in the menu.
-fn tuned(change: SpaceChange, number: usize) -> PanelAsk {
-    PanelAsk::Tune(Edit::own(change), number)
 }

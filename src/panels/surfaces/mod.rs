@@ -1,7 +1,6 @@
-//! What the surfaces lab adds to the window: how its scenes are drawn pixel by pixel, and what it costs to find who is in
-//! front, as lines over the number of triangles, and how steep they are.
+//! What the surfaces lab adds to the window: what it costs to find who is in front, as lines over the number of triangles, and
+//! how steep they are.
 
-mod raster;
 mod surface_costs;
 
 use egui_plot::LineStyle;
@@ -13,7 +12,7 @@ use super::{prelude::*, space::SpacePanel};
 use surface_costs::SurfaceCosts;
 
 pub fn panel() -> SpacePanel<SurfaceCosts> {
-    SpacePanel::new(surfaces::LAB, raster::form, costs_view)
+    SpacePanel::new(surfaces::LAB, costs_view)
 }
 
 fn costs_view(ui: &mut Ui, look: Look<'_>, costs: &mut SurfaceCosts, height: f32) {

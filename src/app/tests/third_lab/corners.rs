@@ -5,8 +5,8 @@ use serde_json::json;
 
 use crate::{
     figure::{
-        Body, Cell, Edge3, Facet, Link, Mark3, Role, Seer, Shape3, Space, Table, TableRow, Tick,
-        View,
+        Body, Cell, Edge3, Edging, Facet, Link, Mark3, Role, Seer, Shape3, Space, Table, TableRow,
+        Tick, View,
     },
     geom::Orbit,
     labs::{
@@ -180,6 +180,7 @@ fn facets(half: f64) -> Vec<Facet> {
         role: Role::Accent,
         link: Some(Link::to("face")),
         skin: None,
+        edging: Edging::Lines,
     };
     FACES.map(facet).to_vec()
 }

@@ -28,6 +28,7 @@ pub static LAB: &Lab = &Lab {
     first_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
     smallest_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
     lock_groups: &["box"],
+    controls: Vec::new,
     adopt: |_| None,
     outlines: &[],
 };

@@ -2,8 +2,6 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::figure::is_outlined;
-
 use super::{
     prelude::*,
     solids::{FaceLook, Fate, Solids},
@@ -51,12 +49,12 @@ impl Crowd {
 }
 
 impl Built {
-    /// Each face by its look or by its object's fate. None where edges are drawn one by one: they have looks of their own.
+    /// Each face by its look or by its object's fate, and so the edges that are drawn one by one.
     pub fn looking(
         &self,
         fate: impl Fn(usize) -> Option<Fate>,
         look: impl Fn(usize, usize) -> FaceLook,
-    ) -> Option<(Facets, Arc<[Edge3]>)> {
+    ) -> (Facets, Arc<[Edge3]>) {
         let looks = self.facets.iter().enumerate().map(|(i, facet)| {
             let Some(&[object, face]) = self.faces.get(i) else {
                 return Some(facet.role);
@@ -71,7 +69,42 @@ impl Built {
             let is_cut_off = facet.role == Role::Discarded;
             Some(if is_cut_off { facet.role } else { role })
         });
-        let looks = || Facets::looking(self.facets.clone(), looks.collect());
-        is_outlined(&self.edges).then(|| (looks(), self.edges.clone()))
+        let looks = looks.collect();
+        let edges = if self.edges.is_empty() {
+            self.edges.clone()
+        } else {
+            let edges = self.edges.iter();
+            edges
+                .filter_map(|edge| self.edge(edge, &fate, &look))
+                .collect()
+        };
+        (Facets::looking(self.facets.clone(), looks), edges)
+    }
+
+    /// An edge as its object looks, if one of its facets is there.
+    fn edge(
+        &self,
+        edge: &Edge3,
+        fate: &impl Fn(usize) -> Option<Fate>,
+        look: &impl Fn(usize, usize) -> FaceLook,
+    ) -> Option<Edge3> {
+        let face_of = |facet: u32| self.faces.get(facet as usize).copied();
+        let [object, _] = edge.facets.into_iter().flatten().find_map(face_of)?;
+        let fate = fate(object)?;
+        let is_there = |facet: &u32| {
+            let face = face_of(*facet);
+            face.is_some_and(|[object, face]| look(object, face) != FaceLook::Hidden)
+        };
+        let facets = edge.facets.map(|facet| facet.filter(is_there));
+        let role = if self.cut[object] {
+            edge.role
+        } else {
+            fate.edge_role()
+        };
+        (facets != [None; 2]).then_some(Edge3 {
+            facets,
+            role,
+            ..edge.clone()
+        })
     }
 }

@@ -1,8 +1,10 @@
 //! Solids as facets and edges, drawn by what becomes of them.
 
+use std::ops::Range;
+
 use crate::{
     algo::volume::{signed_distance, split},
-    figure::{between, complement, inside},
+    figure::{Edging, between, complement, inside},
 };
 
 use super::{super::Object, prelude::*};
@@ -40,10 +42,21 @@ const BOX_FACES: [[usize; 4]; 6] = [
     [4, 5, 7, 6],
 ];
 
+/// Of more edges not all are drawn one by one.
+const MOST_EDGES: usize = 3_000;
+
 #[derive(Default)]
 pub struct Solids {
     pub facets: Vec<Facet>,
     pub edges: Vec<Edge3>,
+    objects: Vec<Extent>,
+}
+
+/// Which facets and edges are an object's.
+struct Extent {
+    facets: Range<usize>,
+    edges: Range<usize>,
+    is_open: bool,
 }
 
 impl Solids {
@@ -57,6 +70,7 @@ impl Solids {
         look: impl Fn(usize) -> FaceLook,
     ) -> Vec<Option<u32>> {
         let mesh = object.model().mesh();
+        let (first_facet, first_edge) = (self.facets.len(), self.edges.len());
         let points: Vec<[f64; 3]> = object.points().collect();
         // Of each face a part that has its plane.
         let mut facet_of = Vec::with_capacity(mesh.faces().len());
@@ -78,6 +92,7 @@ impl Solids {
                     .model()
                     .skin(*face)
                     .filter(|_| role != Role::Discarded),
+                edging: Edging::Lines,
             };
             match fate {
                 Fate::Cut => self.cut_face(&whole, planes),
@@ -85,7 +100,50 @@ impl Solids {
             }
         }
         self.edges_of(object, &facet_of, fate, planes);
+        self.objects.push(Extent {
+            facets: first_facet..self.facets.len(),
+            edges: first_edge..self.edges.len(),
+            is_open: !mesh.is_closed(),
+        });
         facet_of
+    }
+
+    /// Where edges are too many, those of the objects that have the most are left out, but for cuts.
+    pub fn settled(mut self) -> Self {
+        if self.edges.len() <= MOST_EDGES {
+            return self;
+        }
+        let mut sizes: Vec<usize> = self.objects.iter().map(|it| it.edges.len()).collect();
+        sizes.sort_unstable();
+        // All objects of one size are drawn alike.
+        let (mut n_drawn, mut most) = (0, 0);
+        for alike in sizes.chunk_by(|a, b| a == b) {
+            n_drawn += alike.len() * alike[0];
+            if n_drawn > MOST_EDGES {
+                break;
+            }
+            most = alike[0];
+        }
+        let mut edges = Vec::new();
+        for Extent {
+            facets,
+            edges: own,
+            is_open,
+        } in &self.objects
+        {
+            let own = self.edges[own.clone()].iter();
+            if own.len() <= most {
+                edges.extend(own.cloned());
+                continue;
+            }
+            let edging = Edging::Samples { is_open: *is_open };
+            let facets = &mut self.facets[facets.clone()];
+            facets.iter_mut().for_each(|facet| facet.edging = edging);
+            let cuts = own.filter(|edge| edge.role == Role::Accent);
+            edges.extend(cuts.take(MOST_EDGES.saturating_sub(edges.len())).cloned());
+        }
+        self.edges = edges;
+        self
     }
 
     /// The edges of an object, of whose faces these facets are drawn.
@@ -166,7 +224,7 @@ impl Solids {
         }
     }
 
-    pub fn camera(&mut self, camera: &Camera, size: f64) {
+    pub fn camera(&mut self, camera: &Camera, size: f64, link: Link) {
         let corner = |i: usize| {
             let along = |axis: usize, low: f64, high: f64| {
                 size * if i >> axis & 1 == 1 { high } else { low }
@@ -181,8 +239,9 @@ impl Solids {
         self.facets.extend(BOX_FACES.map(|face| Facet {
             corners: face.map(corner).to_vec(),
             role: Role::Ink,
-            link: Some(Link::to("camera")),
+            link: Some(link),
             skin: None,
+            edging: Edging::Lines,
         }));
     }
 }
@@ -196,7 +255,7 @@ impl Fate {
         }
     }
 
-    const fn edge_role(self) -> Role {
+    pub const fn edge_role(self) -> Role {
         match self {
             Self::ToCome | Self::Kept | Self::Cut => Role::Ink,
             Self::Culled => Role::Discarded,

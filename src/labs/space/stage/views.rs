@@ -8,7 +8,7 @@ use super::{
     crowd::{Crowd, MANY},
     ground::ground,
     prelude::*,
-    volume::volume,
+    volume::{flying, volume},
 };
 
 pub const OBSERVER_VIEW: &str = "observer";
@@ -70,9 +70,10 @@ impl Scenery {
         let mut marks = ground(&self.scene);
         let volume = volume(self.scene.culler()).into_iter();
         marks.extend(volume.filter(|mark| !is_named_by(&own, mark)));
+        marks.extend(self.who_culls());
         marks.extend(own);
         Space {
-            title: Some(Value::Term("view-observer")),
+            title: Some(self.title("view-observer", "view-observer-frozen")),
             seer: Seer::Eye(self.scene.eye),
             facets,
             edges,
@@ -97,13 +98,37 @@ impl Scenery {
         let mut own: Vec<Mark3> = frozen.flat_map(|f| volume(f.camera())).collect();
         own.extend(marks);
         let space = Space {
-            title: Some(Value::Term("view-camera")),
+            title: Some(self.title("view-camera", "view-camera-flying")),
             seer: Seer::Camera(*self.scene.camera.camera()),
             facets,
             edges,
             marks: own,
         };
         View::new(CAMERA_VIEW, Body::Space(space))
+    }
+
+    /// While one camera culls and another flies: the other's volume, and what each of them is.
+    fn who_culls(&self) -> Vec<Mark3> {
+        let (flies, Some(frozen)) = (self.scene.camera.camera(), &self.scene.frozen) else {
+            return Vec::new();
+        };
+        let named = |camera: &Camera, role, key| {
+            let name = Mark3::new(role, Shape3::Label(camera.position()));
+            name.labelled(Value::Term(key))
+        };
+        let mut marks = flying(flies);
+        marks.push(named(frozen.camera(), Role::Accent, "camera-that-culls"));
+        let name = named(flies, Role::Soft, "camera-that-flies");
+        marks.push(name.linked(Link::to("camera")));
+        marks
+    }
+
+    fn title(&self, own: &'static str, frozen: &'static str) -> Value {
+        Value::Term(if self.scene.frozen.is_some() {
+            frozen
+        } else {
+            own
+        })
     }
 
     fn solids(
@@ -126,9 +151,7 @@ impl Scenery {
                 self.built(0..objects.len(), fate, |_, _| FaceLook::Whole, is_observed)
             });
             let fate = |i: usize| Some(i).filter(is_there).map(|i| fates[i]);
-            if let Some(looking) = built.looking(fate, look) {
-                return looking;
-            }
+            return built.looking(fate, look);
         }
         let shown = (0..objects.len()).filter(is_there);
         let (solids, _) = self.built(shown, |i| fates[i], look, is_observed);
@@ -160,12 +183,13 @@ impl Scenery {
             );
         }
         if is_observed {
-            let frozen = self.scene.frozen.iter();
-            for camera in frozen.chain([&self.scene.camera]) {
-                solids.camera(camera.camera(), self.glyph_size());
+            let (size, own) = (self.glyph_size(), Link::to("camera"));
+            if let Some(frozen) = &self.scene.frozen {
+                solids.camera(frozen.camera(), size, Link::to("frozen camera"));
             }
+            solids.camera(self.scene.camera.camera(), size, own);
         }
-        (solids, faces)
+        (solids.settled(), faces)
     }
 
     /// What a face is about: itself where a method tells of faces, else its object.
@@ -237,13 +261,55 @@ pub fn object_link(object_idx: usize) -> Link {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::labs::{frustum::first_scene, space::street};
+    use crate::{
+        figure::Edging,
+        labs::{frustum::first_scene, space::street},
+    };
 
     type Shown = (Vec<[f64; 3]>, Role);
 
     fn shown(facets: &Facets) -> Vec<Shown> {
         let shown = facets.shown();
         shown.map(|(it, role)| (it.corners.clone(), role)).collect()
+    }
+
+    #[test]
+    fn the_edges_of_an_object_are_drawn_whatever_stands_beside_it() {
+        let mut scene = first_scene();
+        let few = scene.objects()[3].clone();
+        let mut objects = street(300, 1);
+        objects.push(few);
+        scene.set_objects(objects).expect("not too many");
+        let scenery = Scenery::new(&scene);
+        let (facets, edges) = scenery.solids(&|_| Fate::Culled, &|_, _| FaceLook::Whole, true);
+        assert_eq!(edges.len(), 6, "of the tetrahedron");
+        assert!(edges.iter().all(|edge| edge.role == Role::Discarded));
+        let by_lines = facets.iter().filter(|it| it.edging == Edging::Lines);
+        assert_eq!(
+            by_lines.count(),
+            4 + 6,
+            "its facets and those of the camera"
+        );
+    }
+
+    #[test]
+    fn who_culls_and_who_flies_is_said() {
+        let mut scene = first_scene();
+        let names = |scene: &Scene| {
+            let seen =
+                Scenery::new(scene).seen(&|_| Fate::Kept, &|_, _| FaceLook::Whole, Vec::new());
+            let labels = seen.marks.iter().filter_map(|mark| mark.label.as_ref());
+            let names: Vec<Value> = labels.map(|label| label.text.clone()).collect();
+            (seen.title, names)
+        };
+        let [culls, flies] = ["camera-that-culls", "camera-that-flies"].map(Value::Term);
+        let (title, said) = names(&scene);
+        assert_eq!(title, Some(Value::Term("view-observer")));
+        assert!(!said.contains(&culls) && !said.contains(&flies));
+        scene.frozen = Some(scene.camera);
+        let (title, said) = names(&scene);
+        assert_eq!(title, Some(Value::Term("view-observer-frozen")));
+        assert!(said.contains(&culls) && said.contains(&flies));
     }
 
     #[test]
@@ -271,8 +337,12 @@ mod tests {
                 let there = (0..scene.objects().len()).filter(there);
                 let (anew, _) = scenery.built(there, fate, look, is_observed);
                 assert_eq!(shown(&facets), shown(&anew.facets.into()));
+                let lines = |edges: &[Edge3]| -> Vec<_> {
+                    edges.iter().map(|edge| (edge.ends, edge.role)).collect()
+                };
+                assert_eq!(lines(&edges), lines(&anew.edges));
                 let again = scenery.solids(&fate, &look, is_observed);
-                assert!(Arc::ptr_eq(&edges, &again.1));
+                assert_eq!(edges, again.1);
                 let is_kept = |before: &Facets| before.are_shared_with(&facets);
                 assert!(before.as_ref().is_none_or(is_kept), "step {step}");
                 before = Some(facets);

@@ -63,6 +63,19 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     marks
 }
 
+/// What a camera sees that flies while another one culls: none of its planes is asked.
+pub fn flying(camera: &Camera) -> Vec<Mark3> {
+    let is_drawn = |mark: &Mark3| matches!(mark.shape, Shape3::Outline(_) | Shape3::Segment(_));
+    let drawn = volume(camera).into_iter().filter(is_drawn);
+    let dashed = |mark| Mark3 {
+        role: Role::Soft,
+        is_dashed: true,
+        link: None,
+        ..mark
+    };
+    drawn.map(dashed).collect()
+}
+
 /// Its normal, of length 1, in the middle of what is drawn of it, or the one of whom takes the outside for the inside.
 pub fn normal_of(camera: &Camera, side: VolumeSide, is_turned: bool) -> [Mark3; 2] {
     let middle = outline(camera, side).into_iter().map(DVec3::from);

@@ -30,11 +30,12 @@ impl SpaceTelling for Bsp {
         Some(step.held.picture.ids())
     }
 
+    /// A longer run cannot be followed.
+    const MOST_FACES: usize = 300;
+
     /// The tree of a scene's faces; of the first of them, where that of all would be too large.
     fn input(scene: &Scene) -> BspInput {
-        /// A longer run cannot be followed.
-        const MOST_FACES: usize = 300;
-        let mut surfaces = surfaces_on_raster(scene).first(MOST_FACES);
+        let mut surfaces = surfaces_on_raster(scene);
         loop {
             match BspInput::new(surfaces.clone(), BspChoice::First) {
                 Ok(input) => return input,

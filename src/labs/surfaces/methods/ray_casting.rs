@@ -33,8 +33,10 @@ impl SpaceTelling for RayCasting {
         Some(step.held.so_far.picture.ids())
     }
 
+    const MOST_FACES: usize = MOST_ASKED;
+
     fn input(scene: &Scene) -> RayCastingInput {
-        let surfaces = surfaces_on_raster(scene).first(MOST_ASKED);
+        let surfaces = surfaces_on_raster(scene);
         let size = surfaces.size();
         let is_long = surfaces.n_pixels() * surfaces.triangles().len() > MOST_QUESTIONS;
         let middle = is_long.then_some(size.map(|side| side / 2));

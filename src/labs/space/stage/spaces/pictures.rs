@@ -71,6 +71,7 @@ impl SpacePlaces<'_> {
         let own = own.and_then(Result::ok);
         let object = own.as_ref().unwrap_or(object);
         solids.object(object, |_| link, Fate::Kept, planes, look);
+        let solids = solids.settled();
         let is_divided = matches!(space, PictureSpace::Ndc | PictureSpace::Screen);
         let seen_by = self.camera.planes_in_world();
         let facets = solids.facets.into_iter().map(|mut facet| {

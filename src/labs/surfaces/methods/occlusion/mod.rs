@@ -29,8 +29,10 @@ impl SpaceTelling for Occlusion {
         Some(step.held.drawing.so_far.picture.ids())
     }
 
+    const MOST_FACES: usize = MOST_ASKED;
+
     fn input(scene: &Scene) -> OcclusionInput {
-        let surfaces = surfaces_on_raster(scene).first(MOST_ASKED);
+        let surfaces = surfaces_on_raster(scene);
         let objects = occluders::objects_of(scene, &surfaces);
         OcclusionInput { surfaces, objects }
     }

@@ -24,10 +24,11 @@ impl<L: Variant> SpaceTelling for Painter<L> {
         Some(step.held.picture.ids())
     }
 
+    /// Pairs grow with the square: a longer run cannot be followed.
+    const MOST_FACES: usize = 300;
+
     fn input(scene: &Scene) -> Surfaces {
-        /// Pairs grow with the square: a longer run cannot be followed.
-        const MOST_FACES: usize = 300;
-        surfaces_on_raster(scene).first(MOST_FACES)
+        surfaces_on_raster(scene)
     }
 }
 
@@ -85,10 +86,6 @@ impl<L: Variant> Telling for Painter<L> {
             .so(&["{blend}"]).about("triangle");
         done: Event::Done if step.held.cycle.is_empty() => Row::new(Accept, PAINT, "painter-done");
         no_order: Event::Done => Row::new(Accept, CYCLE, "painter-done-cycle");
-    }
-
-    fn opening(at: &At<'_, Self>) -> &'static Row {
-        on_raster::opening(const { &Self::OPENING }, at.step.input, at.scenery)
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

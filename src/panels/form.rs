@@ -1,0 +1,137 @@
+//! A section of the inspector: rows with a name at the left and at the right what can be set.
+
+use egui::{
+    Align, Checkbox, ComboBox, CornerRadius, Id, Label, Layout, Response, RichText, Sense, Shape,
+    Stroke, StrokeKind, Ui, UiBuilder, epaint::RectShape, vec2,
+};
+
+use crate::{
+    labs::Lock,
+    text::Message,
+    widgets::{Look, select},
+};
+
+/// Of a row, the part that its fields have.
+const FIELDS: f32 = 0.6;
+const GAP: f32 = 4.0;
+/// No number is longer.
+const MOST_TYPED: usize = 64;
+
+pub struct Form<'a> {
+    pub look: Look<'a>,
+    /// What the lesson holds in place.
+    pub locks: &'a [Lock],
+    /// The control that a text leads to: it is lit.
+    pub lit: Option<&'a str>,
+    /// Is it to have the focus?
+    pub takes_focus: bool,
+}
+
+/// A row, before it is drawn: the control's id, its name, and the group of handles that it is locked with.
+pub type Entry<'a> = (&'a str, &'a Message, &'a str);
+
+impl Form<'_> {
+    /// A row with as many fields side by side; what the first one says of those that have anything to say.
+    pub fn row<R>(
+        &self,
+        ui: &mut Ui,
+        (id, name, group): Entry<'_>,
+        n_fields: usize,
+        mut field: impl FnMut(&mut Ui, usize) -> (Option<R>, Response),
+    ) -> Option<R> {
+        let name = self.look.catalog.message(name);
+        let is_locked = self.locks.iter().any(|lock| lock.holds(group));
+        let (wash, room) = (ui.painter().add(Shape::Noop), FIELDS * ui.available_width());
+        let mut said = None;
+        // Whatever stands before it, a field keeps its id, and so the focus.
+        let scope = UiBuilder::new().scope_id(Id::unique(("control", id)));
+        let content = |ui: &mut Ui| {
+            ui.spacing_mut().item_spacing.x = GAP;
+            self.name(ui, &name, ui.available_width() - room - GAP);
+            ui.spacing_mut().interact_size.x = (room + GAP) / n_fields.max(2) as f32 - GAP;
+            fields_look(ui, self.look);
+            for i in 0..n_fields {
+                let (to, field) = ui.add_enabled_ui(!is_locked, |ui| field(ui, i)).inner;
+                said = said.take().or(to);
+                let name = match n_fields {
+                    1 => name.clone(),
+                    _ => format!("{name} {}", ["x", "y", "z"][i]),
+                };
+                let label = |node: &mut egui::accesskit::Node| node.set_label(name);
+                ui.ctx().accesskit_node_builder(field.id, label);
+                if self.lit == Some(id) && self.takes_focus && i == 0 {
+                    field.request_focus();
+                    field.scroll_to_me(None);
+                    // All of it is typed over.
+                    select(ui.ctx(), field.id, 0..MOST_TYPED);
+                }
+            }
+        };
+        let row = ui.scope_builder(scope, |ui| ui.horizontal(content).response);
+        if is_locked {
+            let why = Message::new("handle-locked").with("name", name);
+            row.inner.on_hover_text(self.look.catalog.message(&why));
+        } else if self.lit == Some(id) {
+            let theme = self.look.theme;
+            let (rect, corner) = (row.inner.rect.expand(2.0), CornerRadius::same(4));
+            let stroke = theme.stroke(1.5, theme.accent);
+            let lit = RectShape::new(rect, corner, theme.accent_wash, stroke, StrokeKind::Outside);
+            ui.painter().set(wash, lit);
+        }
+        said
+    }
+
+    fn name(&self, ui: &mut Ui, name: &str, width: f32) {
+        let size = vec2(width, ui.spacing().interact_size.y);
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        let layout = Layout::left_to_right(Align::Center);
+        let mut place = ui.new_child(UiBuilder::new().max_rect(rect).layout(layout));
+        let text = RichText::new(name).color(self.look.theme.soft);
+        place.add(Label::new(text).truncate());
+    }
+
+    pub fn check(&self, ui: &mut Ui, entry: Entry<'_>, is_on: bool) -> Option<bool> {
+        self.row(ui, entry, 1, |ui, _| {
+            let mut is_on = is_on;
+            let response = ui.add(Checkbox::without_text(&mut is_on));
+            (response.changed().then_some(is_on), response)
+        })
+    }
+
+    /// One of several, each with its name.
+    pub fn choice<T: Copy + PartialEq>(
+        &self,
+        ui: &mut Ui,
+        entry: Entry<'_>,
+        now: T,
+        all: &[(T, String)],
+    ) -> Option<T> {
+        self.row(ui, entry, 1, |ui, _| {
+            let mut chosen = now;
+            let named = all.iter().find(|(it, _)| *it == now);
+            let shown = named.map_or("", |(_, name)| name);
+            let combo = ComboBox::from_id_salt(entry.0).selected_text(shown);
+            let combo = combo.width(ui.available_width()).truncate();
+            let response = combo.show_ui(ui, |ui| {
+                for (it, name) in all {
+                    ui.selectable_value(&mut chosen, *it, name);
+                }
+            });
+            ((chosen != now).then_some(chosen), response.response)
+        })
+    }
+}
+
+/// What can be filled in has a ground and a rim of its own.
+fn fields_look(ui: &mut Ui, look: Look<'_>) {
+    let rim = Stroke::new(1.0, look.theme.faint);
+    let widgets = &mut ui.visuals_mut().widgets;
+    for state in [
+        &mut widgets.inactive,
+        &mut widgets.hovered,
+        &mut widgets.open,
+    ] {
+        (state.bg_fill, state.bg_stroke) = (look.theme.background, rim);
+    }
+    widgets.inactive.weak_bg_fill = look.theme.background;
+}
