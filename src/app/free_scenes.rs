@@ -54,7 +54,10 @@ impl App {
                     let message = Message::new("scene-numbered").with("n", n);
                     self.catalog().message(&message)
                 };
-                (2..).map(numbered).find(|name| self.takes_name(act, name))
+                let numbers = 2..=self.free_scenes().len() + 1;
+                numbers
+                    .map(numbered)
+                    .find(|name| self.takes_name(act, name))
             }
             SceneAct::Rename | SceneAct::Delete => self.scene_name(),
         };

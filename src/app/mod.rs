@@ -69,6 +69,7 @@ pub use native::{Opening, run_native};
 pub use platform::Desktop;
 pub use platform::{NoFiles, Platform, StageFigure};
 pub use settings::Settings;
+pub(crate) use settings::Snapshot;
 #[cfg(target_arch = "wasm32")]
 pub use web::start;
 
@@ -84,7 +85,6 @@ use desk::Desk;
 use history::History;
 use playback::Playback;
 use prelude::*;
-use settings::Snapshot;
 
 /// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
 pub struct Kit {
