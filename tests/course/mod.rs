@@ -49,9 +49,14 @@ fn numerals(text: &str) -> Vec<Numeral<'_>> {
 
 /// What stands between braces, braces included.
 fn references(text: &str) -> Vec<(usize, &str)> {
-    let open = text.match_indices('{').map(|(at, _)| at);
-    let reference = |at: usize| Some((at, &text[at..=at + text[at..].find('}')?]));
-    open.filter_map(reference).collect()
+    let within = |[open, close]: [&'static str; 2]| {
+        let starts = text.match_indices(open).map(|(at, _)| at);
+        starts.filter_map(move |at| Some((at, &text[at..=at + text[at..].find(close)?])))
+    };
+    // What a link leads to is as little said as what a reference names.
+    within(["{", "}"])
+        .chain(within(["(control:", ")"]))
+        .collect()
 }
 
 /// The sections of a text by their ids, title and body in one, without blocks of code.

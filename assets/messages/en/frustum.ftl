@@ -313,7 +313,6 @@ camera-aspect = Aspect ratio
 camera-near = Near plane
 camera-far = Far plane
 camera-frozen = Freeze culling
-camera-frozen-about = Keep culling with the camera as it is now, and fly around to see what it kept
 object-add = Add an object
 object-remove = Remove the object in focus
 object-focus = Object

@@ -313,7 +313,6 @@ camera-aspect = Relación de aspecto
 camera-near = Plano cercano
 camera-far = Plano lejano
 camera-frozen = Congelar el descarte
-camera-frozen-about = Seguir descartando con la cámara tal como está ahora y volar alrededor de lo que conservó
 object-add = Añadir un objeto
 object-remove = Quitar el objeto enfocado
 object-focus = Objeto

@@ -313,7 +313,6 @@ camera-aspect = Razão de aspecto
 camera-near = Plano próximo
 camera-far = Plano distante
 camera-frozen = Congelar o descarte
-camera-frozen-about = Continuar descartando com a câmera como está agora e voar em torno do que ela manteve
 object-add = Adicionar um objeto
 object-remove = Remover o objeto em foco
 object-focus = Objeto

@@ -19,7 +19,7 @@ usage-wrong-value = { $name } 不能是“{ $value }”。
 usage-argument-missing = 缺少 { $name }。
 usage-conflict = { $name } 不能与 { $other } 同时使用。
 usage-expected = 可用：{ $expected }。
-usage-expected-size = 应为 宽x高，从 64x64 到 { $most }，例如 1920x1080。
+usage-expected-size = 应为 宽 x 高，从 64x64 到 { $most }，例如 1920x1080。
 usage-expected-scale = 应为 0.25 到 8 之间的数。
 usage-see-help = --help 列出全部用法和示例。
 

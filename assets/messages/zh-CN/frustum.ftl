@@ -223,7 +223,6 @@ camera-aspect = 宽高比
 camera-near = 近平面
 camera-far = 远平面
 camera-frozen = 冻结剔除
-camera-frozen-about = 继续用现在的相机做剔除，再飞到别处查看保留了什么
 object-add = 添加物体
 object-remove = 移除当前物体
 object-focus = 物体
