@@ -281,6 +281,6 @@ fn the_figure_goes_to_the_clipboard_as_an_export_writes_it() {
         },
     };
     let drawn = Studio::new(ThemeKind::Light).draw(&picture);
-    let pixels = copied.pixels.iter().flat_map(|pixel| pixel.to_array());
+    let pixels = copied.pixels.iter().flat_map(egui::Color32::to_array);
     assert!(pixels.eq(drawn.rgba), "as `clipscope export` draws it");
 }

@@ -208,9 +208,10 @@ static OBJECT: [Control; 7] = [
         ..place("object.size", "object", || Message::new("object-size"))
     },
     Control {
-        numbers: |scene| match scene.asks(Subject::Surfaces) {
-            true => vec![scene.focused().opacity()],
-            false => Vec::new(),
+        numbers: |scene| {
+            let opacity = scene.focused().opacity();
+            let is_painted = scene.asks(Subject::Surfaces);
+            is_painted.then_some(opacity).into_iter().collect()
         },
         range: |_| 0.0..=1.0,
         set: |scene, _, opacity| {

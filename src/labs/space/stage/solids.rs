@@ -138,7 +138,9 @@ impl Solids {
             }
             let edging = Edging::Samples { is_open: *is_open };
             let facets = &mut self.facets[facets.clone()];
-            facets.iter_mut().for_each(|facet| facet.edging = edging);
+            for facet in facets.iter_mut() {
+                facet.edging = edging;
+            }
             let cuts = own.filter(|edge| edge.role == Role::Accent);
             edges.extend(cuts.take(MOST_EDGES.saturating_sub(edges.len())).cloned());
         }
