@@ -80,7 +80,7 @@ fn row(facets: &[Facet], target: Target) -> [f64; 2] {
 fn frames(facets: Arc<[Facet]>, edges: Arc<[Edge3]>) -> Vec<f64> {
     let ctx = Context::default();
     ctx.set_fonts(fonts::definitions());
-    theme::install(&ctx, ThemeKind::Light);
+    theme::install(&ctx, Theme::of(ThemeKind::Light));
     let look = Look {
         theme: Theme::of(ThemeKind::Light),
         catalog: Catalog::of(Lang::En),
@@ -98,7 +98,7 @@ fn frames(facets: Arc<[Facet]>, edges: Arc<[Edge3]>) -> Vec<f64> {
         let space = Space {
             title: None,
             seer,
-            facets: facets.clone(),
+            facets: facets.clone().into(),
             edges: edges.clone(),
             marks: lines.map(Mark3::fine).collect(),
         };
