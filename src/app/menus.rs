@@ -44,15 +44,8 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
     let button = icon_button(ui, look, Icon::More, &look.say("menu-more"), true);
     Popup::menu(&button).style(menu_style).show(|ui| {
         // In a wide window they are tabs.
-        for panel in panels.iter().filter(|_| app.is_narrow()) {
-            let lab = panel.lab();
-            let is_open = app.scene().document().lab() == lab;
-            if ui.radio(is_open, look.say(lab.name_key)).clicked() && !is_open {
-                app.push(Command::Lab(lab.id));
-                ui.close();
-            }
-        }
         if app.is_narrow() {
+            labs(app, ui, panels);
             ui.separator();
         }
         menu_button(ui, look.say("panel-scene"), |ui| {
@@ -68,6 +61,16 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
             app.push(Command::Present);
         }
     });
+}
+
+fn labs(app: &App, ui: &mut Ui, panels: &[Box<dyn LabPanel>]) {
+    for lab in panels.iter().map(|panel| panel.lab()) {
+        let is_open = app.scene().document().lab() == lab;
+        if ui.radio(is_open, app.look().say(lab.name_key)).clicked() && !is_open {
+            app.push(Command::Lab(lab.id));
+            ui.close();
+        }
+    }
 }
 
 fn language_and_theme(app: &App, ui: &mut Ui) {

@@ -87,13 +87,7 @@ impl Comparison {
                 let drawings = first.iter().filter(|need| need.is_drawing());
                 let counts = vec![Counts::default(); 1 + others.len()];
                 let mut costs = View::costs(Vec::new(), counts).need();
-                // On the way what they ask stands where their costs come to stand.
-                let begun = runs.iter().map(|run| run.frame(run.n_steps().min(1)));
-                let frames = [begun.collect(), ends(runs)];
-                for table in frames
-                    .iter()
-                    .filter_map(|frames: &Vec<Frame>| asked(frames))
-                {
+                for table in first_and_last_asked(runs) {
                     let (id, body) = (View::COSTS, Body::Table(table));
                     costs.widen(&View { id, body }.need());
                 }
@@ -228,6 +222,15 @@ fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
         }
     }
     frame
+}
+
+/// What methods ask on their way stands where their costs come to stand, and is widest in the end. Where they do not say it, their
+/// ends, which take a run each, are not made.
+fn first_and_last_asked(runs: &[&dyn Run]) -> Vec<Table> {
+    let begun = runs.iter().map(|run| run.frame(run.n_steps().min(1)));
+    let first = asked(&begun.collect::<Vec<_>>());
+    let last = first.as_ref().and_then(|_| asked(&ends(runs)));
+    first.into_iter().chain(last).collect()
 }
 
 /// What each asks on its way, where all say it.
