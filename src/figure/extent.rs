@@ -245,10 +245,14 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
 
 /// In ems, with what leads back to its beginning.
 fn list_width(list: &ListColumn) -> f32 {
-    let widest = |values: &mut dyn Iterator<Item = &Value>| values.map(text_width).fold(0.0, f32::max);
+    let widest =
+        |values: &mut dyn Iterator<Item = &Value>| values.map(text_width).fold(0.0, f32::max);
     let name = widest(&mut list.entries.iter().map(|entry| &entry.name));
     let details = (0..list.columns.len()).map(|nth| {
-        let details = list.entries.iter().filter_map(|entry| entry.details.get(nth));
+        let details = list
+            .entries
+            .iter()
+            .filter_map(|entry| entry.details.get(nth));
         0.8 + widest(&mut details.flatten())
     });
     let has_markers = list.entries.iter().any(|entry| entry.marker.is_some());
