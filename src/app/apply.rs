@@ -16,12 +16,16 @@ impl App {
         if command.is_a_first_step() {
             self.greeted();
         }
+        let Some(command) = self.practised(command) else {
+            return;
+        };
         let transport = &mut self.playback.transport;
         match command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
             Command::Phase(by) => self.seek(self.playback.phase(by)),
             Command::Play => transport.toggle(),
+            Command::Practise => self.practise(),
             Command::Speed(speed) => {
                 transport.set_speed(speed);
                 self.settings.speed = speed;

@@ -275,13 +275,18 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
     let Some([now, end]) = costs.get(column).copied() else {
         return;
     };
+    // While it is asked what comes, the bars do not tell what all of it costs.
+    let end = if app.practice.is_asking() { now } else { end };
     // Beside another method, both at this step; alone, with what brute force does in all.
     let methods = app.scene().document().methods();
     let mut others = costs.iter().zip(methods).enumerate();
     let beside = others.find(|(i, _)| *i != column);
     let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
-        let (method, counts) = app.playback.baseline?;
+        let (method, counts) = app
+            .playback
+            .baseline
+            .filter(|_| !app.practice.is_asking())?;
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);

@@ -41,6 +41,7 @@ mod pages;
 mod pen;
 mod platform;
 mod playback;
+mod practice;
 mod prelude;
 mod question;
 #[cfg(not(target_arch = "wasm32"))]
@@ -115,6 +116,7 @@ pub struct App {
     desk: Desk,
     history: History<Scene>,
     playback: Playback,
+    practice: practice::Practice,
     /// The scenes of the open lesson, which are shown alike.
     album: Option<Album>,
     stage: stage_state::StageState,
@@ -192,6 +194,7 @@ impl App {
             },
             settings,
             playback: Playback::record(&scene, 0),
+            practice: practice::Practice::default(),
             album: None,
             stage: stage_state::StageState::new(bookmark.bounds_of(&scene)),
             bookmark,
@@ -305,6 +308,7 @@ impl App {
         if self.playback.is_late && !is_dragging {
             self.playback.rerecord(self.history.now());
         }
+        self.ask_anew();
         self.take_up_lesson();
         let scene = self.history.now();
         let album = self.album.as_ref();
@@ -341,7 +345,11 @@ impl App {
         let focus = keys::Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
         let is_asked = self.shown.dialog.is_some() || self.shown.is_measuring;
         let may = |it: &Command| !is_asked || matches!(it, Command::Cancel | Command::Help);
-        let mut commands = keys::commands(ctx, focus, may);
+        let mut commands = Vec::new();
+        if !is_asked && focus != keys::Focus::Text {
+            commands = practice::keys(self, ctx);
+        }
+        commands.extend(keys::commands(ctx, focus, may));
         if focus == keys::Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }

@@ -183,7 +183,7 @@ impl App {
     /// Has the text of the open step an answer?
     /// Is there nothing that the open step's claim would give away?
     pub(super) fn is_open(&self) -> bool {
-        self.shown.is_answered || !self.has_answer()
+        (self.shown.is_answered || !self.has_answer()) && !self.practice.is_on
     }
 
     pub(super) fn has_answer(&self) -> bool {

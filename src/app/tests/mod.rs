@@ -16,6 +16,7 @@ mod meshes;
 mod pages;
 mod places;
 mod polygons;
+mod practice;
 mod presentation;
 mod text_size;
 mod third_lab;
