@@ -37,6 +37,7 @@ mod step;
 pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
+mod translated;
 
 pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
@@ -45,7 +46,7 @@ pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
-pub use glossary::{Glossary, Word, glossary};
+pub use glossary::{Glossary, Term, Word, glossary};
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline, StepText};
 pub use mesh_file::{
@@ -56,3 +57,4 @@ pub use problem::{Place, Problem, Severity};
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
 pub use step::{CodeView, LessonStep, Stop};
+pub use translated::{TRANSLATED_FILE, translated};

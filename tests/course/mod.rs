@@ -2,6 +2,7 @@
 //! A translation has the references of the English text, and no number besides that the English has not.
 
 mod glossary;
+mod order;
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 

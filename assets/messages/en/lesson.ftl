@@ -101,6 +101,8 @@ problem-empty-section = The step “{ $name }” has a heading but no text.
 problem-long-paragraph = The paragraph has { $count } characters, more than { $limit }.
 problem-unsupported-markdown = This kind of Markdown cannot be used in a lesson.
 problem-stray-emphasis = These asterisks do not make the text bold.
+problem-stale-translation = The English of “{ $name }” has changed since it was translated.
+expect-translated = Translate it anew, then run “clipscope check FOLDER --translated”.
 problem-stray-claim = This claim does not stand under a step's heading.
 expect-claim = Write one paragraph that begins with “=> ” right under the heading “## id: Title”.
 problem-bad-card = This is no card.

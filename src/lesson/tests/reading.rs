@@ -256,3 +256,26 @@ fn a_lesson_that_has_moved_is_found_by_its_name() {
     }
     assert_eq!(course.lesson_index("01-b"), None);
 }
+
+#[test]
+fn a_translation_is_stale_once_its_english_has_changed() {
+    let mut files = lesson(&[]);
+    let langs = [Lang::ZhCn, Lang::Es, Lang::PtBr];
+    let known = translated(TEXT, &langs);
+    files.insert(format!("01-a/{TRANSLATED_FILE}"), known.into());
+    assert_eq!(found(&files), [""; 0]);
+    let changed = TEXT.replace("- two", "- two\n- three");
+    files.insert("01-a/en.md".to_owned(), changed.into());
+    let stale = ["es", "pt-BR", "zh-CN"].map(|lang| format!("{lang}.md:9:1 stale-translation"));
+    assert_eq!(found(&files), stale);
+    // White space is no word.
+    let spaced = TEXT.replace("- two", "-  two\n\n");
+    files.insert("01-a/en.md".to_owned(), spaced.into());
+    assert_eq!(found(&files), [""; 0]);
+    files.insert(format!("01-a/{TRANSLATED_FILE}"), b"[es".to_vec());
+    assert_eq!(
+        found(&files).len(),
+        6,
+        "what cannot be read says of nothing that it is fresh"
+    );
+}
