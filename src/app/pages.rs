@@ -181,6 +181,11 @@ impl App {
     }
 
     /// Has the text of the open step an answer?
+    /// Is there nothing that the open step's claim would give away?
+    pub(super) fn is_open(&self) -> bool {
+        self.shown.is_answered || !self.has_answer()
+    }
+
     pub(super) fn has_answer(&self) -> bool {
         let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());

@@ -31,11 +31,11 @@ const SPACING: Spacing = Spacing {
     is_fixed: true,
 };
 
-/// The step's title, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
+/// The step's title, or what it shows, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
 fn title(app: &App) -> Option<String> {
     let is_whole = app.course_part() == CoursePart::Whole;
     let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
-    let title = app.bookmark.title(app.settings.lang)?;
+    let title = app.bookmark.title(app.settings.lang, app.is_open())?;
     let [lesson, step] = app.bookmark.at;
     let (lesson, step) = (app.bookmark.course.number(lesson), step + 1);
     let title = if app.is_presenting() {

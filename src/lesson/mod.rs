@@ -10,6 +10,7 @@
 //! A mistake never stops the reading: every mistake of every file is a [`Problem`] with its place, and a
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
+mod card;
 mod course;
 #[cfg(not(target_arch = "wasm32"))]
 mod door;
@@ -37,6 +38,7 @@ pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
 
+pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
 pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};

@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = La pregunta
+card-rule = Regla
+card-formula = Fórmula
+card-cost = Coste
+card-pitfall = Cuidado
+card-can = Ahora sabes
 lesson-answer-show = Mostrar la respuesta
 lesson-answer-hide = Ocultar la respuesta
 lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.

@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = A pergunta
+card-rule = Regra
+card-formula = Fórmula
+card-cost = Custo
+card-pitfall = Cuidado
+card-can = Agora você sabe
 lesson-answer-show = Mostrar a resposta
 lesson-answer-hide = Ocultar a resposta
 lesson-changed = Esta é a sua cena. O texto fala da cena da lição.

@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = 问题
+card-rule = 规则
+card-formula = 公式
+card-cost = 代价
+card-pitfall = 注意
+card-can = 你现在会
 lesson-answer-show = 显示答案
 lesson-answer-hide = 隐藏答案
 lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
