@@ -10,8 +10,11 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
+mod facing;
+mod projection_row;
 mod shadow;
 mod similar;
+mod strips;
 
 use std::marker::PhantomData;
 
@@ -19,8 +22,11 @@ use serde::Serialize;
 
 use crate::trace::{Method, Real, Tell, Told};
 
+pub use facing::{Facing, FacingFact, FacingInput};
+pub use projection_row::{ProjectionRow, ProjectionRowFact, ProjectionRowInput};
 pub use shadow::{Shadow, ShadowFact, ShadowInput};
 pub use similar::{Similar, SimilarFact, SimilarInput};
+pub use strips::{Strips, StripsFact};
 
 /// Where a formula comes from.
 pub trait Proof: Sized + 'static {
@@ -49,8 +55,8 @@ pub struct Why<P>(PhantomData<P>);
 /// A fact, and its number.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Shown<F> {
-    /// What it is the number of.
-    #[serde(rename = "event")]
+    /// What it is the number of; as JSON it is the event.
+    #[serde(flatten)]
     pub fact: F,
     /// In the scene.
     pub number: f64,

@@ -29,7 +29,7 @@ pub struct ShadowInput {
 
 /// What is shown, in order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(tag = "event", rename_all = "kebab-case")]
 pub enum ShadowFact {
     /// The shadow of the step along x; none where n has no such component, and so of y and z.
     X,

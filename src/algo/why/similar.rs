@@ -27,7 +27,7 @@ pub struct SimilarInput {
 
 /// What is shown, in order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(tag = "event", rename_all = "kebab-case")]
 pub enum SimilarFact {
     /// n·P₁ + D
     D1,

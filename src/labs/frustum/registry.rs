@@ -15,7 +15,7 @@ use crate::{
                 MissesEdge,
             },
         },
-        why::{Shadow, Similar, Why},
+        why::{Facing, ProjectionRow, Shadow, Similar, Why},
     },
     geom::{Orbit, Solid},
     labs::{
@@ -67,7 +67,7 @@ where
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodEntry<MethodInfo>; 30] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 32] = [
     told::<PointPlanes>(),
     told::<SphereCull>(),
     told::<BoxCull>(),
@@ -86,6 +86,8 @@ pub static METHODS: [MethodEntry<MethodInfo>; 30] = [
     told::<LineToPixels>(),
     told::<Why<Shadow>>(),
     told::<Why<Similar>>(),
+    told::<Why<ProjectionRow>>(),
+    told::<Why<Facing>>(),
     wrong::<Funnel<OneAngle>, Funnel>(),
     wrong::<Funnel<TurnsSign>, Funnel>(),
     wrong::<Funnel<AroundOrigin>, Funnel>(),
