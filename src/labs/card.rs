@@ -12,6 +12,8 @@ pub struct MethodCard {
     pub code: &'static [CodeLine],
     /// Is it wrong on purpose, to be compared with the right one?
     pub is_faulty: bool,
+    /// Does it show where a formula comes from, and answers nothing?
+    pub is_proof: bool,
 }
 
 impl MethodCard {

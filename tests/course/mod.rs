@@ -68,6 +68,9 @@ fn sections(text: &str) -> BTreeMap<&str, String> {
     for line in text.lines() {
         if line.starts_with("```") {
             is_code = !is_code;
+        } else if line == "## card" {
+            // It speaks of the method, and not of a scene: it has no numbers of a run.
+            open = None;
         } else if let Some(heading) = line.strip_prefix("## ") {
             let (id, title) = heading.split_once([':', '：']).expect("a heading");
             open = Some(id.trim());

@@ -15,8 +15,8 @@ fn said(blocks: &[Block], all: &mut Vec<String>) {
         match block {
             Block::Paragraph(text) | Block::ListItem { text, .. } => {
                 let text: String = text.iter().map(|part| &*part.text).collect();
-                let sentences = text.split_inclusive(['.', '?', '!', ':']);
                 // A dot between digits ends nothing, but then no term stands in either half.
+                let sentences = text.split_inclusive(['.', '?', '!']);
                 all.extend(sentences.map(str::to_owned));
             }
             Block::Answer(inner) => said(inner, all),
