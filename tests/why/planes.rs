@@ -51,7 +51,8 @@ proptest! {
     /// The ring on the segment and the plane's tick on the ruler divide both alike, and the clipper cuts there, too.
     #[test]
     fn the_plane_divides_segment_and_ruler_alike(plane in planes(), ends in [places(), places()]) {
-        let number = shown::<Similar>(&SimilarInput { plane, ends });
+        let input = SimilarInput { plane, ends };
+        let number = shown::<Similar>(&input);
         let [d1, d2] = [SimilarFact::D1, SimilarFact::D2].map(|fact| number(fact).expect("shown"));
         let Some(t) = number(SimilarFact::T) else {
             prop_assert_eq!(d1, d2);
