@@ -105,7 +105,7 @@ watch-object = 物体
 
 ## A bounding box
 
-box-opening = 包住全部顶点的盒子代表物体：{ $planes } 个平面，每个测八个角。
+box-opening = 包住全部顶点的盒子代表物体：{ $planes } 个平面，每个平面测试八个角。
 box-inside = 八个角都在{ $plane }平面内侧（外侧 { $outside } 个）。
 box-straddles = 8 个角中有 { $outside } 个在{ $plane }平面外侧：跨界。
 box-outside = 全部 { $outside } 个角都在{ $plane }平面外侧：整个物体剔除。
@@ -192,7 +192,7 @@ words-funnel-draw = 每一层都去掉了自己能判定的部分。
 
 ## Mistakes
 
-faulty-one-angle-differs = 从第 { $step } 步起出现差别：把上下方向的视场角也用作左右方向的视场角。
+faulty-one-angle-differs = 从第 { $step } 步起出现差别：左右方向也用了上下方向的视场角。
 faulty-turned-sign-differs = 从第 { $step } 步起出现差别：把平面的内侧当成了外侧。
 faulty-around-origin-differs = 从第 { $step } 步起出现差别：包围球的球心取在模型原点，而不是质心。
 faulty-winding-differs = 从第 { $step } 步起出现差别：把顶点顺序当作顺时针，于是法向量指向内部。

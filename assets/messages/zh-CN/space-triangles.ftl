@@ -131,7 +131,7 @@ words-ht-fan = 剩下的部分 w ≥ near > 0，可以除以 w。
 faulty-missed-edge-differs = 从第 { $step } 步起出现差别：d₀ = 0 时两个乘积都不为负，三角形被原样保留。
 faulty-on-plane-differs = 从第 { $step } 步起出现差别：平面上的顶点被当作外侧的顶点。
 faulty-kept-uv-differs = 从第 { $step } 步起出现差别：交点沿用了外侧顶点的 (u, v)。
-faulty-edge-by-edge-differs = 从第 { $step } 步起出现差别：三条边各自裁剪，没有作为同一个轮廓的一部分。
+faulty-edge-by-edge-differs = 从第 { $step } 步起出现差别：三条边各自裁剪，而不是作为一个轮廓。
 faulty-all-sides-differs = 从第 { $step } 步起出现差别：检验了区域码没有涉及的面，而这个面什么也没切。
 faulty-divided-triangle-differs = 从第 { $step } 步起出现差别：还没裁剪，w < 0 的顶点就除以了 w。
 code-faulty-missed-edge = 若 d₀·d₁ < 0 或 d₀·d₂ < 0：切
