@@ -129,7 +129,7 @@ help-step-ten = 一次十步
 help-phase = 上一阶段或下一阶段
 help-ends = 第一步或最后一步
 help-play = 播放或暂停
-help-reset = 重置本步的场景；自由场景则回到第一步并适配视图
+help-reset = 重置本步的场景；自由场景则回到第一步并适应视图
 help-lesson-step = 课程上一步或下一步
 help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 
