@@ -63,7 +63,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let look = app.look_at_step();
-    let headings: Vec<String> = methods.iter().map(|it| look.say(it.name_key)).collect();
+    let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
         look,
         spacing: &SPACING,
@@ -297,7 +297,7 @@ impl Column<'_> {
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
-        let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
+        let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
         let shown = Canvas {
