@@ -292,7 +292,12 @@ impl Column<'_> {
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),
-            None => state.marks(self.index, (&app.history, &app.playback), frame),
+            None => state.marks(
+                self.index,
+                (app.scene(), app.stage_revision()),
+                &app.playback,
+                frame,
+            ),
         };
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
@@ -375,7 +380,12 @@ fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) {
             if app.history.can_undo() {
                 way(ui, look.say("action-undo"), Command::Undo);
             }
-            for card in state.ways_out(app.scene(), app.history.revision()) {
+            let ways = state.ways_out(app.scene(), app.stage_revision());
+            if let Some((key, change)) = &ways.mended {
+                let edit = Edit::Own(change.clone());
+                way(ui, look.say(key), Command::Edit(edit, None));
+            }
+            for card in &ways.methods {
                 let edit = Edit::Method(card.id);
                 way(ui, look.say(card.name_key), Command::Edit(edit, None));
             }

@@ -226,6 +226,19 @@ again = { $what } otra vez
 is-missing = falta { $what }
 refused = rechazado
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
+recording-triangles = Se registra { $method } con { $count ->
+        [one] { $count } triángulo
+       *[other] { $count } triángulos
+    }…
+recording-vertices = Se registra { $method } con { $count ->
+        [one] { $count } vértice
+       *[other] { $count } vértices
+    }…
+recording-segments = Se registra { $method } con { $count ->
+        [one] { $count } segmento
+       *[other] { $count } segmentos
+    }…
+recording-stop = Detener (Esc)
 
 ## Vistas junto al dibujo
 

@@ -226,6 +226,19 @@ again = { $what } de novo
 is-missing = falta { $what }
 refused = recusado
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
+recording-triangles = { $method } está sendo registrado com { $count ->
+        [one] { $count } triângulo
+       *[other] { $count } triângulos
+    }…
+recording-vertices = { $method } está sendo registrado com { $count ->
+        [one] { $count } vértice
+       *[other] { $count } vértices
+    }…
+recording-segments = { $method } está sendo registrado com { $count ->
+        [one] { $count } segmento
+       *[other] { $count } segmentos
+    }…
+recording-stop = Parar (Esc)
 
 ## Vistas ao lado do desenho
 

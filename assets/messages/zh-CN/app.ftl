@@ -214,6 +214,10 @@ again = { $what } 重复
 is-missing = 缺 { $what }
 refused = 不接受
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。
+recording-triangles = 正在记录 { $method } 在 { $count } 个三角形上的运行……
+recording-vertices = 正在记录 { $method } 在 { $count } 个顶点上的运行……
+recording-segments = 正在记录 { $method } 在 { $count } 条线段上的运行……
+recording-stop = 停止（Esc）
 
 ## 图旁的视图
 

@@ -21,6 +21,7 @@ refused-degenerate = 没有可裁剪的内容：{ $part }的面积为零。
 action-draw-subject = 绘制多边形
 action-draw-clip = 绘制裁剪多边形
 action-draw-hole = 绘制内孔
+action-no-hole = 删除这个内孔
 action-no-holes = 删除所有内孔
 draw-subject = 单击放置新多边形的顶点 { $number }；Backspace 撤回一个，Esc 取消。
 draw-clip = 单击放置新裁剪多边形的顶点 { $number }；Backspace 撤回一个，Esc 取消。
