@@ -112,3 +112,90 @@ why-code-bar = para cada otra cara: la misma barra
 why-words-bar = Vista de canto, cada cara es una barra.
 why-code-front = frente ⇔ altura > 0 ⇔ n·e > 0
 why-words-front = El signo solo ya dice de qué lado está el ojo.
+why-depth = profundidad
+
+## La normal de un lado
+
+why-quarter-turn = Por qué: la normal de un plano lateral
+why-mirrored = n del plano izquierdo
+why-turn-opening = Visto desde arriba, el plano derecho es una recta por el ojo. Se busca su normal, y luego la distancia de P.
+why-turn-tangent = Por cada unidad hacia delante el plano se aparta esto hacia el lado: la tangente de la mitad del ángulo de visión, α.
+why-turn-across = Una unidad a lo largo del plano avanza esto de través: el seno de α.
+why-turn-ahead = La misma unidad avanza esto hacia delante: el coseno de α.
+why-turn-turned-across = El triángulo gira 90° hacia dentro. El cateto que iba hacia delante va ahora de través, a la izquierda.
+why-turn-turned-ahead = El cateto que iba de través va ahora hacia delante. Hacia delante es −z, así que la normal es (−cos α, 0, −sin α).
+why-turn-distance = La longitud de n sigue siendo 1, así que n·P es la distancia de P al plano derecho.
+why-code-tangent = tan α ← aspecto · tan (ángulo / 2)
+why-words-tangent = La mitad del ángulo de visión dice cuánto se abre el plano.
+why-code-unit = una unidad a lo largo del plano: (sin α, cos α)
+why-words-unit = Una unidad tiene dos catetos, de través y hacia delante.
+why-code-turn = girada 90°: (−cos α, sin α)
+why-words-turn = Los catetos cambian de lugar, y uno cambia de signo.
+why-code-check = d ← n·P + D
+why-words-check = Un giro conserva las longitudes, así que n mide 1.
+
+## Una valla
+
+why-view-screen = En la pantalla: postes de altura 1
+why-fence = Por qué: 1 / profundidad es lineal
+why-fence-opening = A lo largo de una arista de la escena hay una valla de postes de altura 1. ¿Dónde la encuentran pasos iguales en la pantalla?
+why-fence-nothing = Una cámara en perspectiva no ve ninguna arista de lado: no hay valla que dividir en { $steps } pasos.
+why-fence-first = El primer poste está a profundidad { $depth }.
+why-fence-last = El último poste está a profundidad { $depth }.
+why-fence-post = El paso { $post } en la pantalla es tan ancho como los demás; su línea de visión encuentra la valla a profundidad { $depth }, tras { $before }.
+why-fence-height = En la pantalla un poste de altura 1 mide 1 / profundidad.
+why-fence-drop = El borde superior de la valla es recto en el espacio, así que también lo es en la pantalla, del primer poste al último.
+why-fence-step = Bajo una recta, pasos iguales quitan cantidades iguales: cada paso en la pantalla quita esto de 1 / profundidad.
+why-code-ends = profundidad del primer y del último poste
+why-words-ends = La valla está entre dos vértices.
+why-code-posts = para cada paso igual en la pantalla: profundidad de la valla
+why-words-posts = Pasos iguales en la pantalla son pasos desiguales en la valla.
+why-code-post = altura en la pantalla ← 1 / profundidad
+why-words-post = Lo que está al doble de profundidad se ve la mitad de alto.
+why-code-top = borde recto: 1 / profundidad cambia de manera uniforme
+why-words-top = Una recta se ve recta.
+
+## El e de Bresenham
+
+why-error-term = Por qué: el e de Bresenham
+why-view-columns = Las primeras columnas, ampliadas
+why-column = columna
+why-line = recta
+why-midpoint = punto medio
+why-error-opening = En cada columna la recta se aparta b / a de píxel; el punto medio entre dos píxeles está a 1/2. ¿Qué queda más lejos?
+why-error-parts = Mide ambos con una misma regla que tiene 2a partes por píxel.
+why-error-one-pixel = La recta empieza y acaba en el mismo píxel: no hay nada que elegir.
+why-error-line = Entonces la recta se aparta un número entero de partes en cada columna.
+why-error-midpoint = El punto medio también está a un número entero de partes.
+why-error-beyond = Columna { $column }: la recta pasa del punto medio, así que se toma el píxel de al lado, y el punto medio avanza un píxel.
+why-error-short = Columna { $column }: la recta no pasa del punto medio, así que se toma el píxel de enfrente.
+why-code-parts = un píxel = 2a partes
+why-words-parts = Divide cada píxel tan fino que no queden fracciones.
+why-code-both-whole = recta: 2b en cada columna;  punto medio: a
+why-words-both-whole = Ambos son entonces números enteros.
+why-code-columns = para cada columna:
+why-words-columns = Ve de columna en columna.
+why-code-error = e ← recta − punto medio
+why-words-error = El signo de e dice de qué lado del punto medio está la recta.
+
+## Cruza una vez
+
+why-view-sight = Distancia al plano a lo largo de dos líneas de visión
+why-crosses-once = Por qué: el lado lejano no oculta nada
+why-bend = tendría que doblarse
+why-once = una vez
+why-once-opening = ¿Puede algo del lado lejano del plano de un triángulo ocultar algo del lado del ojo?
+why-once-no-sides = El ojo está en el plano de { $plane }: ningún lado es el del ojo.
+why-once-eye = El ojo está a un lado del plano de { $plane }, a esta distancia.
+why-once-own = Q, el centro de { $own }, está del mismo lado.
+why-once-least = En el camino a Q la distancia cambia de manera uniforme y nunca es 0: lo que oculta Q está del lado del ojo de { $plane }.
+why-once-other = R, el centro de { $other }, está del otro lado.
+why-once-crossing = En el camino a R la distancia es 0 una vez: antes de ese lugar puede ocultar R el lado cercano; después, el lejano.
+why-code-eye = E: d(E) > 0
+why-words-eye = El lado del ojo es el positivo.
+why-code-own = d(Q) > 0: d > 0 en todo el camino
+why-words-own = Entre dos valores positivos no hay ningún 0 en una recta.
+why-code-other = d(R) < 0: d = 0 una vez
+why-words-other = Una recta encuentra un plano una sola vez.
+why-code-order = dibujar: lado lejano, el triángulo, lado del ojo
+why-words-order = Lo que queda oculto se dibuja primero.

@@ -112,3 +112,90 @@ why-code-bar = para cada outra face: a mesma barra
 why-words-bar = Vista de perfil, cada face é uma barra.
 why-code-front = frente ⇔ altura > 0 ⇔ n·e > 0
 why-words-front = O sinal sozinho já diz de que lado está o olho.
+why-depth = profundidade
+
+## A normal de um lado
+
+why-quarter-turn = Por quê: a normal de um plano lateral
+why-mirrored = n do plano esquerdo
+why-turn-opening = Visto de cima, o plano direito é uma reta pelo olho. Procura-se a sua normal e depois a distância de P.
+why-turn-tangent = A cada unidade para a frente o plano se afasta isto para o lado: a tangente da metade do ângulo de visão, α.
+why-turn-across = Uma unidade ao longo do plano avança isto de través: o seno de α.
+why-turn-ahead = A mesma unidade avança isto para a frente: o cosseno de α.
+why-turn-turned-across = O triângulo gira 90° para dentro. O cateto que ia para a frente agora vai de través, para a esquerda.
+why-turn-turned-ahead = O cateto que ia de través agora vai para a frente. Para a frente é −z, então a normal é (−cos α, 0, −sin α).
+why-turn-distance = O comprimento de n continua 1, então n·P é a distância de P ao plano direito.
+why-code-tangent = tan α ← aspecto · tan (ângulo / 2)
+why-words-tangent = A metade do ângulo de visão diz quanto o plano se abre.
+why-code-unit = uma unidade ao longo do plano: (sin α, cos α)
+why-words-unit = Uma unidade tem dois catetos, de través e para a frente.
+why-code-turn = girada 90°: (−cos α, sin α)
+why-words-turn = Os catetos trocam de lugar, e um troca de sinal.
+why-code-check = d ← n·P + D
+why-words-check = Um giro conserva os comprimentos, então n mede 1.
+
+## Uma cerca
+
+why-view-screen = Na tela: postes de altura 1
+why-fence = Por quê: 1 / profundidade é linear
+why-fence-opening = Ao longo de uma aresta da cena há uma cerca de postes de altura 1. Onde passos iguais na tela a encontram?
+why-fence-nothing = Uma câmera em perspectiva não vê nenhuma aresta de lado: não há cerca para dividir em { $steps } passos.
+why-fence-first = O primeiro poste está à profundidade { $depth }.
+why-fence-last = O último poste está à profundidade { $depth }.
+why-fence-post = O passo { $post } na tela é tão largo quanto os outros; a sua linha de visão encontra a cerca à profundidade { $depth }, depois de { $before }.
+why-fence-height = Na tela um poste de altura 1 mede 1 / profundidade.
+why-fence-drop = O alto da cerca é reto no espaço, então também é reto na tela, do primeiro poste ao último.
+why-fence-step = Sob uma reta, passos iguais tiram quantidades iguais: cada passo na tela tira isto de 1 / profundidade.
+why-code-ends = profundidade do primeiro e do último poste
+why-words-ends = A cerca está entre dois vértices.
+why-code-posts = para cada passo igual na tela: profundidade da cerca
+why-words-posts = Passos iguais na tela são passos desiguais na cerca.
+why-code-post = altura na tela ← 1 / profundidade
+why-words-post = O que está ao dobro da profundidade parece ter metade da altura.
+why-code-top = alto reto: 1 / profundidade muda de modo uniforme
+why-words-top = Uma reta parece reta.
+
+## O e de Bresenham
+
+why-error-term = Por quê: o e de Bresenham
+why-view-columns = As primeiras colunas, ampliadas
+why-column = coluna
+why-line = reta
+why-midpoint = ponto médio
+why-error-opening = Em cada coluna a reta se afasta b / a de pixel; o ponto médio entre dois pixels está a 1/2. O que fica mais longe?
+why-error-parts = Meça os dois com uma mesma régua que tem 2a partes por pixel.
+why-error-one-pixel = A reta começa e acaba no mesmo pixel: não há nada para escolher.
+why-error-line = Então a reta se afasta um número inteiro de partes em cada coluna.
+why-error-midpoint = O ponto médio também está a um número inteiro de partes.
+why-error-beyond = Coluna { $column }: a reta passa do ponto médio, então se toma o pixel ao lado, e o ponto médio avança um pixel.
+why-error-short = Coluna { $column }: a reta não passa do ponto médio, então se toma o pixel em frente.
+why-code-parts = um pixel = 2a partes
+why-words-parts = Divida cada pixel tão fino que não sobrem frações.
+why-code-both-whole = reta: 2b em cada coluna;  ponto médio: a
+why-words-both-whole = Os dois são então números inteiros.
+why-code-columns = para cada coluna:
+why-words-columns = Vá de coluna em coluna.
+why-code-error = e ← reta − ponto médio
+why-words-error = O sinal de e diz de que lado do ponto médio a reta está.
+
+## Cruza uma vez
+
+why-view-sight = Distância ao plano ao longo de duas linhas de visão
+why-crosses-once = Por quê: o lado distante não esconde nada
+why-bend = teria de se dobrar
+why-once = uma vez
+why-once-opening = Algo do lado distante do plano de um triângulo pode esconder algo do lado do olho?
+why-once-no-sides = O olho está no plano de { $plane }: nenhum lado é o do olho.
+why-once-eye = O olho está de um lado do plano de { $plane }, a esta distância.
+why-once-own = Q, o centro de { $own }, está do mesmo lado.
+why-once-least = No caminho até Q a distância muda de modo uniforme e nunca é 0: o que esconde Q está do lado do olho de { $plane }.
+why-once-other = R, o centro de { $other }, está do outro lado.
+why-once-crossing = No caminho até R a distância é 0 uma vez: antes desse lugar o lado próximo pode esconder R; depois, o distante.
+why-code-eye = E: d(E) > 0
+why-words-eye = O lado do olho é o positivo.
+why-code-own = d(Q) > 0: d > 0 no caminho todo
+why-words-own = Entre dois valores positivos não há nenhum 0 em uma reta.
+why-code-other = d(R) < 0: d = 0 uma vez
+why-words-other = Uma reta encontra um plano uma só vez.
+why-code-order = desenhar: lado distante, o triângulo, lado do olho
+why-words-order = O que fica escondido é desenhado primeiro.

@@ -112,3 +112,90 @@ why-code-bar = 对其他每个面：同一条横杆
 why-words-bar = 从侧边看，每个面都是一条横杆。
 why-code-front = 正面 ⇔ 高度 > 0 ⇔ n·e > 0
 why-words-front = 单看符号就知道眼睛在哪一侧。
+why-depth = 深度
+
+## 侧平面的法向量
+
+why-quarter-turn = 为什么：侧平面的法向量
+why-mirrored = 左平面的 n
+why-turn-opening = 从上面看，右平面是一条经过眼睛的直线。要求它的法向量，再求 P 的距离。
+why-turn-tangent = 每向前一个单位，平面向旁边偏这么多：半视角 α 的正切。
+why-turn-across = 沿平面走一个单位，横向走这么多：α 的正弦。
+why-turn-ahead = 同样这一个单位，向前走这么多：α 的余弦。
+why-turn-turned-across = 三角形向内转 90°。原来向前的直角边现在横着，指向左边。
+why-turn-turned-ahead = 原来横着的直角边现在向前。向前就是 −z，所以法向量是 (−cos α, 0, −sin α)。
+why-turn-distance = n 的长度仍是 1，所以 n·P 就是 P 到右平面的距离。
+why-code-tangent = tan α ← 宽高比 · tan (视角 / 2)
+why-words-tangent = 半视角说明平面张开多大。
+why-code-unit = 沿平面一个单位：(sin α, cos α)
+why-words-unit = 一个单位有两条直角边，横向和向前。
+why-code-turn = 转 90°：(−cos α, sin α)
+why-words-turn = 两条直角边互换位置，其中一条变号。
+why-code-check = d ← n·P + D
+why-words-check = 旋转不改变长度，所以 n 的长度是 1。
+
+## 栅栏
+
+why-view-screen = 在屏幕上：高为 1 的桩
+why-fence = 为什么：1 / 深度是线性的
+why-fence-opening = 沿场景的一条边立着一排高为 1 的桩。屏幕上相等的各步落在栅栏的哪里？
+why-fence-nothing = 透视相机从侧面看不到任何边：没有可以分成 { $steps } 步的栅栏。
+why-fence-first = 第一根桩的深度是 { $depth }。
+why-fence-last = 最后一根桩的深度是 { $depth }。
+why-fence-post = 屏幕上的第 { $post } 步与其他各步一样宽；它的视线在深度 { $depth } 处遇到栅栏，前一根在 { $before }。
+why-fence-height = 在屏幕上，高为 1 的桩高 1 / 深度。
+why-fence-drop = 栅栏的顶边在空间中是直的，所以在屏幕上从第一根桩到最后一根也是直的。
+why-fence-step = 在直线下，相等的步带来相等的变化：屏幕上每一步都从 1 / 深度中减去这么多。
+why-code-ends = 第一根和最后一根桩的深度
+why-words-ends = 栅栏立在两个顶点之间。
+why-code-posts = 对屏幕上相等的每一步：栅栏的深度
+why-words-posts = 屏幕上相等的步，在栅栏上并不相等。
+why-code-post = 屏幕上的高度 ← 1 / 深度
+why-words-post = 深一倍，看起来就矮一半。
+why-code-top = 顶边是直的：1 / 深度均匀变化
+why-words-top = 直线看起来也是直的。
+
+## Bresenham 的 e
+
+why-error-term = 为什么：Bresenham 的 e
+why-view-columns = 最前面几列，放大
+why-column = 列
+why-line = 直线
+why-midpoint = 中点
+why-error-opening = 每过一列，直线偏移 b / a 个像素；两个像素之间的中点偏移 1/2。哪个更远？
+why-error-parts = 用同一把尺量两者，一个像素分成 2a 份。
+why-error-one-pixel = 直线的起点和终点在同一个像素里：没有什么要选。
+why-error-line = 这样，直线每过一列偏移整数份。
+why-error-midpoint = 中点偏移的份数也是整数。
+why-error-beyond = 第 { $column } 列：直线越过了中点，所以取旁边的像素，中点再移一个像素。
+why-error-short = 第 { $column } 列：直线没有越过中点，所以取正前方的像素。
+why-code-parts = 一个像素 = 2a 份
+why-words-parts = 把每个像素分得足够细，使分数消失。
+why-code-both-whole = 直线：每列 2b；中点：a
+why-words-both-whole = 这样两者都是整数。
+why-code-columns = 对每一列：
+why-words-columns = 一列一列地走。
+why-code-error = e ← 直线 − 中点
+why-words-error = e 的符号说明直线在中点的哪一侧。
+
+## 只穿过一次
+
+why-view-sight = 沿两条视线到平面的距离
+why-crosses-once = 为什么：远侧挡不住任何东西
+why-bend = 它就得拐弯
+why-once = 一次
+why-once-opening = 三角形所在平面的远侧，会有东西挡住眼睛这一侧的东西吗？
+why-once-no-sides = 眼睛就在 { $plane } 的平面里：哪一侧都不是眼睛那一侧。
+why-once-eye = 眼睛在 { $plane } 的平面的一侧，距离是这么多。
+why-once-own = Q 是 { $own } 的中心，在同一侧。
+why-once-least = 在去 Q 的路上，距离均匀变化，从不为 0：挡住 Q 的东西一定在 { $plane } 的眼睛这一侧。
+why-once-other = R 是 { $other } 的中心，在另一侧。
+why-once-crossing = 在去 R 的路上，距离有一次为 0：在那之前近侧可能挡住 R，在那之后是远侧。
+why-code-eye = E: d(E) > 0
+why-words-eye = 眼睛那一侧是正的。
+why-code-own = d(Q) > 0：一路上 d > 0
+why-words-own = 直线上两个正值之间没有 0。
+why-code-other = d(R) < 0：d = 0 一次
+why-words-other = 直线与平面只相交一次。
+why-code-order = 绘制：远侧，三角形，眼睛这一侧
+why-words-order = 被挡住的先画。
