@@ -60,22 +60,14 @@ impl<'a, P: Proof> Picture<'a, P> {
 
     /// Under a title that says from where it is seen; the bounds are the same at every step.
     pub fn view(self, title: &'static str, bounds: [[f64; 2]; 2]) -> View {
-        tiles(vec![self.drawing(title)], bounds)
+        let drawings = vec![SmallDrawing::new(Value::Term(title), None, self.marks)];
+        let multiples = Multiples {
+            drawings,
+            bounds,
+            tiles: Tiles::Large,
+        };
+        View::new("why", Body::Multiples(multiples))
     }
-
-    pub fn drawing(self, title: &'static str) -> SmallDrawing {
-        SmallDrawing::new(Value::Term(title), None, self.marks)
-    }
-}
-
-/// Drawings at one scale, as large as they can be.
-pub fn tiles(drawings: Vec<SmallDrawing>, bounds: [[f64; 2]; 2]) -> View {
-    let multiples = Multiples {
-        drawings,
-        bounds,
-        tiles: Tiles::Large,
-    };
-    View::new("why", Body::Multiples(multiples))
 }
 
 pub const fn mark(role: Role, shape: Shape) -> Mark {

@@ -199,3 +199,24 @@ why-code-other = d(R) < 0: d = 0 once
 why-words-other = A straight line meets a plane once.
 why-code-order = draw: far side, the triangle, the eye’s side
 why-words-order = Who is hidden is drawn first.
+
+## A bridge
+
+why-bridge = Why: a bridge has no area
+why-edge = edge
+why-width = width
+why-height = height
+why-strip = strip
+why-bridge-opening = Each edge of the ring sweeps a strip from the left border to itself: added going up, taken away going down.
+why-bridge-up = { $edge } goes up, so its strip is added.
+why-bridge-down = { $edge } goes down, so its strip is taken away.
+why-bridge-none = { $edge } sweeps no strip: it is level, or it lies where the strips begin.
+why-bridge-back = { $edge } runs back over { $other }: a bridge. There the same strip is added once and taken away once.
+why-bridge-area = All strips together leave { $area }: the area of the ring, without any for the bridge.
+why-bridge-elsewhere = If the strips begin at the right border, every strip is another one, and their sum is the same.
+why-code-edges = for each edge of the ring:
+why-words-edges = Walk once round the ring.
+why-code-swept = strip ← width · height
+why-words-swept = An edge that goes down has a negative height.
+why-code-area = area ← sum of the strips
+why-words-area = What is walked there and back cancels.

@@ -199,3 +199,24 @@ why-code-other = d(R) < 0: d = 0 una vez
 why-words-other = Una recta encuentra un plano una sola vez.
 why-code-order = dibujar: lado lejano, el triángulo, lado del ojo
 why-words-order = Lo que queda oculto se dibuja primero.
+
+## Un puente
+
+why-bridge = Por qué: un puente no tiene área
+why-edge = arista
+why-width = ancho
+why-height = alto
+why-strip = franja
+why-bridge-opening = Cada arista del anillo barre una franja desde el borde izquierdo hasta ella: se suma al subir y se resta al bajar.
+why-bridge-up = { $edge } sube, así que su franja se suma.
+why-bridge-down = { $edge } baja, así que su franja se resta.
+why-bridge-none = { $edge } no barre ninguna franja: es horizontal o está donde empiezan las franjas.
+why-bridge-back = { $edge } vuelve por encima de { $other }: es un puente. Allí la misma franja se suma una vez y se resta una vez.
+why-bridge-area = Todas las franjas juntas dejan { $area }: el área del anillo, sin nada para el puente.
+why-bridge-elsewhere = Si las franjas empiezan en el borde derecho, cada una es otra, y la suma es la misma.
+why-code-edges = para cada arista del anillo:
+why-words-edges = Da una vuelta al anillo.
+why-code-swept = franja ← ancho · alto
+why-words-swept = Una arista que baja tiene alto negativo.
+why-code-area = área ← suma de las franjas
+why-words-area = Lo que se recorre de ida y vuelta se anula.

@@ -199,3 +199,24 @@ why-code-other = d(R) < 0: d = 0 uma vez
 why-words-other = Uma reta encontra um plano uma só vez.
 why-code-order = desenhar: lado distante, o triângulo, lado do olho
 why-words-order = O que fica escondido é desenhado primeiro.
+
+## Uma ponte
+
+why-bridge = Por quê: uma ponte não tem área
+why-edge = aresta
+why-width = largura
+why-height = altura
+why-strip = faixa
+why-bridge-opening = Cada aresta do anel varre uma faixa da borda esquerda até ela: soma-se ao subir e tira-se ao descer.
+why-bridge-up = { $edge } sobe, então a sua faixa é somada.
+why-bridge-down = { $edge } desce, então a sua faixa é tirada.
+why-bridge-none = { $edge } não varre faixa nenhuma: é horizontal ou fica onde as faixas começam.
+why-bridge-back = { $edge } volta por cima de { $other }: é uma ponte. Ali a mesma faixa é somada uma vez e tirada uma vez.
+why-bridge-area = Todas as faixas juntas deixam { $area }: a área do anel, sem nada para a ponte.
+why-bridge-elsewhere = Se as faixas começam na borda direita, cada uma é outra, e a soma é a mesma.
+why-code-edges = para cada aresta do anel:
+why-words-edges = Dê uma volta no anel.
+why-code-swept = faixa ← largura · altura
+why-words-swept = Uma aresta que desce tem altura negativa.
+why-code-area = área ← soma das faixas
+why-words-area = O que se percorre de ida e volta se anula.

@@ -199,3 +199,24 @@ why-code-other = d(R) < 0：d = 0 一次
 why-words-other = 直线与平面只相交一次。
 why-code-order = 绘制：远侧，三角形，眼睛这一侧
 why-words-order = 被挡住的先画。
+
+## 桥
+
+why-bridge = 为什么：桥没有面积
+why-edge = 边
+why-width = 宽
+why-height = 高
+why-strip = 条带
+why-bridge-opening = 环的每条边都从左边界扫出一条到自己为止的条带：向上就加，向下就减。
+why-bridge-up = { $edge } 向上，所以加上它的条带。
+why-bridge-down = { $edge } 向下，所以减去它的条带。
+why-bridge-none = { $edge } 没有扫出条带：它是水平的，或者就在条带开始的地方。
+why-bridge-back = { $edge } 沿着 { $other } 走回来：这是桥。在那里，同一条条带加一次又减一次。
+why-bridge-area = 所有条带合起来剩下 { $area }：这就是环的面积，桥不占面积。
+why-bridge-elsewhere = 如果条带从右边界开始，每条条带都不同，而它们的和不变。
+why-code-edges = 对环的每条边：
+why-words-edges = 绕环走一圈。
+why-code-swept = 条带 ← 宽 · 高
+why-words-swept = 向下的边高为负。
+why-code-area = 面积 ← 条带之和
+why-words-area = 走过去又走回来的部分互相抵消。

@@ -45,9 +45,12 @@ impl FenceInput {
     /// Equal steps on the screen.
     pub const STEPS: usize = 5;
 
-    /// A fence between two places, if it can be seen from aside.
+    /// A fence between two places, the nearer one first, if it can be seen from aside.
     #[must_use]
-    pub fn new(ends: [[f64; 2]; 2]) -> Self {
+    pub fn new(mut ends: [[f64; 2]; 2]) -> Self {
+        if ends[1][1] < ends[0][1] {
+            ends.reverse();
+        }
         let [from, to] = ends.map(|[across, ahead]| across / ahead);
         let is_seen = ends.iter().all(|[_, ahead]| *ahead > 0.0) && (to - from).abs() > 1e-9;
         Self {

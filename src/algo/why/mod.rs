@@ -10,6 +10,7 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
+mod bridge;
 mod crosses_once;
 mod error_term;
 mod facing;
@@ -26,6 +27,7 @@ use serde::Serialize;
 
 use crate::trace::{Method, Real, Tell, Told};
 
+pub use bridge::{Bridge, BridgeFact, BridgeInput};
 pub use crosses_once::{CrossesOnce, CrossesOnceFact, CrossesOnceInput};
 pub use error_term::{ErrorTerm, ErrorTermFact, ErrorTermInput};
 pub use facing::{Facing, FacingFact, FacingInput};

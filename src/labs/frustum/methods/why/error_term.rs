@@ -62,9 +62,9 @@ impl Telling for Why<ErrorTerm> {
         midpoint: Shown { fact: Fact::Midpoint, .. } =>
             Row::new(Test, 1, "why-error-midpoint").so(&["2a · {1 / 2}{=midpoint}"]);
         beyond: Shown { fact: Fact::Error { .. }, number } if number > 0.0 =>
-            Row::new(Test, 3, "why-error-beyond").so(&["e = {line of it} − {midpoint of it}{=error} > 0"]);
+            Row::new(Test, 3, "why-error-beyond").so(&["e = {moved} − {middle}{=error} > 0"]);
         short: Shown { fact: Fact::Error { .. }, .. } =>
-            Row::new(Test, 3, "why-error-short").so(&["e = {line of it} − {midpoint of it}{=error} ≤ 0"]);
+            Row::new(Test, 3, "why-error-short").so(&["e = {moved} − {middle}{=error} ≤ 0"]);
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
@@ -80,8 +80,8 @@ impl Telling for Why<ErrorTerm> {
             "1" => 1.0.into(),
             "2" => 2.0.into(),
             "column" => column()?.into(),
-            "line of it" => (2.0 * b * column()? as f64).into(),
-            "midpoint of it" => (2.0 * a * input.rows()[column()? - 1] + a).into(),
+            "moved" => (2.0 * b * column()? as f64).into(),
+            "middle" => (2.0 * a * input.rows()[column()? - 1] + a).into(),
             "error" => event?.number.into(),
             _ => fact(&at.step, &NAMES, name)?.into(),
         })
@@ -108,7 +108,6 @@ impl Telling for Why<ErrorTerm> {
             views.push(scenery.observer(|_| Fate::ToCome, marks));
         }
         views.push(columns(at));
-        views.push(View::new("why-errors", Body::Table(table_of(at))));
         views
     }
 }
@@ -118,10 +117,8 @@ fn columns(at: &At<'_, Why<ErrorTerm>>) -> View {
     let input = at.step.input;
     let ([a, b], rows) = (input.sides(), input.rows());
     let n_drawn = DRAWN.min(rows.len());
-    let lowest = rows[..n_drawn]
-        .iter()
-        .fold(0.0, |low: f64, row| low.max(*row))
-        + 1.0;
+    let taken = rows[..n_drawn].iter();
+    let lowest = taken.fold(1.0, |low: f64, row| low.max(*row));
     let mut given = Vec::new();
     for column in 0..=n_drawn {
         let x = column as f64 - 0.5;
@@ -137,34 +134,45 @@ fn columns(at: &At<'_, Why<ErrorTerm>>) -> View {
     given.extend(pixel(0, 0.0, Role::Accent));
     let mut picture = Picture::new(&at.step, given);
     picture.once(Fact::Line, Role::Ink, |role, line| {
-        let [from, to] = [[1.0, 0.0], [1.0, -slope]];
-        let bar = segment(role, from, to).weighing(Weight::of(4.0));
-        [
-            bar.labelled(line).strong().toward([-1.0, 0.0]),
-            mark(role, Shape::Vertex(from)),
-        ]
+        let bar = segment(role, [1.0, 0.0], [1.0, -slope]).weighing(Weight::of(4.0));
+        let end = mark(role, Shape::Vertex([1.0, -slope]))
+            .labelled(line)
+            .strong();
+        [bar, end.toward([-1.0, -0.5])]
     });
     picture.once(Fact::Midpoint, Role::Ink, |role, midpoint| {
-        let bar = segment(role, [0.6, -0.5], [1.4, -0.5]).weighing(Weight::of(3.0));
-        [bar.labelled(midpoint).toward([1.0, 0.3])]
+        let cap = segment(role, [0.8, -0.5], [1.2, -0.5]).weighing(Weight::of(3.0));
+        let end = mark(Role::Soft, Shape::Label([1.2, -0.5])).labelled(midpoint);
+        [cap, end.toward([1.0, 0.5])]
     });
     for column in 1..n_drawn {
         picture.once(Fact::Error { column }, Role::Soft, |role, error| {
             let x = column as f64;
             let midpoint = -rows[column - 1] - 0.5;
             let line = -slope * x;
-            let cap = segment(role, [x - 0.2, midpoint], [x + 0.2, midpoint]);
+            let cap =
+                segment(role, [x - 0.2, midpoint], [x + 0.2, midpoint]).weighing(Weight::of(3.0));
             let bar = segment(role, [x, midpoint], [x, line]).weighing(Weight::of(5.0));
             let e = sym("e").equals(error);
             let at_foot = mark(role, Shape::Label([x, -lowest - 0.5]))
                 .labelled(e)
                 .strong();
-            let marks = [cap, bar, mark(Role::Ink, Shape::Vertex([x, line]))];
-            let of_line = [at_foot.toward([0.0, -1.0])];
+            let [of_line, of_midpoint] = [2.0 * b * x, 2.0 * a * rows[column - 1] + a];
+            let end = mark(Role::Ink, Shape::Vertex([x, line]))
+                .labelled(of_line)
+                .strong();
+            let beside = mark(Role::Soft, Shape::Label([x + 0.2, midpoint])).labelled(of_midpoint);
+            let marks = [
+                cap,
+                bar,
+                end.toward([-1.0, -0.5]),
+                beside.toward([1.0, 0.5]),
+            ];
+            let foot = [at_foot.toward([0.0, -1.0])];
             let taken = pixel(column, rows[column], Role::Accent);
             marks
                 .into_iter()
-                .chain(of_line)
+                .chain(foot)
                 .chain(taken)
                 .collect::<Vec<_>>()
         });
@@ -184,35 +192,4 @@ fn pixel(column: usize, row: f64, role: Role) -> [Mark; 2] {
         mark(role, Shape::Fill(vec![corners])),
         mark(role, Shape::Dot([x, y])),
     ]
-}
-
-fn table_of(at: &At<'_, Why<ErrorTerm>>) -> Table {
-    let input = at.step.input;
-    let ([a, b], rows) = (input.sides(), input.rows());
-    let row = |column: usize| {
-        let error = at.step.held.get(Fact::Error { column });
-        let is_current = at
-            .step
-            .event()
-            .is_some_and(|it| it.fact == Fact::Error { column });
-        let role = if is_current { Role::Signal } else { Role::Ink };
-        let [line, midpoint] = [2.0 * b * column as f64, 2.0 * a * rows[column - 1] + a];
-        let cell = |number: f64| Cell::new(role, error.map(|_| number));
-        TableRow {
-            name: Value::Count(column),
-            cells: vec![cell(line), cell(midpoint), Cell::new(role, error).strong()],
-            is_current,
-            link: None,
-        }
-    };
-    Table {
-        header: vec![
-            Formula::default().term("why-column"),
-            Formula::default().term("why-line"),
-            Formula::default().term("why-midpoint"),
-            sym("e"),
-        ],
-        rows: (1..rows.len()).map(row).collect(),
-        notes: Vec::new(),
-    }
 }

@@ -6,36 +6,40 @@ use crate::{
     geom::Sight,
     labs::{
         space::{prelude::*, soup::surfaces_on_raster},
-        why::{Picture, fact, mark, segment, tiles},
+        why::{Picture, fact, mark, segment},
     },
 };
 
-/// How large each of the two drawings is.
+/// How large the drawing is.
 const SIZE: [f64; 2] = [1.6, 1.2];
 const BOUNDS: [[f64; 2]; 2] = [[-0.25, -0.3], [SIZE[0] + 0.3, SIZE[1] + 0.2]];
 
 impl SpaceTelling for Why<Fence> {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    /// Of all edges in front of the eye the one along which the depth changes most.
     fn input(scene: &Scene) -> FenceInput {
-        if scene.camera.camera().volume().sight() == Sight::Parallel {
-            return FenceInput::NONE;
-        }
-        let surfaces = surfaces_on_raster(scene);
-        let edges = surfaces
-            .triangles()
-            .iter()
-            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let fences = edges.map(|edge| FenceInput::new(edge.map(|[x, _, z]| [x, -z])));
-        let change = |fence: &FenceInput| {
-            fence
-                .ends()
-                .map_or(-1.0, |[from, to]| (from[1] - to[1]).abs())
-        };
-        let longest = fences.max_by(|a, b| change(a).total_cmp(&change(b)));
-        longest.unwrap_or(FenceInput::NONE)
+        edge(scene).map_or(FenceInput::NONE, |edge| fence(&edge))
     }
+}
+
+/// Across and ahead.
+fn fence(edge: &[[f64; 3]; 2]) -> FenceInput {
+    FenceInput::new(edge.map(|[x, _, z]| [x, -z]))
+}
+
+/// In view space: of all edges that can be seen from aside the one along which the depth changes most.
+fn edge(scene: &Scene) -> Option<[[f64; 3]; 2]> {
+    if scene.camera.camera().volume().sight() == Sight::Parallel {
+        return None;
+    }
+    let surfaces = surfaces_on_raster(scene);
+    let edges = surfaces
+        .triangles()
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let seen = edges.filter(|edge| fence(edge).ends().is_some());
+    let change = |[from, to]: &[[f64; 3]; 2]| (from[2] - to[2]).abs();
+    seen.max_by(|a, b| change(a).total_cmp(&change(b)))
 }
 
 const NAMES: [(&str, Fact); 5] = [
@@ -113,16 +117,43 @@ impl Telling for Why<Fence> {
     fn views(at: &At<'_, Self>) -> Vec<View> {
         let mut views = Vec::new();
         if let Some(scenery) = at.scenery {
-            views.push(scenery.observer(|_| Fate::ToCome, Vec::new()));
+            views.push(scenery.observer(|_| Fate::ToCome, in_space(at, scenery)));
         }
-        let drawings = at.step.input.ends().map(|ends| {
-            let drawn = Drawn { ends };
-            let on_screen = drawn.on_screen(at).drawing("why-view-screen");
-            vec![on_screen, drawn.plan(at).drawing("why-view-above")]
-        });
-        views.extend(drawings.map(|drawings| tiles(drawings, BOUNDS)));
+        let ends = at.step.input.ends();
+        views.extend(ends.map(|ends| Drawn { ends }.on_screen(at)));
         views
     }
+}
+
+/// The fence, and its posts as far as they have been found.
+fn in_space(at: &At<'_, Why<Fence>>, scenery: &Scenery) -> Vec<Mark3> {
+    let camera = scenery.scene().camera.camera();
+    let Some([from, to]) = edge(scenery.scene()) else {
+        return Vec::new();
+    };
+    let [world, far] = [from, to].map(|at| camera.world_from_view(at));
+    let mut marks = vec![Mark3::new(Role::Accent, Shape3::Segment([world, far]))];
+    for post in 0..=FenceInput::STEPS {
+        let Some(depth) = depth_of(at, post) else {
+            continue;
+        };
+        let along = match to[2] - from[2] {
+            0.0 => Drawn::part(post),
+            whole => (-depth - from[2]) / whole,
+        };
+        let foot: [f64; 3] = std::array::from_fn(|i| from[i] + along * (to[i] - from[i]));
+        let ends = [foot, [foot[0], foot[1] + 1.0, foot[2]]].map(|at| camera.world_from_view(at));
+        let is_now = at
+            .step
+            .event()
+            .is_some_and(|shown| shown.fact == fact_of(post));
+        let role = if is_now { Role::Signal } else { Role::Ink };
+        let label = Value::Formula(Formula::decimals().num(depth));
+        let sight = Shape3::Segment([camera.position(), ends[0]]);
+        marks.push(Mark3::new(Role::Soft, sight).fine());
+        marks.push(Mark3::new(role, Shape3::Segment(ends)).labelled(label));
+    }
+    marks
 }
 
 const fn fact_of(post: usize) -> Fact {
@@ -155,7 +186,7 @@ impl Drawn {
     }
 
     /// Posts at equal steps, each 1/depth high, and what each step takes.
-    fn on_screen<'a>(&self, at: &At<'a, Why<Fence>>) -> Picture<'a, Fence> {
+    fn on_screen(&self, at: &At<'_, Why<Fence>>) -> View {
         let [[_, d1], [_, d2]] = self.ends;
         let posts = [0, FenceInput::STEPS];
         let [from, to] = posts.map(|post| self.screen(post, 0.0));
@@ -194,46 +225,6 @@ impl Drawn {
             });
             steps.collect::<Vec<_>>()
         });
-        picture
-    }
-
-    /// In the box of the drawing: the eye at its foot.
-    fn place(&self, [across, ahead]: [f64; 2]) -> [f64; 2] {
-        let [[x1, d1], [x2, d2]] = self.ends;
-        let (low, high) = (x1.min(x2).min(0.0), x1.max(x2).max(0.0));
-        let scale = (SIZE[0] / (high - low)).min(SIZE[1] / d1.max(d2));
-        let middle = 0.5 * (low + high);
-        [0.5 * SIZE[0] + scale * (across - middle), scale * ahead]
-    }
-
-    /// The same fence from above, and the sight lines of equal steps on the screen.
-    fn plan<'a>(&self, at: &At<'a, Why<Fence>>) -> Picture<'a, Fence> {
-        let [from, to] = self.ends;
-        let eye = self.place([0.0, 0.0]);
-        let slopes = self.ends.map(|[across, ahead]| across / ahead);
-        let nearest = from[1].min(to[1]);
-        let screen = slopes.map(|slope| self.place([0.6 * nearest * slope, 0.6 * nearest]));
-        let named = mark(Role::Ink, Shape::Ring(eye)).labelled(Value::Term("w-lens-eye"));
-        let fence = segment(Role::Accent, self.place(from), self.place(to));
-        let given = vec![
-            segment(Role::Soft, screen[0], screen[1]),
-            fence.weighing(Weight::of(4.0)),
-            named.toward([0.0, -1.0]),
-        ];
-        let mut picture = Picture::new(&at.step, given);
-        for post in 0..=FenceInput::STEPS {
-            picture.once(fact_of(post), Role::Ink, |role, depth| {
-                let slope = slopes[0] + Self::part(post) * (slopes[1] - slopes[0]);
-                let (post, tick) = (self.place([slope * depth, depth]), 0.6 * nearest);
-                let label = mark(role, Shape::Dot(post)).labelled(Formula::decimals().num(depth));
-                let sight = segment(Role::Faint, eye, post);
-                [
-                    sight,
-                    mark(role, Shape::Vertex(self.place([slope * tick, tick]))),
-                    label,
-                ]
-            });
-        }
-        picture
+        picture.view("why-view-screen", BOUNDS)
     }
 }
