@@ -60,8 +60,7 @@ impl<'a, P: Proof> Picture<'a, P> {
 
     /// Under a title that says from where it is seen; the bounds are the same at every step.
     pub fn view(self, title: &'static str, bounds: [[f64; 2]; 2]) -> View {
-        let drawing = SmallDrawing::new(Value::Term(title), None, self.marks);
-        let drawings = vec![drawing];
+        let drawings = vec![SmallDrawing::new(Value::Term(title), None, self.marks)];
         let multiples = Multiples {
             drawings,
             bounds,

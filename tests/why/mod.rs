@@ -1,6 +1,8 @@
 //! What stays in a proof by picture, whatever the reader drags.
 
 mod planes;
+mod screens;
+mod window;
 
 use clipscope::{
     algo::why::{Proof, Why},
@@ -8,7 +10,7 @@ use clipscope::{
 };
 
 /// The laws of told runs, and the last number of a fact.
-fn shown<P: Proof>(input: &P::Input) -> impl Fn(P::Fact) -> Option<f64>
+fn shown<P: Proof>(input: &P::Input) -> impl Fn(P::Fact) -> Option<f64> + use<P>
 where
     P::Input: std::fmt::Debug,
     P::Fact: std::fmt::Debug,

@@ -112,3 +112,111 @@ why-code-bar = for each other face: the same bar
 why-words-bar = Seen from its edge every face is a bar.
 why-code-front = front ⇔ height > 0 ⇔ n·e > 0
 why-words-front = The sign alone says on which side the eye is.
+why-depth = depth
+
+## A side's normal
+
+why-quarter-turn = Why: the normal of a side plane
+why-mirrored = n of the left plane
+why-turn-opening = From above, the right plane is a line through the eye. Its normal is to be found, and then the distance of P.
+why-turn-tangent = For each unit ahead the plane goes this far to the side: the tangent of half the angle of view, α.
+why-turn-across = One unit along the plane goes this far across: the sine of α.
+why-turn-ahead = The same unit goes this far ahead: the cosine of α.
+why-turn-turned-across = The triangle turns by 90° to the inside. The leg that went ahead now goes across, to the left.
+why-turn-turned-ahead = The leg that went across now goes ahead. Ahead is −z, so the normal is (−cos α, 0, −sin α).
+why-turn-distance = The length of n is still 1, so n·P is the distance of P from the right plane.
+why-code-tangent = tan α ← aspect · tan (fov / 2)
+why-words-tangent = Half the angle of view says how the plane opens.
+why-code-unit = one unit along the plane: (sin α, cos α)
+why-words-unit = A unit has two legs, across and ahead.
+why-code-turn = turned by 90°: (−cos α, sin α)
+why-words-turn = The legs change places, and one changes its sign.
+why-code-check = d ← n·P + D
+why-words-check = A turn keeps lengths, so n has length 1.
+
+## A fence
+
+why-view-screen = On the screen: posts 1 high
+why-fence = Why: 1 / depth is linear
+why-fence-opening = A fence of posts 1 high stands along an edge of the scene. Where do equal steps on the screen meet it?
+why-fence-nothing = No edge can be seen from aside by a camera in perspective: there is no fence to divide into { $steps } steps.
+why-fence-first = The first post is { $depth } deep.
+why-fence-last = The last post is { $depth } deep.
+why-fence-post = Step { $post } on the screen is as wide as the others; its sight line meets the fence at depth { $depth }, after { $before }.
+why-fence-height = On the screen a post 1 high is 1 / depth high.
+why-fence-drop = The top of the fence is straight in space, so it is straight on the screen, from the first post to the last.
+why-fence-step = Under a straight line equal steps take equal amounts: each step on the screen takes this much from 1 / depth.
+why-code-ends = depth of the first and the last post
+why-words-ends = The fence stands between two vertices.
+why-code-posts = for each equal step on the screen: depth of the fence
+why-words-posts = Equal steps on the screen are unequal steps on the fence.
+why-code-post = height on the screen ← 1 / depth
+why-words-post = What is twice as deep looks half as high.
+why-code-top = a straight top: 1 / depth changes evenly
+why-words-top = A straight line looks straight.
+
+## Bresenham’s e
+
+why-error-term = Why: Bresenham’s e
+why-view-columns = The first columns, large
+why-column = column
+why-line = line
+why-midpoint = midpoint
+why-error-opening = In a column the line moves b / a of a pixel aside; the midpoint between two pixels is 1/2 aside. Which is farther?
+why-error-parts = Measure both with one ruler that has 2a parts to a pixel.
+why-error-one-pixel = The line begins and ends in the same pixel: nothing has to be chosen.
+why-error-line = Then the line moves a whole number of parts in each column.
+why-error-midpoint = The midpoint is a whole number of parts aside, too.
+why-error-beyond = Column { $column }: the line is beyond the midpoint, so the pixel aside is taken, and the midpoint moves on by a pixel.
+why-error-short = Column { $column }: the line is not beyond the midpoint, so the pixel straight ahead is taken.
+why-code-parts = one pixel = 2a parts
+why-words-parts = Divide each pixel so finely that there are no fractions.
+why-code-both-whole = line: 2b in each column;  midpoint: a
+why-words-both-whole = Both are whole numbers then.
+why-code-columns = for each column:
+why-words-columns = Go from column to column.
+why-code-error = e ← line − midpoint
+why-words-error = The sign of e says on which side of the midpoint the line is.
+
+## Crosses once
+
+why-view-sight = Distance from the plane along two lines of sight
+why-crosses-once = Why: the far side hides nothing
+why-bend = it would have to bend
+why-once = once
+why-once-opening = Can anything on the far side of a triangle’s plane hide something on the eye’s side?
+why-once-no-sides = The eye lies in the plane of { $plane }: neither side is the eye’s.
+why-once-eye = The eye is on one side of the plane of { $plane }, at this distance.
+why-once-own = Q, the middle of { $own }, is on the same side.
+why-once-least = On the way to Q the distance changes evenly and is never 0: whatever hides Q is on the eye’s side of { $plane }.
+why-once-other = R, the middle of { $other }, is on the other side.
+why-once-crossing = On the way to R the distance is 0 once: before that place the near side may hide R, after it the far side.
+why-code-eye = E: d(E) > 0
+why-words-eye = The eye’s side is the positive one.
+why-code-own = d(Q) > 0: d > 0 all the way
+why-words-own = Between two positive values there is no 0 on a straight line.
+why-code-other = d(R) < 0: d = 0 once
+why-words-other = A straight line meets a plane once.
+why-code-order = draw: far side, the triangle, the eye’s side
+why-words-order = Who is hidden is drawn first.
+
+## A bridge
+
+why-bridge = Why: a bridge has no area
+why-edge = edge
+why-width = width
+why-height = height
+why-strip = strip
+why-bridge-opening = Each edge of the ring sweeps a strip from the left border to itself: added going up, taken away going down.
+why-bridge-up = { $edge } goes up, so its strip is added.
+why-bridge-down = { $edge } goes down, so its strip is taken away.
+why-bridge-none = { $edge } sweeps no strip: it is level, or it lies where the strips begin.
+why-bridge-back = { $edge } runs back over { $other }: a bridge. There the same strip is added once and taken away once.
+why-bridge-area = All strips together leave { $area }: the area of the ring, without any for the bridge.
+why-bridge-elsewhere = If the strips begin at the right border, every strip is another one, and their sum is the same.
+why-code-edges = for each edge of the ring:
+why-words-edges = Walk once round the ring.
+why-code-swept = strip ← width · height
+why-words-swept = An edge that goes down has a negative height.
+why-code-area = area ← sum of the strips
+why-words-area = What is walked there and back cancels.

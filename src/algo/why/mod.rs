@@ -10,8 +10,13 @@
 //! # Ok::<(), clipscope::geom::SpaceError>(())
 //! ```
 
+mod bridge;
+mod crosses_once;
+mod error_term;
 mod facing;
+mod fence;
 mod projection_row;
+mod quarter_turn;
 mod shadow;
 mod similar;
 mod strips;
@@ -22,8 +27,13 @@ use serde::Serialize;
 
 use crate::trace::{Method, Real, Tell, Told};
 
+pub use bridge::{Bridge, BridgeFact, BridgeInput};
+pub use crosses_once::{CrossesOnce, CrossesOnceFact, CrossesOnceInput};
+pub use error_term::{ErrorTerm, ErrorTermFact, ErrorTermInput};
 pub use facing::{Facing, FacingFact, FacingInput};
+pub use fence::{Fence, FenceFact, FenceInput};
 pub use projection_row::{ProjectionRow, ProjectionRowFact, ProjectionRowInput};
+pub use quarter_turn::{QuarterTurn, QuarterTurnFact, QuarterTurnInput};
 pub use shadow::{Shadow, ShadowFact, ShadowInput};
 pub use similar::{Similar, SimilarFact, SimilarInput};
 pub use strips::{Strips, StripsFact};

@@ -15,7 +15,7 @@ use crate::{
                 MissesEdge,
             },
         },
-        why::{Facing, ProjectionRow, Shadow, Similar, Why},
+        why::{ErrorTerm, Facing, ProjectionRow, QuarterTurn, Shadow, Similar, Why},
     },
     geom::{Orbit, Solid},
     labs::{
@@ -68,7 +68,7 @@ where
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodEntry<MethodInfo>; 32] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 34] = [
     told::<PointPlanes>(),
     told::<SphereCull>(),
     told::<BoxCull>(),
@@ -85,10 +85,12 @@ pub static METHODS: [MethodEntry<MethodInfo>; 32] = [
     told::<Triangle>(),
     told::<ViewingPipeline>(),
     told::<LineToPixels>(),
+    told::<Why<QuarterTurn>>(),
     told::<Why<Shadow>>(),
     told::<Why<Similar>>(),
     told::<Why<ProjectionRow>>(),
     told::<Why<Facing>>(),
+    told::<Why<ErrorTerm>>(),
     wrong::<Funnel<OneAngle>, Funnel>(),
     wrong::<Funnel<TurnsSign>, Funnel>(),
     wrong::<Funnel<AroundOrigin>, Funnel>(),

@@ -2,10 +2,13 @@
 //! line below.
 
 use crate::{
-    algo::polygon::{
-        EarClipping, Pipeline, SutherlandHodgman, TriangulateAndClip,
-        faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, LeavesOpen, WalksClockwise},
-        weiler_atherton::WeilerAtherton,
+    algo::{
+        polygon::{
+            EarClipping, Pipeline, SutherlandHodgman, TriangulateAndClip,
+            faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, LeavesOpen, WalksClockwise},
+            weiler_atherton::WeilerAtherton,
+        },
+        why::{Bridge, Why},
     },
     labs::{Lab, Listed, MethodCard, MethodEntry, window_handles},
 };
@@ -50,12 +53,13 @@ const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
 }
 
 /// Every method, in the order in which they are taught.
-pub static METHODS: [MethodEntry<MethodInfo>; 10] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
     info::<SutherlandHodgman>(),
     info::<Pipeline>(),
     info::<WeilerAtherton>(),
     info::<EarClipping>(),
     info::<TriangulateAndClip>(),
+    info::<Why<Bridge>>(),
     info::<Faulty<DropsOnBorder>>(),
     info::<Faulty<LeavesOpen>>(),
     info::<Faulty<WalksClockwise>>(),

@@ -4,11 +4,15 @@
 use std::sync::Arc;
 
 use crate::{
-    algo::surface::{
-        Bsp, DepthBuffer, Occlusion, Painter, RayCasting,
-        faulty::{
-            ClearsToNear, KeysOnly, NearestKeys, StraightDistance, TurnsComparison, WritesAlways,
+    algo::{
+        surface::{
+            Bsp, DepthBuffer, Occlusion, Painter, RayCasting,
+            faulty::{
+                ClearsToNear, KeysOnly, NearestKeys, StraightDistance, TurnsComparison,
+                WritesAlways,
+            },
         },
+        why::{CrossesOnce, Fence, Why},
     },
     geom::{Mesh, Orbit},
     labs::{
@@ -55,12 +59,14 @@ where
     demo::told::<M, Right>(&SURFACES)
 }
 
-pub static METHODS: [MethodEntry<MethodInfo>; 11] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 13] = [
     told::<DepthBuffer>(),
     told::<RayCasting>(),
     told::<Painter>(),
     told::<Bsp>(),
     told::<Occlusion>(),
+    told::<Why<Fence>>(),
+    told::<Why<CrossesOnce>>(),
     wrong::<DepthBuffer<ClearsToNear>, DepthBuffer>(),
     wrong::<DepthBuffer<TurnsComparison>, DepthBuffer>(),
     wrong::<DepthBuffer<WritesAlways>, DepthBuffer>(),

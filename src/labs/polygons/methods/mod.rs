@@ -19,6 +19,7 @@ mod triangles;
 mod triangulate_and_clip;
 mod variant;
 mod weiler_atherton;
+mod why_bridge;
 
 pub use clip_edge::clip_edge_name;
 pub use sutherland_hodgman::region;

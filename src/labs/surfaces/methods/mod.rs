@@ -11,5 +11,6 @@ mod painter;
 mod planes;
 mod prelude;
 mod ray_casting;
+mod why;
 
 pub use occlusion::with_occluders;

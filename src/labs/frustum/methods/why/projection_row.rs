@@ -156,7 +156,7 @@ impl Plot<'_> {
         let down = [0.0, -up[1]];
         marks.push(mark(Role::Soft, Shape::Arrow([[0.0, 0.0], right])));
         marks.push(mark(Role::Soft, Shape::Arrow([down, up])));
-        let depth = mark(Role::Soft, Shape::Label(right)).labelled(Value::Term("curve-distance"));
+        let depth = mark(Role::Soft, Shape::Label(right)).labelled(Value::Term("why-depth"));
         let height = mark(Role::Soft, Shape::Label(up)).labelled(name("z′"));
         marks.extend([depth.toward([0.0, 1.0]), height.toward([-1.0, 0.0])]);
         marks
