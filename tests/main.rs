@@ -28,6 +28,7 @@ mod space_bytes;
 mod space_exactness;
 mod surface_exactness;
 mod weiler_atherton;
+mod why;
 
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 mod cli_trace;

@@ -16,7 +16,7 @@ use crate::shared::pictures::Pictures;
 const FIGURES: [[&str; 2]; 3] = [
     ["03-outcodes", "outcode-reject"],
     ["14-both-lists", "walk-switch"],
-    ["21-whole-objects-first", "sphere-culled"],
+    ["22-whole-objects-first", "sphere-culled"],
 ];
 
 #[test]

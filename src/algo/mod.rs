@@ -18,3 +18,4 @@ pub mod ring;
 pub mod segment;
 pub mod surface;
 pub mod volume;
+pub mod why;

@@ -17,6 +17,9 @@ impl App {
         if command.is_a_first_step() {
             self.greeted();
         }
+        let Some(command) = self.practised(command) else {
+            return;
+        };
         let transport = &mut self.playback.transport;
         match command {
             Command::Step(by) => transport.step(by),
@@ -26,6 +29,7 @@ impl App {
                 self.playback.transport.seek(step);
             }
             Command::Play => transport.toggle(),
+            Command::Practise => self.practise(),
             Command::Speed(speed) => {
                 transport.set_speed(speed);
                 self.settings.speed = speed;

@@ -143,12 +143,7 @@ fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
 }
 
 fn pickers(app: &App, ui: &mut Ui) {
-    let edit = method_picker(
-        ui,
-        app.look(),
-        app.scene(),
-        app.shown.code == CodeView::Hidden,
-    );
+    let edit = method_picker(ui, app.look(), app.scene(), app.hides_mistakes());
     app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
     menus::compare_is_in_the_bar(ui.ctx(), has_room);
@@ -188,6 +183,7 @@ pub fn transport(app: &App, ui: &mut Ui) {
         ui.add_space(if has_room { 24.0 } else { 0.0 });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if has_room {
+                practise(app, ui);
                 let speed = app.playback.transport.speed();
                 let chosen = speed_menu(ui, app.look(), speed);
                 app.push_all(chosen.map(Command::Speed));
@@ -196,6 +192,15 @@ pub fn transport(app: &App, ui: &mut Ui) {
             number_and_timeline(app, ui);
         });
     });
+}
+
+fn practise(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    let name = look.say("action-practise");
+    let button = ui.selectable_label(app.practice.is_on, look.say("practice"));
+    if button.on_hover_text(name).clicked() {
+        app.push(Command::Practise);
+    }
 }
 
 pub fn small_transport(app: &App, ui: &mut Ui) {
@@ -218,6 +223,7 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
 
 fn hall(app: &App, ui: &mut Ui) {
     let look = app.look();
+    practise(app, ui);
     let leave = Button::new(soft(look, "action-present-leave"));
     if ui.add(leave).clicked() {
         app.push(Command::Present);
@@ -251,10 +257,10 @@ fn buttons(app: &App, ui: &mut Ui) {
 fn number_and_timeline(app: &App, ui: &mut Ui) {
     let transport = &app.playback.transport;
     let steps = [transport.position(), transport.n_steps()];
-    let words = step_text(app.look(), steps);
+    let words = step_told(app, steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
-    let text = if has_words {
+    let text = if has_words || app.practice.is_asking() {
         words.clone()
     } else {
         format!("{step} / {n_steps}")
@@ -264,6 +270,15 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
         ui.add_space(if has_words { 8.0 } else { 0.0 });
         timeline(app, ui);
     }
+}
+
+/// While it is asked what comes, no total tells how much of it there is.
+fn step_told(app: &App, steps: [usize; 2]) -> String {
+    if app.practice.is_asking() {
+        let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
+        return app.look().catalog.message(&message);
+    }
+    step_text(app.look(), steps)
 }
 
 /// `step 4 of 6`.
@@ -276,20 +291,21 @@ pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
 
 fn timeline(app: &App, ui: &mut Ui) {
     let transport = &app.playback.transport;
-    let (look, catalog) = (app.look(), app.look().catalog);
+    let catalog = app.look().catalog;
     let run = app.playback.main();
     let difference = app.playback.difference;
     let note = difference.map(|difference| catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
     let told = match app.shown.code {
+        _ if app.practice.is_asking() => transport.position(),
         CodeView::Full | CodeView::Words => transport.n_steps(),
         CodeView::Hidden => app.playback.reached,
     };
     let note = note.filter(|_| first.is_none_or(|first| first <= told));
     let tip = |step: usize| {
         if step > told {
-            return step_text(look, [step, transport.n_steps()]);
+            return step_told(app, [step, transport.n_steps()]);
         }
         let said = caption_text(catalog, &run.caption(step));
         match &note {

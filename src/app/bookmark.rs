@@ -75,8 +75,15 @@ impl Bookmark {
         )
     }
 
-    pub fn title(&self, lang: Lang) -> Option<&str> {
-        self.lesson()?.title_of(&self.step()?.id, lang)
+    /// The step's title; once its answer is open, or where it asks nothing, what it shows.
+    pub fn title(&self, lang: Lang, is_open: bool) -> Option<&str> {
+        self.step()?;
+        let (lesson, [_, idx]) = (self.lesson()?, self.at);
+        if is_open {
+            lesson.step_claim(idx, lang)
+        } else {
+            lesson.step_title(idx, lang)
+        }
     }
 
     /// Opens a step, where there is one with these indices.
@@ -90,7 +97,7 @@ impl Bookmark {
 
     /// Opens the step with these ids, else the lesson's first, else nothing else than now.
     pub fn open_ids(&mut self, lesson: &str, step: &str) -> bool {
-        let found = self.course.lessons.iter().position(|l| l.id == lesson);
+        let found = self.course.lesson_index(lesson);
         found.is_some_and(|lesson_idx| {
             let step_idx = self.course.lessons[lesson_idx].step_index(step);
             self.open([lesson_idx, step_idx.unwrap_or(0)])

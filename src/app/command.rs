@@ -16,6 +16,12 @@ pub enum Command {
     Seek(usize),
     Phase(isize),
     Play,
+    /// Asks before every decision what comes, or no more.
+    Practise,
+    /// Answers the open question of the practice.
+    Choose(usize),
+    /// Has its answer shown.
+    ShowMe,
     Speed(f32),
     Reset,
     Lesson {
@@ -113,6 +119,7 @@ impl Command {
                 | Self::Phase(_)
                 | Self::Verdict
                 | Self::Play
+                | Self::Practise
                 | Self::Add
                 | Self::Remove
                 | Self::Redo
@@ -175,7 +182,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 51] = [
+pub static BINDINGS: [Binding; 52] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -185,6 +192,7 @@ pub static BINDINGS: [Binding; 51] = [
     (NONE, Key::Home, Command::FIRST, "help-ends"),
     (NONE, Key::End, Command::LAST, "help-ends"),
     (NONE, Key::Space, Command::Play, "help-play"),
+    (NONE, Key::Q, Command::Practise, "action-practise"),
     (NONE, Key::R, Command::Reset, "help-reset"),
     (NONE, Key::PageUp, BACK, "help-lesson-step"),
     (NONE, Key::PageDown, ON, "help-lesson-step"),

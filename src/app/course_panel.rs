@@ -6,7 +6,7 @@ use egui::{
     text::{LayoutJob, TextWrapping},
 };
 
-use crate::widgets::{lesson_text, step_title};
+use crate::widgets::{card, claimed, lesson_text, step_title};
 
 use super::{
     App, Command,
@@ -50,6 +50,9 @@ pub fn show(app: &App, ui: &mut Ui) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 step_title(ui, look, &step.title);
+                if let Some(claim) = step.claim.as_ref().filter(|_| app.is_open()) {
+                    claimed(ui, look, claim);
+                }
                 if !app.is_untouched() {
                     changed(app, ui);
                     ui.set_opacity(ASIDE);
@@ -57,6 +60,10 @@ pub fn show(app: &App, ui: &mut Ui) {
                 let asked = lesson_text(ui, look, id, &step.body, app.shown.is_answered);
                 app.push_all(asked.map(Command::Control));
                 shown_answer(app, ui);
+                let is_last = step_idx + 1 == lesson.steps.len();
+                if let Some(it) = lesson.card(app.settings.lang).filter(|_| is_last) {
+                    card(ui, look, it);
+                }
                 if !lesson.speaks(app.settings.lang) {
                     ui.label(soft(look, "lesson-not-translated").small());
                 }

@@ -228,7 +228,8 @@ impl App {
     }
 
     fn export_of(&self, path: String, figures: Figures) -> Export {
-        let title = self.bookmark.title(figures.lang);
+        let is_shown = self.is_open() && !figures.all;
+        let title = self.bookmark.title(figures.lang, is_shown);
         let [next, last] = self.exported(figures);
         Export {
             path,

@@ -179,7 +179,7 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     let cards = app.scene().document().methods();
     for (i, (card, step)) in cards.into_iter().zip(app.playback.steps()).enumerate() {
         let is_current = i == column;
-        let (name, step) = (look.say(card.name_key), step_text(look, step));
+        let (name, step) = (app.name_of(card), step_text(look, step));
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.label(RichText::new(&step).small().color(look.theme.soft));
@@ -275,17 +275,22 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
     let Some([now, end]) = costs.get(column).copied() else {
         return;
     };
+    // While it is asked what comes, the bars do not tell what all of it costs.
+    let end = if app.practice.is_asking() { now } else { end };
     // Beside another method, both at this step; alone, with what brute force does in all.
     let methods = app.scene().document().methods();
     let mut others = costs.iter().zip(methods).enumerate();
     let beside = others.find(|(i, _)| *i != column);
     let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
-        let (method, counts) = app.playback.baseline?;
+        let (method, counts) = app
+            .playback
+            .baseline
+            .filter(|_| !app.practice.is_asking())?;
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);
-    let name = |method: &MethodCard| look.say(method.name_key);
+    let name = |method: &MethodCard| app.name_of(method);
     let other_name = compared.map(|(.., method)| name(method));
     let other_name = other_name.unwrap_or_default();
     let shown = Cost {

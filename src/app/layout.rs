@@ -3,7 +3,7 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen,
+    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen, practice,
     prelude::*,
     question, recording,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
@@ -30,6 +30,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
             Room::Stage => {
+                practice::show(app, ui);
                 if app.asks_on_stage() {
                     question::show(app, ui);
                 }
@@ -72,7 +73,10 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Bo
     let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
-    question::show(app, ui);
+    practice::show(app, ui);
+    if !app.practice.is_on {
+        question::show(app, ui);
+    }
     notice::show(app, ui);
     if app.shown.controls.are_presented() {
         let frame = Frame::new().fill(app.look().theme.panel);

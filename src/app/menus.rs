@@ -52,6 +52,12 @@ pub fn behind_one_button(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>
             scene(app, ui, panels);
         });
         language_and_theme(app, ui);
+        if ui
+            .selectable_label(app.practice.is_on, look.say("practice"))
+            .clicked()
+        {
+            app.push(Command::Practise);
+        }
         if !transport_has_room(ui.ctx().content_rect().width() - 2.0 * f32::from(BESIDE_TRANSPORT))
         {
             let speed = app.playback.transport.speed();

@@ -43,6 +43,7 @@ mod pages;
 mod pen;
 mod platform;
 mod playback;
+mod practice;
 mod prelude;
 mod question;
 mod recording;
@@ -118,6 +119,7 @@ pub struct App {
     desk: Desk,
     history: History<Scene>,
     playback: Playback,
+    practice: practice::Practice,
     /// What takes the place of the playback once it is recorded.
     pending: Option<recording::Pending>,
     given_up: Option<errand::Errand<found::Found>>,
@@ -198,6 +200,7 @@ impl App {
             },
             settings,
             playback: Playback::record(&scene, 0),
+            practice: practice::Practice::default(),
             pending: None,
             given_up: None,
             album: None,
@@ -318,6 +321,11 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_meshes(now);
         self.pass_time(&ctx, now);
+        let is_dragging = self.history.is_in_gesture();
+        if self.playback.is_late && !is_dragging {
+            self.playback.rerecord(self.history.now());
+        }
+        self.ask_anew();
         self.take_recorded(&ctx);
         self.take_up_lesson();
         let album = self.album.as_ref();
@@ -354,7 +362,11 @@ impl App {
         let focus = keys::Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids);
         let is_asked = self.shown.dialog.is_some() || self.shown.is_measuring;
         let may = |it: &Command| !is_asked || matches!(it, Command::Cancel | Command::Help);
-        let mut commands = keys::commands(ctx, focus, may);
+        let mut commands = Vec::new();
+        if !is_asked && focus != keys::Focus::Text {
+            commands = practice::keys(self, ctx);
+        }
+        commands.extend(keys::commands(ctx, focus, may));
         if focus == keys::Focus::Free && self.shown.dialog.is_none() {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }

@@ -186,6 +186,21 @@ impl App {
     }
 
     /// Has the text of the open step an answer?
+    /// Is there nothing that the open step's claim would give away?
+    pub(super) fn is_open(&self) -> bool {
+        (self.shown.is_answered || !self.has_answer()) && !self.practice.is_on
+    }
+
+    /// The name of a method on the stage; of a mistake, only once it may be told.
+    pub(super) fn name_of(&self, method: &MethodCard) -> String {
+        self.look().say(method.name_asked(self.hides_mistakes()))
+    }
+
+    /// Would the name of a mistake answer what is asked?
+    pub(super) fn hides_mistakes(&self) -> bool {
+        self.shown.code == CodeView::Hidden || (self.bookmark.step().is_some() && !self.is_open())
+    }
+
     pub(super) fn has_answer(&self) -> bool {
         let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());

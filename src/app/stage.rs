@@ -31,11 +31,11 @@ const SPACING: Spacing = Spacing {
     is_fixed: true,
 };
 
-/// The step's title, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
+/// The step's title, or what it shows, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
 fn title(app: &App) -> Option<String> {
     let is_whole = app.course_part() == CoursePart::Whole;
     let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
-    let title = app.bookmark.title(app.settings.lang)?;
+    let title = app.bookmark.title(app.settings.lang, app.is_open())?;
     let [lesson, step] = app.bookmark.at;
     let (lesson, step) = (app.bookmark.course.number(lesson), step + 1);
     let title = if app.is_presenting() {
@@ -63,7 +63,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let look = app.look_at_step();
-    let headings: Vec<String> = methods.iter().map(|it| look.say(it.name_key)).collect();
+    let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
         look,
         spacing: &SPACING,
@@ -302,7 +302,7 @@ impl Column<'_> {
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
-        let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
+        let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
         let shown = Canvas {

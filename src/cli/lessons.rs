@@ -6,9 +6,10 @@ use std::{
 };
 
 use crate::{
+    export::write_whole,
     lesson::{
-        Course, Embedded, Files, Folder, Lesson, Loaded, MAX_SCENE_BYTES, Problem, SceneFile,
-        SceneFormats, Severity, read_file,
+        Course, Embedded, Files, Folder, Lesson, Loaded, MAX_FILE_BYTES, MAX_SCENE_BYTES, Problem,
+        SceneFile, SceneFormats, Severity, TRANSLATED_FILE, read_file, translated,
     },
     text::{Catalog, Diagnostic, Lang, Message, printable},
 };
@@ -160,7 +161,8 @@ Examples:
   clipscope check my-course                every lesson of a folder
   clipscope check scene.toml               a scene file
   clipscope check 05-intervals --names     what its text can refer to
-  clipscope check 05-intervals --filled    its text as it is read";
+  clipscope check 05-intervals --filled    its text as it is read
+  clipscope check my-course --translated   its translations are up to date";
 
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -174,6 +176,9 @@ pub(super) struct Args {
     /// Print what the text of each step can refer to, with its value there
     #[arg(long, conflicts_with = "filled")]
     names: bool,
+    /// Write down, in each lesson's folder, that its translations are made from the English as it is
+    #[arg(long)]
+    translated: bool,
     /// Language of messages, and of the texts that are printed
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     lang: Lang,
@@ -212,7 +217,37 @@ fn names(lessons: &[Lesson], catalog: &Catalog) -> String {
     said.collect()
 }
 
+/// Of each lesson that stands in a folder of its own.
+fn note_translated(names: &[PathBuf]) -> Result<(), Message> {
+    for name in names {
+        let inner = name.read_dir().into_iter().flatten().flatten();
+        let folders = inner.map(|entry| entry.path()).chain([name.clone()]);
+        for folder in folders {
+            let Ok(english) = read_file(&folder.join("en.md"), MAX_FILE_BYTES as u64) else {
+                continue;
+            };
+            let langs = Lang::ALL.into_iter().filter(|lang| *lang != Lang::En);
+            let langs = langs.filter(|lang| folder.join(format!("{lang}.md")).exists());
+            let langs: Vec<Lang> = langs.collect();
+            let written = translated(&String::from_utf8_lossy(&english), &langs);
+            let path = folder.join(TRANSLATED_FILE);
+            write_whole(&path, written.as_bytes()).map_err(|error| {
+                Message::new("error-at")
+                    .with("place", shown(&path))
+                    .with("problem", Diagnostic::from(error))
+            })?;
+        }
+    }
+    Ok(())
+}
+
 pub(super) fn check(args: &Args) -> Outcome {
+    if args.translated
+        && let Err(message) = note_translated(&args.lessons)
+    {
+        say(args.lang, &message);
+        return Outcome::Unusable;
+    }
     let chosen = choose(&args.lessons, Course::check);
     let outcome = chosen.report(args.lang, |_| true);
     let counts = [

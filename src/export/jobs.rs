@@ -87,12 +87,19 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
 }
 
 impl Job<'_> {
-    /// The step's own, unless it may be what is asked.
+    /// What the step's figure shows; of a picture that asks, and of each of all moments, the step's title.
     pub fn title(&self, options: Options) -> Option<&str> {
         let lang = options.lang;
         match self.source {
-            Source::Step(lesson, _) if options.asks => Some(lesson.title(lang)),
-            Source::Step(lesson, step) => lesson.title_of(&step.id, lang),
+            Source::Step(lesson, step) => {
+                let is_shown = !options.asks && options.steps == Steps::Figures;
+                let idx = lesson.step_index(&step.id)?;
+                if is_shown {
+                    lesson.step_claim(idx, lang)
+                } else {
+                    lesson.step_title(idx, lang)
+                }
+            }
             Source::File(_) => None,
         }
     }

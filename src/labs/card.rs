@@ -12,11 +12,22 @@ pub struct MethodCard {
     pub code: &'static [CodeLine],
     /// Is it wrong on purpose, to be compared with the right one?
     pub is_faulty: bool,
+    /// Does it show where a formula comes from, and answers nothing?
+    pub is_proof: bool,
 }
 
 impl MethodCard {
     pub const fn name(&self) -> Value {
         Value::Term(self.name_key)
+    }
+
+    /// The key of its name; while it is asked what is wrong, one that does not tell.
+    pub const fn name_asked(&self, is_asked: bool) -> &'static str {
+        if is_asked && self.is_faulty {
+            "faulty-unnamed"
+        } else {
+            self.name_key
+        }
     }
 }
 

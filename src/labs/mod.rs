@@ -23,6 +23,7 @@ mod split_mix;
 pub mod surfaces;
 pub mod telling;
 mod typed;
+mod why;
 mod window_handles;
 mod words;
 

@@ -34,9 +34,9 @@ impl<I: Listed> Method<I> {
         I::all().iter().map(Self)
     }
 
-    /// But for those that are wrong on purpose.
+    /// But for those that are wrong on purpose, and for proofs.
     pub fn all_right() -> impl Iterator<Item = Self> {
-        Self::all().filter(|method| !method.card().is_faulty)
+        Self::all().filter(|method| !method.card().is_faulty && !method.card().is_proof)
     }
 
     pub fn by_id(id: &str) -> Option<Self> {

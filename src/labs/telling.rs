@@ -55,6 +55,8 @@ pub trait Telling:
     const CODE: &'static [CodeLine];
     /// Of a method that is wrong on purpose: what is said at the first step that the right one does not do.
     const DIFFERS_KEY: Option<&'static str> = None;
+    /// Does it show where a formula comes from, and answers nothing?
+    const IS_PROOF: bool = false;
     const ROWS: &'static [Row];
     const WATCH: &'static [Watched];
 
@@ -115,6 +117,7 @@ impl MethodCard {
             source: M::SOURCE,
             code: M::CODE,
             is_faulty: M::DIFFERS_KEY.is_some(),
+            is_proof: M::IS_PROOF,
         }
     }
 }

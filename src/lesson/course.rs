@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::text::Catalog;
 
 use super::{
+    card::Card,
     markdown::StepText,
     prelude::*,
     reference::{Runs, Scenes, WrittenText},
@@ -52,6 +53,18 @@ impl Lesson {
         Some(written.title(self.steps.get(step_idx)?, &self.scenes, lang))
     }
 
+    /// What a step shows, in a sentence; its title where no claim is written.
+    pub fn step_claim(&self, step_idx: usize, lang: Lang) -> Option<&str> {
+        let (text, lang) = self.written(lang);
+        let written = text.steps.get(step_idx)?;
+        Some(written.claim(self.steps.get(step_idx)?, &self.scenes, lang))
+    }
+
+    /// What is to be kept of the lesson, at its end.
+    pub fn card(&self, lang: Lang) -> Option<&Card> {
+        self.written(lang).0.card.as_ref()
+    }
+
     /// The text in this language, or in English where there is none, as it was written.
     fn written(&self, lang: Lang) -> (&WrittenText, Lang) {
         let own = self.translations.get(&lang);
@@ -83,7 +96,9 @@ impl Lesson {
     }
 
     pub fn step_index(&self, id: &str) -> Option<usize> {
-        self.steps.iter().position(|step| step.id == id)
+        let now = self.steps.iter().position(|step| step.id == id);
+        let was = |step: &LessonStep| step.was.as_deref() == Some(id);
+        now.or_else(|| self.steps.iter().position(was))
     }
 
     pub fn title_of(&self, id: &str, lang: Lang) -> Option<&str> {
@@ -100,6 +115,21 @@ impl Course {
     }
 
     pub fn lesson(&self, id: &str) -> Option<&Lesson> {
-        self.lessons.iter().find(|lesson| lesson.id == id)
+        self.lessons.get(self.lesson_index(id)?)
+    }
+
+    /// A lesson goes by its name: one that has moved in the course is found by the number that it had, too.
+    pub fn lesson_index(&self, id: &str) -> Option<usize> {
+        let mut lessons = self.lessons.iter();
+        let same = lessons.clone().position(|lesson| lesson.id == id);
+        same.or_else(|| lessons.position(|lesson| name_of(&lesson.id) == name_of(id)))
+    }
+}
+
+/// `windows` for `01-windows`.
+fn name_of(id: &str) -> &str {
+    match id.split_once('-') {
+        Some((number, name)) if number.parse::<usize>().is_ok() => name,
+        _ => id,
     }
 }

@@ -19,8 +19,17 @@ pub struct Word {
     pub never: Vec<String>,
 }
 
-/// The terms by their ids, each in every language.
-pub type Glossary = BTreeMap<String, BTreeMap<Lang, Word>>;
+#[derive(PartialEq, Eq, Debug, Deserialize)]
+pub struct Term {
+    /// The step that teaches it, `lesson/step`: none before it says the term.
+    pub taught: String,
+    /// In every language.
+    #[serde(flatten)]
+    pub words: BTreeMap<Lang, Word>,
+}
+
+/// The terms by their ids.
+pub type Glossary = BTreeMap<String, Term>;
 
 /// What is compiled in. A test keeps it complete.
 ///

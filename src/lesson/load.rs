@@ -10,6 +10,7 @@ use super::{
     reference::Runs,
     scene_file::SceneFormats,
     sections,
+    translated::{self, TRANSLATED_FILE},
 };
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -97,6 +98,15 @@ fn load_lesson(
     let body = body.filter(|_| reading.moments == Moments::Now);
     let runs = body.map(|body| Runs::new(&body.scenes));
     let checked = body.zip(runs.as_ref());
+    // A course is looked at with it where it is checked.
+    let translated = body.filter(|_| names.contains(TRANSLATED_FILE));
+    let translated = translated.and_then(|_| {
+        let read = |name| files.read(&format!("{id}/{name}")).ok();
+        Some((
+            read(TRANSLATED_FILE)?,
+            String::from_utf8(read("en.md")?).ok()?,
+        ))
+    });
     let mut texts = BTreeMap::new();
     for name in names.iter().filter(|name| is_text(name)) {
         let path = format!("{id}/{name}");
@@ -111,6 +121,9 @@ fn load_lesson(
                 for (written, step) in text.steps.iter().zip(&body.steps) {
                     written.check(step, runs, sink);
                 }
+            }
+            if let Some((known, english)) = translated.as_ref().filter(|_| lang != Lang::En) {
+                translated::stale(known, english, lang, sink);
             }
             (sink.n_errors() == 0).then_some(text)
         });

@@ -45,7 +45,10 @@ pub struct Inline {
 /// A step's text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct StepText {
+    /// What is asked, or spoken of.
     pub title: String,
+    /// What is shown: the step's finding, in a sentence.
+    pub claim: Option<String>,
     pub body: Vec<Block>,
     /// What the speaker is told.
     pub note: Vec<Block>,
@@ -57,6 +60,8 @@ pub(super) enum TextPart {
         level: usize,
         title: String,
     },
+    /// `=> …`
+    Claim(String),
     Block(Block),
 }
 
@@ -235,8 +240,18 @@ impl Reader<'_> {
     /// Ends a paragraph or the text of an item, where one is open.
     fn end_of_text(&mut self, span: Range<usize>, sink: &Sink<'_>) {
         let is_note = self.take_marks(&span, sink);
-        let text = self.inlines();
+        let mut text = self.inlines();
         if text.is_empty() {
+            return;
+        }
+        if let Some(claim) = text[0].text.strip_prefix(CLAIM) {
+            text[0].text = claim.to_owned();
+            if self.quotes > 0 || !self.lists.is_empty() {
+                stray_claim(span, sink);
+                return;
+            }
+            let claim = text.into_iter().map(|part| part.text).collect();
+            self.parts.push((TextPart::Claim(claim), span));
             return;
         }
         let n_letters: usize = text.iter().map(|part| part.text.chars().count()).sum();
@@ -324,11 +339,19 @@ impl Reader<'_> {
 /// A longer paragraph is no text, and would take seconds to set.
 const MAX_LETTERS: usize = 20_000;
 
+/// Begins the claim under a step's heading.
+const CLAIM: &str = "=> ";
+
 /// Begins each line of a note for the speaker.
 const NOTE: &str = "!> ";
 
 /// Stands for a line break in the file until its neighbours are known.
 const SOFT_BREAK: char = '\u{2028}';
+
+pub(super) fn stray_claim(span: Range<usize>, sink: &Sink<'_>) {
+    let expected = [Message::new("expect-claim")];
+    sink.error(span, Message::new("problem-stray-claim"), expected);
+}
 
 fn unsupported(span: Range<usize>, sink: &Sink<'_>) {
     let expected = [Message::new("expect-markdown")];

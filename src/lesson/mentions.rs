@@ -17,7 +17,7 @@ fn index(lang: Lang) -> &'static Index {
     static INDEX: LazyLock<HashMap<Lang, Index>> = LazyLock::new(|| {
         let of_lang = |lang| {
             let mut index = Index::new();
-            let words = glossary().values().filter_map(|term| term.get(&lang));
+            let words = glossary().values().filter_map(|term| term.words.get(&lang));
             for word in words {
                 for form in &word.forms {
                     let chars: Vec<char> = form.chars().map(lower).collect();

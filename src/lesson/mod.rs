@@ -10,6 +10,7 @@
 //! A mistake never stops the reading: every mistake of every file is a [`Problem`] with its place, and a
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
+mod card;
 mod course;
 #[cfg(not(target_arch = "wasm32"))]
 mod door;
@@ -36,14 +37,16 @@ mod step;
 pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
+mod translated;
 
+pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
 pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
-pub use glossary::{Glossary, Word, glossary};
+pub use glossary::{Glossary, Term, Word, glossary};
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline, StepText};
 pub use mesh_file::{
@@ -54,3 +57,4 @@ pub use problem::{Place, Problem, Severity};
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
 pub use step::{CodeView, LessonStep, Stop};
+pub use translated::{TRANSLATED_FILE, translated};

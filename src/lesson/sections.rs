@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    markdown::{self, Block, StepText, TextPart},
+    card::{self, Card},
+    markdown::{self, Block, StepText, TextPart, stray_claim},
     prelude::*,
     reference::{Braces, WrittenStep, WrittenText},
 };
@@ -12,6 +13,7 @@ use super::{
 struct Section {
     id: String,
     title: String,
+    claim: Option<String>,
     body: Vec<Block>,
     span: Range<usize>,
     /// The places of references in its title and its body.
@@ -37,6 +39,7 @@ pub(super) fn read(
         match part {
             TextPart::Heading { level: 1, title } => file.title(title.trim(), span, sink),
             TextPart::Heading { title, .. } => file.section(&title, span, sink),
+            TextPart::Claim(claim) => file.claim(claim, span, sink),
             TextPart::Block(block) => file.block(block, span, sink),
         }
     }
@@ -53,20 +56,28 @@ pub(super) fn read(
         sink.error(section.span.clone(), message, []);
     }
     let steps = in_order(ids?, file.sections, title_span, sink);
-    (sink.n_errors() == 0).then_some(WrittenText { title, steps })
+    let card = file.card.take().map(|(card, span)| {
+        if !card.is_whole() {
+            bad_card(span, sink);
+        }
+        card
+    });
+    (sink.n_errors() == 0).then_some(WrittenText { title, card, steps })
 }
 
 #[derive(Default)]
 struct Splitter {
     title: Option<(String, Range<usize>)>,
     sections: Vec<Section>,
+    /// It comes last.
+    card: Option<(Card, Range<usize>)>,
     /// Under a heading that could not be read, or in text that was reported already.
     is_lost: bool,
 }
 
 impl Splitter {
     fn title(&mut self, text: &str, span: Range<usize>, sink: &Sink<'_>) {
-        if self.title.is_some() || !self.sections.is_empty() {
+        if self.title.is_some() || !self.sections.is_empty() || self.card.is_some() {
             let message = Message::new("problem-second-title");
             sink.error(span, message, [Message::new("expect-heading")]);
             return;
@@ -78,6 +89,15 @@ impl Splitter {
     }
 
     fn section(&mut self, text: &str, span: Range<usize>, sink: &Sink<'_>) {
+        if self.card.is_some() {
+            bad_card(span, sink);
+            return;
+        }
+        if text.trim() == card::HEADING {
+            self.card = Some((Card::default(), span));
+            self.is_lost = false;
+            return;
+        }
         let heading = heading(text);
         self.is_lost = heading.is_none();
         let Some((id, title)) = heading else {
@@ -88,15 +108,36 @@ impl Splitter {
         self.sections.push(Section {
             id: id.to_owned(),
             title: title.to_owned(),
+            claim: None,
             body: Vec::new(),
             span,
             references: Vec::new(),
         });
     }
 
-    /// Gives each section the references that stand in it; the lesson's title has none.
+    /// It stands under the heading of a step, once, over all else.
+    fn claim(&mut self, claim: String, span: Range<usize>, sink: &Sink<'_>) {
+        if self.is_lost {
+            return;
+        }
+        let section = self.sections.last_mut().filter(|_| self.card.is_none());
+        match section.filter(|it| it.claim.is_none() && it.body.is_empty()) {
+            Some(section) => section.claim = Some(claim),
+            None => stray_claim(span, sink),
+        }
+    }
+
+    /// Gives each section the references that stand in it; the lesson's title and its card have none.
     fn take_references(&mut self, spans: &[Range<usize>], sink: &Sink<'_>) {
+        let card = self
+            .card
+            .as_ref()
+            .map_or(usize::MAX, |(_, span)| span.start);
         for span in spans {
+            if span.start > card {
+                sink.error(span.clone(), Message::new("problem-reference-outside"), []);
+                continue;
+            }
             let begun = |section: &&mut Section| section.span.start <= span.start;
             match self.sections.iter_mut().rfind(begun) {
                 Some(section) => section.references.push(span.clone()),
@@ -109,7 +150,11 @@ impl Splitter {
         if self.is_lost {
             return;
         }
-        if let Some(section) = self.sections.last_mut() {
+        if let Some((card, _)) = &mut self.card {
+            if card.take(block).is_none() {
+                bad_card(span, sink);
+            }
+        } else if let Some(section) = self.sections.last_mut() {
             section.body.push(block);
         } else if self.title.is_some() {
             self.is_lost = true;
@@ -117,6 +162,11 @@ impl Splitter {
             sink.error(span, message, [Message::new("expect-heading")]);
         }
     }
+}
+
+fn bad_card(span: Range<usize>, sink: &Sink<'_>) {
+    let expected = [Message::new("expect-card")];
+    sink.error(span, Message::new("problem-bad-card"), expected);
 }
 
 /// `id: Title`, with a colon as any keyboard types it.
@@ -163,6 +213,7 @@ fn in_order(
             before = section.span;
             let text = StepText {
                 title: section.title,
+                claim: section.claim,
                 body: section.body,
                 note: Vec::new(),
             };

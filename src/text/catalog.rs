@@ -47,6 +47,7 @@ catalogues!(
     "space-triangles",
     "pipeline",
     "surfaces",
+    "why",
     "lesson",
     "cli",
     "errors"

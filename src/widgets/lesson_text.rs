@@ -1,9 +1,12 @@
 //! The text of a lesson step: paragraphs, lists, code, and answers that are shown when asked for.
 
-use egui::{Align, Label, RichText, Role, Tooltip, UiBuilder, WidgetInfo, style::ScrollAnimation};
+use egui::{
+    Align, Frame, Label, Margin, RichText, Role, Tooltip, UiBuilder, WidgetInfo,
+    style::ScrollAnimation,
+};
 
 use crate::{
-    lesson::{Block, BlockMarker, Inline, Word},
+    lesson::{Block, BlockMarker, Card, Inline, Word},
     paint::theme,
 };
 
@@ -192,4 +195,32 @@ pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {
         ..Inline::default()
     };
     running(ui, look, &[text]);
+}
+
+/// What a step shows, under its title.
+pub fn claimed(ui: &mut Ui, look: Look<'_>, claim: &str) {
+    let font = TextStyle::Body.resolve(ui.style());
+    ui.label(RichText::new(claim).font(font).color(look.theme.accent));
+}
+
+/// What is to be kept of a lesson: a row for each thing, under the word that says what it is.
+pub fn card(ui: &mut Ui, look: Look<'_>, card: &Card) {
+    ui.add_space(8.0);
+    let frame = Frame::new().fill(look.theme.hover).corner_radius(4.0);
+    frame.inner_margin(Margin::same(10)).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 4.0;
+        ui.set_min_width(ui.available_width());
+        let mut before = None;
+        for (row, text) in &card.rows {
+            if before != Some(*row) {
+                if before.is_some() {
+                    ui.add_space(6.0);
+                }
+                let word = look.say(&format!("card-{}", row.id()));
+                ui.label(RichText::new(word).small().color(look.theme.accent));
+            }
+            running(ui, look, text);
+            before = Some(*row);
+        }
+    });
 }

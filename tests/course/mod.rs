@@ -1,7 +1,9 @@
 //! Every number of the course's texts comes from a run: as a reference, or from the list under `numbers/`, which is recomputed here.
 //! A translation has the references of the English text, and no number besides that the English has not.
 
+mod claims;
 mod glossary;
+mod order;
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
@@ -67,6 +69,9 @@ fn sections(text: &str) -> BTreeMap<&str, String> {
     for line in text.lines() {
         if line.starts_with("```") {
             is_code = !is_code;
+        } else if line == "## card" {
+            // It speaks of the method, and not of a scene: it has no numbers of a run.
+            open = None;
         } else if let Some(heading) = line.strip_prefix("## ") {
             let (id, title) = heading.split_once([':', '：']).expect("a heading");
             open = Some(id.trim());

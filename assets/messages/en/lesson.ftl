@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = What is asked
+card-rule = Rule
+card-formula = Formula
+card-cost = Cost
+card-pitfall = Take care
+card-can = You can now
 lesson-answer-show = Show the answer
 lesson-answer-hide = Hide the answer
 lesson-changed = This is your scene. The text is about the lesson’s own scene.
@@ -96,6 +101,12 @@ problem-empty-section = The step “{ $name }” has a heading but no text.
 problem-long-paragraph = The paragraph has { $count } characters, more than { $limit }.
 problem-unsupported-markdown = This kind of Markdown cannot be used in a lesson.
 problem-stray-emphasis = These asterisks do not make the text bold.
+problem-stale-translation = The English of “{ $name }” has changed since it was translated.
+expect-translated = Translate it anew, then run “clipscope check FOLDER --translated”.
+problem-stray-claim = This claim does not stand under a step's heading.
+expect-claim = Write one paragraph that begins with “=> ” right under the heading “## id: Title”.
+problem-bad-card = This is no card.
+expect-card = Write “## card” at the end of the file, and under it a list: rule, formula, cost, two or more times pitfall, and can, such as “- rule: …”. A card has no references.
 problem-stray-note = This note for the speaker would be read by all.
 problem-more =
     { $count ->

@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = La pregunta
+card-rule = Regla
+card-formula = Fórmula
+card-cost = Coste
+card-pitfall = Cuidado
+card-can = Ahora sabes
 lesson-answer-show = Mostrar la respuesta
 lesson-answer-hide = Ocultar la respuesta
 lesson-changed = Esta es tu escena. El texto habla de la escena de la lección.
@@ -96,6 +101,12 @@ problem-empty-section = El paso «{ $name }» tiene encabezado, pero no texto.
 problem-long-paragraph = El párrafo tiene { $count } caracteres, más de { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown no se admite en una lección.
 problem-stray-emphasis = Estos asteriscos no ponen el texto en negrita.
+problem-stale-translation = El inglés de «{ $name }» ha cambiado desde que se tradujo.
+expect-translated = Tradúcelo de nuevo y ejecuta después «clipscope check CARPETA --translated».
+problem-stray-claim = Esta conclusión no está bajo el título de un paso.
+expect-claim = Escribe un párrafo que empiece por «=> » justo debajo del título «## id: Título».
+problem-bad-card = Esto no es una ficha.
+expect-card = Escribe «## card» al final del archivo y, debajo, una lista: rule, formula, cost, pitfall dos o más veces y can; por ejemplo, «- rule: …». Una ficha no tiene referencias.
 problem-stray-note = Esta nota para quien presenta la leería todo el mundo.
 problem-more =
     { $count ->

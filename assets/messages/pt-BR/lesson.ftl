@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = A pergunta
+card-rule = Regra
+card-formula = Fórmula
+card-cost = Custo
+card-pitfall = Cuidado
+card-can = Agora você sabe
 lesson-answer-show = Mostrar a resposta
 lesson-answer-hide = Ocultar a resposta
 lesson-changed = Esta é a sua cena. O texto fala da cena da lição.
@@ -96,6 +101,12 @@ problem-empty-section = O passo “{ $name }” tem cabeçalho, mas não tem tex
 problem-long-paragraph = O parágrafo tem { $count } caracteres, mais que { $limit }.
 problem-unsupported-markdown = Este tipo de Markdown não é aceito em uma lição.
 problem-stray-emphasis = Estes asteriscos não deixam o texto em negrito.
+problem-stale-translation = O inglês de “{ $name }” mudou desde que foi traduzido.
+expect-translated = Traduza-o de novo e depois execute “clipscope check PASTA --translated”.
+problem-stray-claim = Esta conclusão não está sob o título de um passo.
+expect-claim = Escreva um parágrafo que comece com “=> ” logo abaixo do título “## id: Título”.
+problem-bad-card = Isto não é uma ficha.
+expect-card = Escreva “## card” no fim do arquivo e, abaixo, uma lista: rule, formula, cost, pitfall duas ou mais vezes e can; por exemplo, “- rule: …”. Uma ficha não tem referências.
 problem-stray-note = Esta nota para quem apresenta seria lida por todos.
 problem-more =
     { $count ->

@@ -3,6 +3,11 @@
 ## Walking through the course
 
 lesson-question = 问题
+card-rule = 规则
+card-formula = 公式
+card-cost = 代价
+card-pitfall = 注意
+card-can = 你现在会
 lesson-answer-show = 显示答案
 lesson-answer-hide = 隐藏答案
 lesson-changed = 这是你自己的场景，下文讲的是课程原来的场景。
@@ -62,8 +67,8 @@ picture-broken = “{ $name }”不是每边至多 { $most } 个纹素的 PNG �
 problem-mesh-too-large = 该列表有 { $count } 项，场景文件最多容纳 { $limit } 项。
 problem-no-such-mesh = 该文件旁没有网格“{ $name }”。
 problem-unknown-method = 没有名为“{ $name }”的算法。
-problem-unknown-lab = 没有名为“{ $name }”的实验。
-problem-unknown-control = 这个实验没有名为“{ $name }”的控件。
+problem-unknown-lab = 没有名为“{ $name }”的实验室。
+problem-unknown-control = 这个实验室没有名为“{ $name }”的控件。
 problem-unknown-scene = 没有名为“{ $name }”的场景。
 problem-unknown-lock = 没有名为“{ $name }”的控制柄。
 problem-unknown-value = “{ $name }”不是这个字段可取的值。
@@ -92,6 +97,12 @@ problem-empty-section = 步骤“{ $name }”只有标题，没有文本。
 problem-long-paragraph = 这一段有 { $count } 个字符，超过 { $limit } 个。
 problem-unsupported-markdown = 课文中不能使用这种 Markdown。
 problem-stray-emphasis = 这些星号没有起到加粗的作用。
+problem-stale-translation = “{ $name }”的英文在翻译之后又改过。
+expect-translated = 请重新翻译，然后运行“clipscope check 文件夹 --translated”。
+problem-stray-claim = 这条结论没有写在某一步的标题下面。
+expect-claim = 请紧接在“## id: 标题”下面写一段，以“=> ”开头。
+problem-bad-card = 这不是一张小结卡。
+expect-card = 请在文件末尾写“## card”，下面是一个列表：依次是 rule、formula、cost、两条以上的 pitfall 和 can，例如“- rule: …”。小结卡里不能有引用。
 problem-stray-note = 这条给讲者的备注会被所有人看到。
 problem-more = 此文件中还有 { $count } 个问题未显示。
 

@@ -163,6 +163,12 @@ fn vectors<R: Real>(input: &BackFaceInput) -> ([[R; 3]; 2], [R; 3]) {
     ([minus(v1, v0), minus(v2, v0)], e)
 }
 
+/// n and e.
+pub(in crate::algo) fn normal_and_viewer<R: Real>(input: &BackFaceInput) -> [[R; 3]; 2] {
+    let (edges, e) = vectors(input);
+    [cross(edges), e]
+}
+
 fn minus<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }

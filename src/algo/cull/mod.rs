@@ -16,6 +16,7 @@ use serde::Serialize;
 
 use super::ring::Right;
 
+pub(super) use back_face::normal_and_viewer;
 pub use back_face::{BackFace, BackFaceEvent, BackFaceInput, BackFaceOutput, Viewer};
 pub use batch::SphereBatch;
 pub use box_cull::{BoxCull, BoxCullEvent, BoxCullInput, BoxCullOutput};

@@ -190,7 +190,7 @@ fn a_message_stands_above_the_stage_and_hides_neither_it_nor_the_lesson() {
         let lesson = bench
             .app
             .bookmark
-            .title(Lang::En)
+            .title(Lang::En, false)
             .expect("a step")
             .to_owned();
         let texts = bench.texts();

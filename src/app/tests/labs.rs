@@ -24,7 +24,10 @@ fn every_lab_has_a_format_solvers_a_panel_and_words() {
         let read = read.expect("as it was written").scene;
         assert_eq!(read, scene, "{id}: its scenes are spelt");
         let methods = (lab.methods)();
-        for card in methods.iter().filter(|card| !card.is_faulty) {
+        for card in methods
+            .iter()
+            .filter(|card| !card.is_faulty && !card.is_proof)
+        {
             let is_solved = Solvers::standard().by_id(card.id).is_some();
             let has_cases = !WITHOUT_CASES.contains(&card.id);
             assert!(is_solved || !has_cases, "{}: no case can name it", card.id);

@@ -16,6 +16,7 @@ mod meshes;
 mod pages;
 mod places;
 mod polygons;
+mod practice;
 mod presentation;
 mod recording;
 mod text_size;

@@ -15,6 +15,7 @@ use crate::{
                 MissesEdge,
             },
         },
+        why::{Facing, ProjectionRow, Shadow, Similar, Why},
     },
     geom::{Orbit, Solid},
     labs::{
@@ -67,7 +68,7 @@ where
 }
 
 /// Every method, in the order in which they are taught; the mistakes last.
-pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 32] = [
     told::<PointPlanes>(),
     told::<SphereCull>(),
     told::<BoxCull>(),
@@ -84,6 +85,10 @@ pub static METHODS: [MethodEntry<MethodInfo>; 28] = [
     told::<Triangle>(),
     told::<ViewingPipeline>(),
     told::<LineToPixels>(),
+    told::<Why<Shadow>>(),
+    told::<Why<Similar>>(),
+    told::<Why<ProjectionRow>>(),
+    told::<Why<Facing>>(),
     wrong::<Funnel<OneAngle>, Funnel>(),
     wrong::<Funnel<TurnsSign>, Funnel>(),
     wrong::<Funnel<AroundOrigin>, Funnel>(),

@@ -2,7 +2,10 @@
 //! others, one line below.
 
 use crate::{
-    algo::line::{self, faulty::OutwardCyrusBeck},
+    algo::{
+        line::{self, faulty::OutwardCyrusBeck},
+        why::{Strips, Why},
+    },
     figure::Body,
     geom::Segment,
     labs::{Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
@@ -57,6 +60,20 @@ where
     }
 }
 
+/// The proof of a formula by which `Proved` clips: what is done to all other segments is done by that.
+const fn why<Proved: LineTelling>() -> MethodEntry<MethodInfo> {
+    let proved = info::<Proved>();
+    MethodEntry {
+        card: MethodCard::of::<Why<Strips>>(),
+        info: MethodInfo {
+            record: |scene, segment| {
+                Box::new(Recorded::<Why<Strips>>::new(scene.with(segment), None))
+            },
+            ..proved.info
+        },
+    }
+}
+
 /// Inputs are made beforehand: only the clipping itself is left to measure.
 fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
     let inputs: Vec<M::Input> = segments
@@ -67,12 +84,13 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught; the mistake last.
-pub static METHODS: [MethodEntry<MethodInfo>; 6] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 7] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
     info::<line::CyrusBeck>(),
     info::<line::NichollLeeNicholl>(),
+    why::<line::LiangBarsky>(),
     wrong::<OutwardCyrusBeck, line::CyrusBeck>(),
 ];
 

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::{
     lesson::{
-        LessonStep,
+        Card, LessonStep,
         markdown::{Block, StepText},
         mentions,
         prelude::*,
@@ -40,6 +40,7 @@ impl PartialEq for WrittenStep {
 #[derive(Clone, PartialEq, Debug)]
 pub struct WrittenText {
     pub title: String,
+    pub card: Option<Card>,
     /// One for each step, in their order.
     pub steps: Vec<WrittenStep>,
 }
@@ -93,6 +94,15 @@ impl WrittenStep {
         }
     }
 
+    /// What it shows, as a reader sees it; its title where no claim is written.
+    pub fn claim(&self, step: &LessonStep, scenes: &Scenes, lang: Lang) -> &str {
+        if self.text.claim.is_none() {
+            return self.title(step, scenes, lang);
+        }
+        let filled = self.filled(step, scenes, lang);
+        filled.claim.as_ref().unwrap_or(&filled.title)
+    }
+
     /// As a reader sees it: with the numbers of its runs, and terms marked.
     pub fn filled(&self, step: &LessonStep, scenes: &Scenes, lang: Lang) -> &StepText {
         self.filled.get_or_init(|| {
@@ -103,11 +113,17 @@ impl WrittenStep {
                 values: values.collect::<Vec<_>>().into_iter(),
             };
             let title = filler.fill(&self.text.title);
+            let claim = self.text.claim.as_ref().map(|it| filler.fill(it));
             let blocks = filler.blocks(&self.text.body).into_iter();
             let is_note = |block: &Block| matches!(block, Block::Note(_));
             let (note, mut body): (Vec<_>, Vec<_>) = blocks.partition(is_note);
             mentions::mark(&mut body, lang);
-            StepText { title, body, note }
+            StepText {
+                title,
+                claim,
+                body,
+                note,
+            }
         })
     }
 

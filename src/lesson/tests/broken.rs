@@ -77,6 +77,10 @@ const BROKEN_TEXTS: &str = r"
 - one => !> Wait\nand see => 11:1 stray-note
 - one => - !> Wait => 11:1 stray-note
 - one => !>Wait => 11:1 stray-note
+- one => - one\n\n=> It goes. => 13:1 stray-claim
+- one\n- two\n => \n=> It goes.\n\n=> It goes on.\n\nText.\n => 14:1 stray-claim
+- two => - two\n\n## card\n\n- rule: Go on. => 14:1 bad-card
+- two => - two\n\n## card\n\nRules. => 16:1 bad-card
 ";
 
 #[test]

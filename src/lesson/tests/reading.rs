@@ -216,3 +216,66 @@ fn a_note_is_for_the_speaker() {
     assert_eq!(more, "Then go on.");
     assert!(body.iter().all(|text| !text.contains('⟦')), "{body:?}");
 }
+
+const CARD: &str = "
+## card
+
+- rule: Go **on**.
+- formula: `x ≥ 1`
+- cost: One comparison.
+- pitfall: The border.
+- pitfall: The sign.
+- can: tell which.
+";
+
+#[test]
+fn a_step_says_what_it_shows_and_a_lesson_what_is_to_be_kept() {
+    let claim = "## second: The second step\n\n=> From {scene.window[0]}\n";
+    let text = TEXT.replace("## second: The second step\n", claim) + CARD;
+    let loaded = Course::check(&with(LESSON, &text));
+    assert_eq!(loaded.problems, []);
+    let lesson = &loaded.course.lessons[0];
+    let claims = [0, 1].map(|idx| lesson.step_claim(idx, Lang::En));
+    assert_eq!(claims, [Some("The first step"), Some("From −1")]);
+    let card = lesson.card(Lang::Es).expect("a card");
+    let rows = card.rows.iter().map(|(row, _)| row.id());
+    let rows: Vec<_> = rows.collect();
+    let expected = ["rule", "formula", "cost", "pitfall", "pitfall", "can"];
+    assert_eq!(rows, expected);
+    let said = |i: usize| card.rows[i].1.iter().map(|part| &*part.text);
+    assert_eq!(said(0).collect::<String>(), "Go on.");
+    assert!(card.rows[1].1[0].code, "{:?}", card.rows[1]);
+    assert_eq!(lesson.steps.len(), 2, "a card is no step");
+}
+
+#[test]
+fn a_lesson_that_has_moved_is_found_by_its_name() {
+    let course = Course::check(&lesson(&[])).course;
+    for id in ["01-a", "07-a", "a"] {
+        assert_eq!(course.lesson_index(id), Some(0), "{id}");
+    }
+    assert_eq!(course.lesson_index("01-b"), None);
+}
+
+#[test]
+fn a_translation_is_stale_once_its_english_has_changed() {
+    let mut files = lesson(&[]);
+    let langs = [Lang::ZhCn, Lang::Es, Lang::PtBr];
+    let known = translated(TEXT, &langs);
+    files.insert(format!("01-a/{TRANSLATED_FILE}"), known.into());
+    assert_eq!(found(&files), [""; 0]);
+    let changed = TEXT.replace("- two", "- two\n- three");
+    files.insert("01-a/en.md".to_owned(), changed.into());
+    let stale = ["es", "pt-BR", "zh-CN"].map(|lang| format!("{lang}.md:9:1 stale-translation"));
+    assert_eq!(found(&files), stale);
+    // White space is no word.
+    let spaced = TEXT.replace("- two", "-  two\n\n");
+    files.insert("01-a/en.md".to_owned(), spaced.into());
+    assert_eq!(found(&files), [""; 0]);
+    files.insert(format!("01-a/{TRANSLATED_FILE}"), b"[es".to_vec());
+    assert_eq!(
+        found(&files).len(),
+        6,
+        "what cannot be read says of nothing that it is fresh"
+    );
+}

@@ -11,5 +11,6 @@ mod line;
 mod point_planes;
 mod sphere_cull;
 mod viewing_pipeline;
+mod why;
 
 pub use cut_triangle::{EvenOnScreen, WithTexture};

@@ -1,0 +1,114 @@
+### Proofs by picture: where formulas come from.
+
+## Views
+
+why-view-section = Seen along the plane, true lengths
+
+## t by similar triangles
+
+why-similar = Why: t = d₁ / (d₁ − d₂)
+why-similar-opening = After which part t of the way from P₁ to P₂ does the segment meet the { $plane } plane?
+why-similar-d1 = The value of n·P + D at P₁ says how many levels P₁ lies from the plane.
+why-similar-d2 = The same at P₂.
+why-similar-levels = From P₁ to P₂ the segment passes through all levels between these two values.
+why-similar-parallel = The whole segment lies on one level: it is parallel to the plane, and there is no t.
+why-similar-piece = All triangles between two levels have the same angles, so a change of 1 takes the same piece of the segment everywhere.
+why-similar-t = The plane is level 0. From P₁ to the plane the value changes by −d₁, and on the whole way by d₂ − d₁.
+why-code-d1 = d₁ ← n·P₁ + D;  d₂ ← n·P₂ + D
+why-words-d1 = Find the level of each end.
+why-code-levels = levels ← d₂ − d₁
+why-words-levels = Count the levels from end to end.
+why-code-piece = piece ← 1 / levels
+why-words-piece = Every level takes the same piece of the segment.
+why-code-t = t ← −d₁ · piece = d₁ / (d₁ − d₂)
+why-words-t = From P₁ to the plane there are −d₁ levels.
+
+## n·(P − p₀) as a shadow
+
+why-view-above = Seen from above
+why-view-side = Seen from the side
+why-view-front = Seen from the front
+why-shadow = Why: d = n·(P − p₀)
+why-shadow-opening = Go from p₀, a point of the { $plane } plane, to P in steps along the axes. Light shines along the plane.
+why-shadow-piece = The step along { $axis } casts its own shadow on n: as long as the step times this component of n.
+why-shadow-sum = Put end to end, the shadows of the steps are the shadow of the whole way P − p₀.
+why-shadow-distance = Shadow and perpendicular are opposite sides of a rectangle, so the shadow is the distance d of P from the { $plane } plane.
+why-shadow-elsewhere = From p₀ = { $other } the single shadows are different, and their sum is the same.
+why-code-steps = for each axis: step ← P − p₀
+why-words-steps = Go from a point of the plane to P, axis by axis.
+why-code-shadow = shadow ← step · component of n
+why-words-shadow = Each step casts a shadow on the normal.
+why-code-sum = n·(P − p₀) ← sum of the shadows
+why-words-sum = Shadows add up.
+why-code-rectangle = d ← n·(P − p₀) = n·P + D
+why-words-rectangle = The perpendicular is as long as the shadow, whatever point p₀ is.
+
+## Strips: why p < 0 is “in”
+
+why-view-strips = x and y over u, each with its strip of the window
+why-in = in
+why-out = out
+why-strips = Why: p < 0 is “in”, p > 0 is “out”
+why-strips-opening = Over u both coordinates are straight lines, and the window is a strip for each of them.
+why-strips-in = The line enters its strip through the { $edge }.
+why-strips-out = The line leaves its strip through the { $edge }.
+why-strips-level = The line is level and stays inside the { $edge } all the way.
+why-strips-beyond = The line is level and stays beyond the { $edge } all the way: no part is visible.
+why-strips-from = Both strips hold the line only after the later “in”.
+why-strips-empty = The earlier “out” comes before the later “in”: there is no u at which both strips hold the line.
+why-strips-to = From the later “in” to the earlier “out” both strips hold the line.
+why-code-strip = for each border of a strip:
+why-words-strip = Left and right bound the strip of x, bottom and top that of y.
+why-code-in = if p < 0: in at u = q / p
+why-words-in = A line that rises comes in from below, one that falls from above.
+why-code-out = if p > 0: out at u = q / p
+why-words-out = Across the other border of the strip it goes out.
+why-code-level = if p = 0: always inside, or never
+why-words-level = A level line crosses no border of its strip.
+why-code-both = u_min ← latest in;  u_max ← earliest out
+why-words-both = Visible is what both strips hold.
+
+## Row 3 of the projection
+
+why-view-depth = z′ over depth, between −w and w
+why-projection-row = Why: row 3 of the projection
+why-row-opening = Row 3 makes z′ = a · depth + b. Which a and b put the depths from { $near } to { $far } between −w and w?
+why-row-near = The near plane, at depth { $near }, has to lie on the lower border.
+why-row-far = The far plane, at depth { $far }, has to lie on the upper border.
+why-row-slope = Only one straight line passes through both points. It climbs { $climb } in { $way }: that is a.
+why-row-start = Continued back to depth 0, the line starts at b.
+why-row-point = P is { $depth } deep; the line gives its z′.
+why-row-divided = On a line from 0 the quotient z′ / w is the same everywhere: it is read on the ruler at the far plane.
+why-row-middle = The first half of the range, from −1 to 0, is used up by the depths from { $near } to { $middle }.
+why-code-near-far = near ↦ z′ = −w;  far ↦ z′ = w
+why-words-near-far = Two conditions: each plane goes to its border.
+why-code-slope = a ← (w_far + w_near) / (far − near)
+why-words-slope = Two points fix a straight line, and so its slope.
+why-code-start = b ← −w_near − a · near
+why-words-start = Where the line starts, at depth 0.
+why-code-row = z′ ← a · depth + b = −a · z + b
+why-words-row = The depth is −z, so row 3 is 0 0 −a b.
+why-code-divide = z′ / w
+why-words-divide = After the divide, depths near the far plane crowd together.
+
+## n·e > 0
+
+why-view-bar = Every face edge-on, its normal upwards
+why-facing = Why: n·e > 0 faces the eye
+why-facing-opening = Face { $face } is laid on a bar, its normal upwards. Is the eye above the bar or below it?
+why-facing-product = n·e is the length of n times the shadow of e on n.
+why-facing-length = The length of n is positive, so it does not change the sign.
+why-facing-no-length = This face has no area, so it has no normal, and no side to show.
+why-facing-above = The shadow of e is the height of the eye above the plane of face { $face }: the eye sees its front.
+why-facing-below = The shadow of e points the other way: the eye is not above the plane of face { $face }, so it does not see its front.
+why-facing-other-above = Face { $face }, laid on the same bar, has the eye above it.
+why-facing-other-below = Face { $face }, laid on the same bar, does not have the eye above it.
+why-facing-fronts = Of { $faces } faces on the bar the eye is above { $fronts }: those show their front, and their n·e is positive.
+why-code-product = n·e = |n| · shadow of e on n
+why-words-product = A dot product is a length times a shadow.
+why-code-height = height ← n·e / |n|
+why-words-height = How high the eye is above the plane of the face.
+why-code-bar = for each other face: the same bar
+why-words-bar = Seen from its edge every face is a bar.
+why-code-front = front ⇔ height > 0 ⇔ n·e > 0
+why-words-front = The sign alone says on which side the eye is.
