@@ -6,9 +6,8 @@ use std::{
     sync::{
         Arc,
         atomic::{AtomicBool, Ordering},
-        mpsc::{self, Receiver, TryRecvError},
     },
-    thread,
+    time::Duration,
 };
 
 use crate::{
@@ -19,7 +18,12 @@ use crate::{
     },
 };
 
-use super::{App, notice::Notice, prelude::*};
+use super::{
+    App,
+    errand::{Errand, Lost},
+    notice::Notice,
+    prelude::*,
+};
 
 enum Unread {
     File(Diagnostic),
@@ -37,41 +41,28 @@ struct ReadMesh {
 /// A mesh on its way. Dropped, it is given up.
 pub struct MeshLoading {
     path: String,
-    read: Receiver<Result<ReadMesh, Unread>>,
+    read: Errand<Result<ReadMesh, Unread>>,
     is_wanted: Arc<AtomicBool>,
 }
 
 impl MeshLoading {
     fn start(path: &str, ctx: &Context) -> Self {
-        let (said, read) = mpsc::channel();
         let is_wanted = Arc::new(AtomicBool::new(true));
-        let loading = Self {
+        let (of, asked) = (path.to_owned(), Arc::clone(&is_wanted));
+        let read = move || read_mesh(&of, &|| asked.load(Ordering::Relaxed));
+        Self {
             path: path.to_owned(),
-            read,
-            is_wanted: Arc::clone(&is_wanted),
-        };
-        let (path, ctx) = (path.to_owned(), ctx.clone());
-        thread::spawn(move || {
-            let is_wanted = || is_wanted.load(Ordering::Relaxed);
-            let read = read_mesh(&path, &is_wanted);
-            // Nobody listens where it has been given up.
-            if said.send(read).is_ok() {
-                ctx.request_repaint();
-            }
-        });
-        loading
+            read: Errand::start(ctx, read),
+            is_wanted,
+        }
     }
 
-    fn answer(&self) -> Option<Result<ReadMesh, Unread>> {
-        match self.read.try_recv() {
-            Ok(read) => Some(read),
-            Err(TryRecvError::Empty) => None,
-            // The thread has come to grief: for want of memory, say.
-            Err(TryRecvError::Disconnected) => {
-                let reason = FileError::from(io::Error::from(io::ErrorKind::Other));
-                Some(Err(Unread::File(reason.into())))
-            }
-        }
+    fn answer(&mut self) -> Option<Result<ReadMesh, Unread>> {
+        let answer = self.read.answer(Duration::ZERO);
+        answer.unwrap_or_else(|Lost| {
+            let reason = FileError::from(io::Error::from(io::ErrorKind::Other));
+            Some(Err(Unread::File(reason.into())))
+        })
     }
 }
 
@@ -162,7 +153,7 @@ impl App {
 
     pub(super) fn take_meshes(&mut self, now: f64) {
         let mut found = Vec::new();
-        self.loading.retain(|mesh| {
+        self.loading.retain_mut(|mesh| {
             let answer = mesh.answer();
             let is_waiting = answer.is_none();
             found.extend(answer.map(|answer| (mesh.path.clone(), answer)));
