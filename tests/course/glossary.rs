@@ -10,7 +10,7 @@ use clipscope::{
 
 /// What stands in bold in the English course and is no term: what the eye should rest on.
 const EMPHASISED: &[&str] = &[
-    "1/z",
+    "1/d",
     "None",
     "No order exists",
     "One",
