@@ -91,7 +91,17 @@ impl Desk {
     }
 
     fn settle(&mut self) {
+        self.recorded();
         for _ in 0..30 {
+            self.frame(Vec::new());
+        }
+    }
+
+    /// Draws until a scene that takes long to record is on the stage.
+    pub fn recorded(&mut self) {
+        self.frame(Vec::new());
+        while self.app.is_recording() {
+            std::thread::sleep(std::time::Duration::from_millis(1));
             self.frame(Vec::new());
         }
     }

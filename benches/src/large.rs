@@ -69,7 +69,7 @@ fn row((lab, method, size): (&'static str, &'static str, f64), n: usize) {
     for edit in edits {
         desk.change(Command::Edit(edit, None));
     }
-    desk.frame(Vec::new());
+    desk.recorded();
     let first = 1e3 * start.elapsed().as_secs_f64();
     let n_steps = desk.n_steps();
     let mut seek = Vec::new();

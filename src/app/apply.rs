@@ -6,6 +6,7 @@ use super::{
     App, Command, Dialog,
     history::{History, UndoGroup},
     prelude::*,
+    recording::Seen,
     room::Room,
 };
 
@@ -23,7 +24,10 @@ impl App {
         match command {
             Command::Step(by) => transport.step(by),
             Command::Seek(step) => transport.seek(step),
-            Command::Phase(by) => self.seek(self.playback.phase(by)),
+            Command::Phase(by) => {
+                let step = self.playback.phase(by);
+                self.playback.transport.seek(step);
+            }
             Command::Play => transport.toggle(),
             Command::Practise => self.practise(),
             Command::Speed(speed) => {
@@ -57,7 +61,7 @@ impl App {
             Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
             Command::Typed => self.apply_typed(ctx, now),
             Command::DrawNth(nth) => {
-                if let Some(outline) = self.scene().document().lab().outlines.get(nth) {
+                if let Some(outline) = self.history.now().document().lab().outlines.get(nth) {
                     self.draw(ctx, outline, now);
                 }
             }
@@ -144,12 +148,12 @@ impl App {
     }
 
     fn go_to_verdict(&mut self) {
-        let document = self.history.now().document();
+        let document = self.scene().document();
         let now = (self.playback.main(), self.position());
         let asked = self.stage.asked;
         let verdict = asked.and_then(|about| document.verdict(about, now));
         if let Some(step) = verdict.and_then(|verdict| verdict.step) {
-            self.seek(step);
+            self.playback.transport.seek(step);
         }
     }
 
@@ -175,9 +179,9 @@ impl App {
             return Ok(());
         }
         if is_drag && self.history.is_in_gesture() {
-            self.playback.follow(self.history.now());
+            self.follow();
         } else {
-            self.playback.rerecord(self.history.now());
+            self.rerecord();
         }
         if fits {
             self.fit();
@@ -232,13 +236,13 @@ impl App {
         }
     }
 
-    fn travel(&mut self, step: fn(&mut History<Scene>, usize) -> Option<usize>) {
+    pub(super) fn travel(&mut self, step: fn(&mut History<Scene>, usize) -> Option<usize>) {
         let before = self.history.revision();
         let position = self.position();
         let position = step(&mut self.history, position);
         if self.history.revision() != before {
-            self.playback.rerecord(self.history.now());
-            self.stage.refit(self.history.now());
+            self.rerecord();
+            self.see(Seen::Refitted);
         }
         if let Some(position) = position {
             self.seek(position);
@@ -259,11 +263,14 @@ impl App {
 
     /// Shows what is to be seen now, from where it is seen best.
     pub(super) fn fit(&mut self) {
-        self.stage.fit(self.bookmark.bounds_of(self.history.now()));
-        self.playback.look_anew();
+        self.see(Seen::Fitted);
     }
 
     fn cancel(&mut self, ctx: &Context) {
+        if self.is_recording() {
+            self.stop_recording();
+            return;
+        }
         if self.leave_presentation(ctx) {
             // Whatever else was on the screen; half an outline is still there to be gone on with.
             (self.stage.typing, self.shown.dialog) = (None, None);

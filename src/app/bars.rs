@@ -143,12 +143,7 @@ fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
 }
 
 fn pickers(app: &App, ui: &mut Ui) {
-    let edit = method_picker(
-        ui,
-        app.look(),
-        app.scene(),
-        app.shown.code == CodeView::Hidden,
-    );
+    let edit = method_picker(ui, app.look(), app.scene(), app.hides_mistakes());
     app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
     menus::compare_is_in_the_bar(ui.ctx(), has_room);

@@ -19,6 +19,19 @@ pub struct Controls {
     open: Option<&'static str>,
     /// A control that a text led to, and when.
     led_to: Option<(&'static str, f64)>,
+    /// Was it a text that is presented, without an inspector beside it?
+    is_presented: bool,
+}
+
+impl Controls {
+    /// Are they beside a stage that is presented?
+    pub const fn are_presented(&self) -> bool {
+        self.is_presented && self.open.is_some()
+    }
+
+    pub const fn leave_presentation(&mut self) {
+        self.is_presented = false;
+    }
 }
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
@@ -87,7 +100,11 @@ impl App {
         self.shown.controls = Controls {
             open: Some(section),
             led_to: Some((id, now)),
+            is_presented: self.is_presenting(),
         };
+        if self.is_presenting() {
+            return;
+        }
         if self.is_narrow() {
             self.shown.room = Room::Inspector;
         } else {

@@ -113,7 +113,7 @@ impl App {
         self.open_free(lab);
         self.history.leave(self.position());
         self.history.open(file, scene);
-        self.playback.rerecord(self.history.now());
+        self.rerecord();
         self.fit();
         self.seek(position);
     }

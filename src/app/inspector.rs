@@ -179,7 +179,7 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     let cards = app.scene().document().methods();
     for (i, (card, step)) in cards.into_iter().zip(app.playback.steps()).enumerate() {
         let is_current = i == column;
-        let (name, step) = (look.say(card.name_key), step_text(look, step));
+        let (name, step) = (app.name_of(card), step_text(look, step));
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.label(RichText::new(&step).small().color(look.theme.soft));
@@ -290,7 +290,7 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);
-    let name = |method: &MethodCard| look.say(method.name_key);
+    let name = |method: &MethodCard| app.name_of(method);
     let other_name = compared.map(|(.., method)| name(method));
     let other_name = other_name.unwrap_or_default();
     let shown = Cost {

@@ -3,9 +3,9 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, course_panel, free_panel, inspector, notice, overlays, pen, practice,
+    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen, practice,
     prelude::*,
-    question,
+    question, recording,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
     speaker, stage,
     stage_state::StageState,
@@ -18,7 +18,7 @@ const STRIP: f32 = 48.0;
 pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
     (state.pointed_on_stage, state.pointed_in_inspector) = (None, None);
     if app.is_presenting() {
-        presentation(app, ui, state);
+        presentation(app, ui, state, panels);
     } else {
         top(app, ui, panels);
         bottom(app, ui);
@@ -62,10 +62,14 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
 }
 
 fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {
-    CentralPanel::no_frame().show(ui, |ui| stage::show(app, ui, state));
+    CentralPanel::no_frame().show(ui, |ui| {
+        let rect = ui.max_rect();
+        stage::show(app, ui, state);
+        recording::show(app, ui, rect);
+    });
 }
 
-fn presentation(app: &App, ui: &mut Ui, state: &mut StageState) {
+fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
     let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
@@ -74,6 +78,13 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState) {
         question::show(app, ui);
     }
     notice::show(app, ui);
+    if app.shown.controls.are_presented() {
+        let frame = Frame::new().fill(app.look().theme.panel);
+        Panel::right("presented controls")
+            .default_size((INSPECTOR * app.look().theme.text_scale.sqrt()).round())
+            .frame(frame.inner_margin(16))
+            .show(ui, |ui| controls::show(app, ui, panels));
+    }
     centre(app, ui, state);
     pen::show(app, ui, &mut state.pen);
 }

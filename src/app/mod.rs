@@ -21,7 +21,9 @@ mod controls;
 mod course_panel;
 mod desk;
 mod dialog;
+mod errand;
 mod files;
+mod found;
 mod free_panel;
 mod free_scenes;
 mod history;
@@ -44,6 +46,7 @@ mod playback;
 mod practice;
 mod prelude;
 mod question;
+mod recording;
 #[cfg(not(target_arch = "wasm32"))]
 mod reload;
 mod room;
@@ -117,6 +120,9 @@ pub struct App {
     history: History<Scene>,
     playback: Playback,
     practice: practice::Practice,
+    /// What takes the place of the playback once it is recorded.
+    pending: Option<recording::Pending>,
+    given_up: Option<errand::Errand<found::Found>>,
     /// The scenes of the open lesson, which are shown alike.
     album: Option<Album>,
     stage: stage_state::StageState,
@@ -195,6 +201,8 @@ impl App {
             settings,
             playback: Playback::record(&scene, 0),
             practice: practice::Practice::default(),
+            pending: None,
+            given_up: None,
             album: None,
             stage: stage_state::StageState::new(bookmark.bounds_of(&scene)),
             bookmark,
@@ -233,8 +241,12 @@ impl App {
         self
     }
 
+    /// Goes to a step of the run; of a scene that is being recorded, once it is.
     pub fn seek(&mut self, position: usize) {
-        self.playback.transport.seek(position);
+        match &mut self.pending {
+            Some(pending) => pending.position = Some(position),
+            None => self.playback.transport.seek(position),
+        }
     }
 
     pub fn settings(&self) -> Settings {
@@ -277,8 +289,13 @@ impl App {
         self.history.is_in_gesture()
     }
 
+    /// The scene on the stage.
     pub const fn scene(&self) -> &Scene {
-        self.history.now()
+        if self.shows_another() {
+            self.playback.scene()
+        } else {
+            self.history.now()
+        }
     }
 
     pub const fn position(&self) -> usize {
@@ -309,10 +326,10 @@ impl App {
             self.playback.rerecord(self.history.now());
         }
         self.ask_anew();
+        self.take_recorded(&ctx);
         self.take_up_lesson();
-        let scene = self.history.now();
         let album = self.album.as_ref();
-        self.playback.prepare(scene, self.stage.bounds(), album);
+        self.playback.prepare(self.stage.bounds(), album);
 
         self.install_theme(ui);
         self.name_window(&ctx);
@@ -354,7 +371,7 @@ impl App {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
         let is_held = self.stage.focused.is_some() || egui::Popup::is_any_open(ctx);
-        if is_held && self.shown.presenting.is_none() {
+        if is_held && self.shown.presenting.is_none() && !self.is_recording() {
             // Escape gives the handle's focus back, or closes the menu: nothing more.
             commands.retain(|command| !matches!(command, Command::Cancel));
         }

@@ -10,10 +10,8 @@ use super::{
     bookmark::{Bookmark, FreeScene},
     desk::{Page, Places, StoredWork, Work},
     history::{History, OnDisk},
-    playback::Playback,
     prelude::*,
     room::{CoursePart, Room},
-    stage_state::StageState,
 };
 
 /// Larger scenes than so many segments or vertices in all are not kept over a restart: they would be written
@@ -28,7 +26,15 @@ impl App {
         if !is_open || self.bookmark.page() == page {
             return;
         }
+        let from = self
+            .pending
+            .as_ref()
+            .and_then(|pending| pending.from.clone());
+        let from = from.or_else(|| page.clone());
         let before = self.enter();
+        if let Some(pending) = &mut self.pending {
+            pending.from = from;
+        }
         if let (Some(page), Some(work)) = (page, before)
             && (is_changed || work.history.can_undo() || work.history.can_redo())
         {
@@ -73,7 +79,7 @@ impl App {
     /// Remembers the open page as the one of its lab.
     pub(super) fn note_place(&mut self) {
         if let Some(page) = self.bookmark.page() {
-            let lab = self.scene().document().lab();
+            let lab = self.history.now().document().lab();
             let places = &mut self.desk.places;
             let of_kind = match page {
                 Page::Step(..) => &mut places.steps,
@@ -86,14 +92,13 @@ impl App {
 
     /// Shows this in the place of what is shown, which it answers.
     fn show(&mut self, work: Work) -> Work {
-        let scene = work.history.now();
-        let before = std::mem::replace(&mut self.playback, Playback::record(scene, work.position));
-        self.stage = StageState::new(self.bookmark.bounds_of(scene));
-        Work {
-            position: before.transport.position(),
+        let before = Work {
+            position: self.left_at(),
             history: std::mem::replace(&mut self.history, work.history),
             ..work
-        }
+        };
+        self.record_page(work.position);
+        before
     }
 
     /// Opens another course, at the place where it was left: the one that is built in, or a folder's.
@@ -186,6 +191,16 @@ impl App {
         (self.shown.is_answered || !self.has_answer()) && !self.practice.is_on
     }
 
+    /// The name of a method on the stage; of a mistake, only once it may be told.
+    pub(super) fn name_of(&self, method: &MethodCard) -> String {
+        self.look().say(method.name_asked(self.hides_mistakes()))
+    }
+
+    /// Would the name of a mistake answer what is asked?
+    pub(super) fn hides_mistakes(&self) -> bool {
+        self.shown.code == CodeView::Hidden || (self.bookmark.step().is_some() && !self.is_open())
+    }
+
     pub(super) fn has_answer(&self) -> bool {
         let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());
@@ -239,7 +254,7 @@ impl App {
     /// Opens the scene as another lab's own, on the page of its free scene.
     pub(super) fn adopt(&mut self, id: &str, now: f64) {
         let lab = self.kit.lab(id);
-        let adopted = lab.and_then(|lab| Some((lab, (lab.adopt)(self.scene())?)));
+        let adopted = lab.and_then(|lab| Some((lab, (lab.adopt)(self.history.now())?)));
         if let Some((lab, scene)) = adopted {
             self.open_free(lab);
             self.edit(Edit::Replace(scene), None, now);
@@ -252,7 +267,7 @@ impl App {
             self.turn_to(|bookmark| bookmark.open(bookmark.at));
             return;
         }
-        let lab = self.scene().document().lab();
+        let lab = self.history.now().document().lab();
         let last = self.desk.places.free.get(lab.id).cloned();
         self.open_page(&last.unwrap_or_else(|| FreeScene::of(lab).page()));
     }
@@ -271,14 +286,18 @@ impl App {
 
     /// The scene and its moment, as a file spells them.
     pub(super) fn as_file(&self) -> String {
-        let at = self.playback.main().moment(self.position());
-        self.kit.formats.write(self.scene(), &at)
+        let at = if self.pending.is_some() {
+            Moment::Start
+        } else {
+            self.playback.main().moment(self.position())
+        };
+        self.kit.formats.write(self.history.now(), &at)
     }
 
     /// What is kept over a restart, and the scenes that are to be spelt for it.
     pub(super) fn kept_works(&self) -> Vec<(StoredWork, Scene)> {
         let page = self.bookmark.page().filter(|_| self.is_the_readers());
-        let open = (page.iter()).map(|page| (page, &self.history, self.position()));
+        let open = (page.iter()).map(|page| (page, &self.history, self.left_at()));
         let changed = self.desk.works.iter().filter(|(_, work)| work.is_changed);
         let changed = changed.map(|(page, work)| (page, &work.history, work.position));
         let mut room = MOST_STORED;

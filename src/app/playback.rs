@@ -1,7 +1,5 @@
 //! The recorded runs on stage, and the cursor that walks them together.
 
-use web_time::Instant;
-
 use crate::{
     figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, notation},
     labs::{Difference, MethodCard, Scene, comparison},
@@ -10,9 +8,13 @@ use crate::{
     widgets::{Album, wanted},
 };
 
+use super::found::{Found, Wanted};
+
 /// One run, or several side by side; with the frames of the present step.
 pub struct Playback {
     pub transport: Transport,
+    /// What the runs are of.
+    scene: Scene,
     /// The scene's method first.
     runs: Vec<Box<dyn Run>>,
     /// The last run that was none of a refused scene, and where it stood: a drag across such a scene comes back to there.
@@ -30,6 +32,8 @@ pub struct Playback {
     pub reached: usize,
     /// What the views of each run want; empty until a frame of it is made.
     pub needs: Vec<Vec<Need>>,
+    /// The same, where it has been found with the runs.
+    wanted: Option<Wanted>,
     /// How they stand beside each other, from when these methods were opened: dragging does not change it. Others, which are
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
@@ -42,14 +46,12 @@ pub struct Playback {
     pub recording: u64,
     /// How many of the last recordings one after the other took too long for a drag.
     n_slow: usize,
-    /// The scene has changed since: what is recorded is of an earlier one.
+    /// The scene on stage is being dragged and has changed since: what is recorded is of an earlier one.
     pub is_late: bool,
     /// When time last passed, in seconds.
     clock: Option<f64>,
 }
 
-/// More phases than this are not marked on the timeline.
-const MOST_PHASES: usize = 400;
 /// A scene of at most this size is recorded in time, whatever the machine does meanwhile.
 const LARGE: usize = 1000;
 /// What a recording may take while something is dragged: half of a frame.
@@ -59,23 +61,28 @@ const PATIENCE: usize = 3;
 
 impl Playback {
     pub fn record(scene: &Scene, position: usize) -> Self {
-        let (runs, difference) = runs(scene);
-        let mut transport = Transport::new(runs[0].n_steps());
-        transport.seek(position);
-        let methods = scene.document().methods();
-        let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
+        Self::of(Found::of(scene), position)
+    }
+
+    pub fn of(found: Found, position: usize) -> Self {
+        let methods = found.scene.document().methods();
+        let all: Vec<&dyn Run> = found.runs.iter().map(|run| &**run).collect();
         let comparison = (ids(&methods), comparison(&methods, &all));
+        let mut transport = Transport::new(found.runs[0].n_steps());
+        transport.seek(position);
         Self {
             transport,
-            phases: phases(&*runs[0]),
-            runs,
+            scene: found.scene,
+            phases: found.phases,
+            runs: found.runs,
             interrupted: None,
-            difference,
-            baseline: scene.document().baseline(),
+            difference: found.difference,
+            baseline: found.baseline,
             frames: Vec::new(),
             framed_at: None,
             reached: 0,
             needs: Vec::new(),
+            wanted: found.wanted,
             comparison,
             together: None,
             notations: [Notation::Own; 2],
@@ -89,12 +96,16 @@ impl Playback {
 
     /// Records the changed scene; the cursor stays at the same moment where it comes again.
     pub fn rerecord(&mut self, scene: &Scene) {
-        let start = Instant::now();
-        let (runs, difference) = runs(scene);
-        let is_slow = start.elapsed().as_secs_f64() > MOST_SECS;
+        self.take(Found::of(scene));
+    }
+
+    /// The same of a scene that has been recorded elsewhere.
+    pub fn take(&mut self, found: Found) {
+        let is_slow = found.secs > MOST_SECS;
         self.n_slow = if is_slow { self.n_slow + 1 } else { 0 };
         self.is_late = false;
-        let before = std::mem::replace(&mut self.runs, runs).swap_remove(0);
+        self.scene = found.scene;
+        let before = std::mem::replace(&mut self.runs, found.runs).swap_remove(0);
         let now = (before, self.transport.position());
         let (before, step) = self.interrupted.take().unwrap_or(now);
         let position = self.main().corresponding(&*before, step);
@@ -103,12 +114,27 @@ impl Playback {
             self.interrupted = Some((before, step));
         }
         self.reached = position;
-        self.phases = phases(self.main());
-        self.difference = difference;
-        self.baseline = scene.document().baseline();
-        self.framed_at = None;
+        self.phases = found.phases;
+        self.difference = found.difference;
+        self.baseline = found.baseline;
         self.recording += 1;
+        self.framed_at = None;
         self.needs.clear();
+        self.wanted = found.wanted;
+    }
+
+    /// The scene is the recorded one again.
+    pub const fn keep(&mut self) {
+        (self.is_late, self.framed_at) = (false, None);
+    }
+
+    /// Its run takes so long that no drag records it.
+    pub const fn is_slow(&mut self) {
+        self.n_slow = PATIENCE;
+    }
+
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The same while a handle is dragged: a large scene whose run takes too long waits until it is let go.
@@ -147,7 +173,7 @@ impl Playback {
 
     /// Makes the frames of the present step, unless they are there already, of which these bounds of the plane are to be seen;
     /// where the scene is in an `album`, as the others in that are seen.
-    pub fn prepare(&mut self, scene: &Scene, bounds: [[f64; 2]; 2], album: Option<&Album>) {
+    pub fn prepare(&mut self, bounds: [[f64; 2]; 2], album: Option<&Album>) {
         let position = self.transport.position();
         if self.framed_at == Some(position) {
             return;
@@ -156,22 +182,30 @@ impl Playback {
         self.frames = runs.map(|(run, [step, _])| run.frame(step)).collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
-        let methods = scene.document().methods();
+        let methods = self.scene.document().methods();
         let ids = ids(&methods);
         if self.comparison.0 != ids {
             self.comparison = (ids, Comparison::Apart);
         }
         let comparison = self.comparison.1;
         let is_new = self.needs.is_empty() || self.eyes.is_none();
-        let known = album.filter(|_| is_new).and_then(|album| album.find(scene));
+        let known = album
+            .filter(|_| is_new)
+            .and_then(|album| album.find(&self.scene));
         let known = known.filter(|known| known.comparison == comparison);
         let mut prospect = Prospect::default();
         if self.needs.is_empty() {
             let wants = if let Some(known) = known {
                 (known.needs.clone(), known.notation)
             } else {
-                let seen = self.eyes.is_none().then_some(&mut prospect);
-                let (wants, notation) = wanted(self.runs(), bounds, seen);
+                let ahead = self.wanted.take().filter(|ahead| ahead.bounds == bounds);
+                let (wants, notation) = if let Some(ahead) = ahead {
+                    prospect = ahead.prospect;
+                    (ahead.needs, ahead.notation)
+                } else {
+                    let seen = self.eyes.is_none().then_some(&mut prospect);
+                    wanted(self.runs(), bounds, seen)
+                };
                 let all: Vec<&dyn Run> = self.runs().collect();
                 (comparison.needs(&wants, &all), notation)
             };
@@ -235,19 +269,6 @@ impl Playback {
     }
 }
 
-fn phases(run: &dyn Run) -> Vec<usize> {
-    let phases = (1..=run.n_steps()).filter(|&step| run.tick(step) == Tick::Phase);
-    phases.take(MOST_PHASES).collect()
-}
-
-/// One run at least, and how they differ.
 fn ids(methods: &[&'static MethodCard]) -> Vec<&'static str> {
     methods.iter().map(|method| method.id).collect()
-}
-
-fn runs(scene: &Scene) -> (Vec<Box<dyn Run>>, Option<Difference>) {
-    let runs = scene.document().record();
-    let all: Vec<&dyn Run> = runs.iter().map(|run| &**run).collect();
-    let difference = Difference::between(&scene.document().methods(), &all);
-    (runs, difference)
 }

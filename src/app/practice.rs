@@ -224,12 +224,24 @@ pub fn show(app: &App, ui: &mut Ui) {
             ScrollArea::vertical()
                 .id_salt("practice")
                 .max_height(most)
-                .show(ui, |ui| match &app.practice.asked {
-                    Some(asked) if asked.chosen.is_none() => question(app, ui, asked),
-                    Some(asked) => answer(app, ui, asked),
-                    None => at_the_end(app, ui),
-                });
+                .min_scrolled_height(most)
+                .auto_shrink([false, true])
+                .show(ui, |ui| in_kept_room(app, ui));
         });
+}
+
+/// Question, answer and what follows are as high as the highest of this recording was, so that the stage stays where it is.
+fn in_kept_room(app: &App, ui: &mut Ui) {
+    let id = Id::unique(("practice", app.playback.recording));
+    let known: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let shown = ui.scope(|ui| match &app.practice.asked {
+        Some(asked) if asked.chosen.is_none() => question(app, ui, asked),
+        Some(asked) => answer(app, ui, asked),
+        None => at_the_end(app, ui),
+    });
+    let height = shown.response.rect.height();
+    ui.add_space((known - height).max(0.0));
+    ui.data_mut(|data| data.insert_temp(id, known.max(height)));
 }
 
 fn said_live(ui: &mut Ui, look: Look<'_>, text: &str) {
@@ -259,7 +271,9 @@ fn question(app: &App, ui: &mut Ui, asked: &Asked) {
         for (nth, option) in said.iter().enumerate() {
             let digit = (nth < DIGITS.len()).then(|| format!("{}\u{2002}", nth + 1));
             let text = digit.unwrap_or_default() + option;
-            let button = ui.add(Button::new(&text).wrap());
+            let stroke = look.theme.stroke(1.0, look.theme.hairline);
+            let chip = Button::new(&text).wrap().stroke(stroke).corner_radius(4.0);
+            let button = ui.add(chip.fill(look.theme.background));
             button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, false, &text));
             if button.clicked() {
                 app.push(Command::Choose(nth));

@@ -63,7 +63,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     state.canvas_ids.clear();
     state.handle_ids.clear();
     let look = app.look_at_step();
-    let headings: Vec<String> = methods.iter().map(|it| look.say(it.name_key)).collect();
+    let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
         look,
         spacing: &SPACING,
@@ -292,12 +292,17 @@ impl Column<'_> {
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),
-            None => state.marks(self.index, (&app.history, &app.playback), frame),
+            None => state.marks(
+                self.index,
+                (app.scene(), app.stage_revision()),
+                &app.playback,
+                frame,
+            ),
         };
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
-        let [panel, method] = ["panel-stage", self.method.name_key].map(|key| look.say(key));
+        let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
         let shown = Canvas {
@@ -375,7 +380,12 @@ fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) {
             if app.history.can_undo() {
                 way(ui, look.say("action-undo"), Command::Undo);
             }
-            for card in state.ways_out(app.scene(), app.history.revision()) {
+            let ways = state.ways_out(app.scene(), app.stage_revision());
+            if let Some((key, change)) = &ways.mended {
+                let edit = Edit::Own(change.clone());
+                way(ui, look.say(key), Command::Edit(edit, None));
+            }
+            for card in &ways.methods {
                 let edit = Edit::Method(card.id);
                 way(ui, look.say(card.name_key), Command::Edit(edit, None));
             }

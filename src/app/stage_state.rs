@@ -4,17 +4,25 @@ use std::{borrow::Cow, collections::BTreeMap};
 
 use crate::{
     figure::{Body, CodeLinks, Frame, Mark, Seer, Slot, View},
+    labs::Own,
     widgets::picture_viewport,
 };
 
 use super::{
-    history::History,
     pen::Pen,
     playback::Playback,
     prelude::*,
     run_room::{RunRoom, Verdicts, WatchRooms},
     typing::Typing,
 };
+
+/// What can be done about a scene that is refused.
+pub struct WaysOut {
+    /// The methods that can take it.
+    pub methods: Vec<&'static MethodCard>,
+    /// What it is called that mends it, and the change.
+    pub mended: Option<(&'static str, Own)>,
+}
 
 /// What the stage remembers between frames. None of it is part of the document.
 #[derive(Default)]
@@ -38,8 +46,8 @@ pub struct StageState {
     /// What was clicked last, to be told why it was kept or dropped.
     pub asked: Option<Link>,
     pub sketch: Option<Sketch>,
-    /// The methods that can take a refused scene, and the revision of it.
-    ways_out: Option<(u64, Vec<&'static MethodCard>)>,
+    /// Of a refused scene, and its revision.
+    ways_out: Option<(u64, WaysOut)>,
     pub typing: Option<Typing>,
     pub pen: Pen,
     pub captions: RunRoom<f32>,
@@ -129,14 +137,18 @@ impl StageState {
         self.moved.insert(id, bounded.unwrap_or(to));
     }
 
-    pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &[&'static MethodCard] {
+    pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &WaysOut {
         let known = self.ways_out.take();
         let known = known.filter(|(of, _)| *of == revision);
         let (_, ways) = self.ways_out.insert(known.unwrap_or_else(|| {
             let document = scene.document();
             let methods = (document.lab().methods)().into_iter();
             let able = methods.filter(|card| !card.is_faulty && document.takes(card.id));
-            (revision, able.collect())
+            let ways = WaysOut {
+                methods: able.collect(),
+                mended: document.mended(),
+            };
+            (revision, ways)
         }));
         ways
     }
@@ -145,16 +157,18 @@ impl StageState {
         self.moved.contains_key(&id) || self.turned(id).is_some()
     }
 
-    /// Shows all of a scene, if it does not lie well in what was to be seen.
-    pub fn refit(&mut self, scene: &Scene) {
+    /// What is to be seen: all of a scene that does not lie well in what was to be seen.
+    pub fn refitted(&self, scene: &Scene) -> [[f64; 2]; 2] {
         let ([min, max], [now_min, now_max]) = (self.bounds, scene.document().bounds());
         let lies_well = (0..2).all(|i| {
             let (size, now) = (max[i] - min[i], now_max[i] - now_min[i]);
             let beyond = (min[i] - now_min[i]).max(now_max[i] - max[i]);
             beyond <= 0.1 * size && now >= 0.5 * size
         });
-        if !lies_well {
-            self.fit(scene.document().bounds());
+        if lies_well {
+            self.bounds
+        } else {
+            scene.document().bounds()
         }
     }
 
@@ -201,15 +215,16 @@ impl StageState {
     pub fn marks(
         &mut self,
         column: usize,
-        (history, playback): (&History<Scene>, &Playback),
+        (scene, revision): (&Scene, u64),
+        playback: &Playback,
         frame: &Frame,
     ) -> Cow<'_, [Mark]> {
         let transport = &playback.transport;
-        let document = history.now().document();
+        let document = scene.document();
         let step = transport.position();
         let methods = document.methods();
         let method = methods.get(column).map_or("", |card| card.id);
-        let under = (history.revision(), method, step >= transport.n_steps());
+        let under = (revision, method, step >= transport.n_steps());
         let known = self.layers.get(column);
         if known.is_none_or(|layers| layers.under != under) {
             let marks = document.backdrop(column, under.2);

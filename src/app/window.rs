@@ -43,6 +43,8 @@ impl App {
             return false;
         };
         self.settings.theme = before.theme;
+        self.shown.has_notes = false;
+        self.shown.controls.leave_presentation();
         ctx.send_viewport_cmd(ViewportCommand::Fullscreen(before.is_fullscreen));
         true
     }

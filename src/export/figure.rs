@@ -127,7 +127,7 @@ impl Studio {
         let catalog = Catalog::of(picture.options.lang);
         let album = album(&mut self.last, picture);
         let halves = halves(album, &picture.stops(), picture.asked_in());
-        let headings = headings(&halves, catalog);
+        let headings = headings(&halves, catalog, picture.options.asks);
         let columns = halves.iter().flat_map(|half| &half.columns);
         let sentence = |(column, name): (&Column, &String)| {
             let said = column.frame.caption.text(catalog);
@@ -252,7 +252,7 @@ impl<'a> Page<'a> {
     /// Draws it, and says where everything stands.
     fn show(&self, ui: &mut Ui) -> Layout {
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
-        let headings = headings(&self.halves, self.look.catalog);
+        let headings = headings(&self.halves, self.look.catalog, self.picture.options.asks);
         let composition = Composition {
             look: self.look,
             spacing: match self.halves[..] {

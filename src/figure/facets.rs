@@ -16,6 +16,8 @@ pub struct Facet {
     pub link: Option<Link>,
     pub skin: Option<Skin>,
     pub edging: Edging,
+    /// How much of what is behind it hides, from 0 to 1.
+    pub opacity: f32,
 }
 
 /// How the edges of a facet's solid are drawn.
@@ -132,6 +134,7 @@ impl Facet {
             role: self.role,
             link: self.link,
             edging: self.edging,
+            opacity: self.opacity,
         }
     }
 

@@ -27,7 +27,7 @@ pub enum Tick {
     Phase,
 }
 
-pub trait Run {
+pub trait Run: Send {
     /// Number of events. Step 0 is before the first.
     fn n_steps(&self) -> usize;
     /// Could the method not take the scene? Then there are no steps, and the caption says why.

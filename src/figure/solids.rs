@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    facets::{Facet, Facets, normal},
+    facets::{Edging, Facet, Facets, normal},
     lens::{Lens, Optics},
     role::{Link, Role},
 };
@@ -73,7 +73,12 @@ pub struct SolidMesh {
     triangles: Vec<[u32; 3]>,
     facets: Vec<u32>,
     textures: Vec<Option<Texture>>,
+    /// Of each facet; empty where all hide what is behind them.
+    opacities: Vec<f32>,
 }
+
+/// In which order the samples of two rows and two columns are taken by what can be seen through: as many as it hides.
+const RANKS: [[u8; 2]; 2] = [[0, 2], [3, 1]];
 
 impl SolidMesh {
     pub fn of(facets: &[Facet]) -> Self {
@@ -82,6 +87,7 @@ impl SolidMesh {
             positions: Vec::new(),
             uvs: Vec::new(),
             textures: Vec::new(),
+            opacities: opacities(facets),
             triangles: Vec::with_capacity(n_corners),
             facets: Vec::with_capacity(n_corners),
         };
@@ -139,6 +145,8 @@ impl SolidMesh {
 pub struct SolidPicture<'a> {
     mesh: &'a SolidMesh,
     triangles: Drawable,
+    /// Those that can be seen through.
+    glass: Drawable,
     viewport: Viewport,
     /// How facets look now, where not by themselves.
     looks: Option<&'a Facets>,
@@ -168,9 +176,16 @@ impl<'a> SolidPicture<'a> {
         } else {
             Drawable::Skinned(mesh.on_screen(&mesh.uvs, &clip_from_world, &viewport))
         };
+        let opacities = &mesh.opacities;
+        let is_whole = |id: u32| {
+            let opacity = opacities.get(mesh.facets[id as usize] as usize);
+            opacity.is_none_or(|&opacity| opacity == 1.0)
+        };
+        let [triangles, glass] = triangles.parted(is_whole);
         Some(Self {
             mesh,
             triangles,
+            glass,
             viewport,
             looks: None,
         })
@@ -184,9 +199,11 @@ impl<'a> SolidPicture<'a> {
                 .is_some()
         };
         if !facets.are_all_shown() {
-            match &mut self.triangles {
-                Drawable::Plain(triangles) => triangles.retain(|it| is_shown(it.id)),
-                Drawable::Skinned(triangles) => triangles.retain(|it| is_shown(it.id)),
+            for triangles in [&mut self.triangles, &mut self.glass] {
+                match triangles {
+                    Drawable::Plain(all) => all.retain(|it| is_shown(it.id)),
+                    Drawable::Skinned(all) => all.retain(|it| is_shown(it.id)),
+                }
             }
         }
         Self {
@@ -202,22 +219,15 @@ impl<'a> SolidPicture<'a> {
     }
 
     pub const fn n_triangles(&self) -> usize {
-        match &self.triangles {
-            Drawable::Plain(triangles) => triangles.len(),
-            Drawable::Skinned(triangles) => triangles.len(),
-        }
+        self.triangles.len() + self.glass.len()
     }
 
     pub fn rows(&self) -> Range<u32> {
-        fn of<const N: usize>(triangles: &[ScreenTriangle<N>]) -> Range<u32> {
-            let rows = triangles.iter().map(ScreenTriangle::rows);
-            let all = rows.reduce(|all, rows| all.start.min(rows.start)..all.end.max(rows.end));
-            all.unwrap_or_default()
-        }
-        match &self.triangles {
-            Drawable::Plain(triangles) => of(triangles),
-            Drawable::Skinned(triangles) => of(triangles),
-        }
+        let rows = [&self.triangles, &self.glass].map(Drawable::rows);
+        rows.into_iter()
+            .flatten()
+            .reduce(around)
+            .unwrap_or_default()
     }
 
     pub const fn has_skin(&self) -> bool {
@@ -237,9 +247,51 @@ impl<'a> SolidPicture<'a> {
         facets: &mut [u32],
         texels: &mut [Option<[u8; 3]>],
     ) {
+        self.draw_some(&self.triangles, rows.clone(), depths, facets, texels);
+        if self.glass.len() > 0 {
+            self.draw_glass(rows, depths, facets, texels);
+        }
+    }
+
+    /// What can be seen through takes some of the samples: they are averaged.
+    fn draw_glass(
+        &self,
+        rows: Range<u32>,
+        depths: &mut [f32],
+        facets: &mut [u32],
+        texels: &mut [Option<[u8; 3]>],
+    ) {
+        let mut nearer = (depths.to_vec(), facets.to_vec(), texels.to_vec());
+        let (near, over, skins) = (&mut nearer.0, &mut nearer.1, &mut nearer.2);
+        self.draw_some(&self.glass, rows.clone(), near, over, skins);
+        let n_columns = (depths.len() / rows.len().max(1)).max(1);
+        for at in 0..depths.len() {
+            let facet = over[at];
+            if facet == facets[at] && near[at] == depths[at] {
+                continue;
+            }
+            let [row, column] = [rows.start as usize + at / n_columns, at % n_columns];
+            let rank = f32::from(RANKS[row % 2][column % 2]);
+            if (rank + 0.5) / 4.0 < self.mesh.opacities[facet as usize] {
+                (depths[at], facets[at]) = (near[at], facet);
+                if let Some(texel) = texels.get_mut(at) {
+                    *texel = skins[at];
+                }
+            }
+        }
+    }
+
+    fn draw_some(
+        &self,
+        triangles: &Drawable,
+        rows: Range<u32>,
+        depths: &mut [f32],
+        facets: &mut [u32],
+        texels: &mut [Option<[u8; 3]>],
+    ) {
         let facet_of = |triangle: u32| self.mesh.facets[triangle as usize];
         let viewport = &self.viewport;
-        match &self.triangles {
+        match triangles {
             Drawable::Plain(all) => draw_rows(all, viewport, rows, depths, |at, triangle, []| {
                 facets[at] = facet_of(triangle);
             }),
@@ -251,6 +303,53 @@ impl<'a> SolidPicture<'a> {
             }),
         }
     }
+}
+
+impl Drawable {
+    /// Those of which this is so, and the others.
+    fn parted(self, is_so: impl Fn(u32) -> bool) -> [Self; 2] {
+        match self {
+            Self::Plain(all) => {
+                let (some, others) = all.into_iter().partition(|it| is_so(it.id));
+                [some, others].map(Self::Plain)
+            }
+            Self::Skinned(all) => {
+                let (some, others) = all.into_iter().partition(|it| is_so(it.id));
+                [some, others].map(Self::Skinned)
+            }
+        }
+    }
+
+    const fn len(&self) -> usize {
+        match self {
+            Self::Plain(all) => all.len(),
+            Self::Skinned(all) => all.len(),
+        }
+    }
+
+    /// The rows that they are in; none where there are none.
+    fn rows(&self) -> Option<Range<u32>> {
+        match self {
+            Self::Plain(all) => all.iter().map(ScreenTriangle::rows).reduce(around),
+            Self::Skinned(all) => all.iter().map(ScreenTriangle::rows).reduce(around),
+        }
+    }
+}
+
+fn around(all: Range<u32>, rows: Range<u32>) -> Range<u32> {
+    all.start.min(rows.start)..all.end.max(rows.end)
+}
+
+/// Where outlines are found between the samples, nothing can be seen through: they would be found within a face.
+fn opacities(facets: &[Facet]) -> Vec<f32> {
+    let opacity = |facet: &Facet| match facet.edging {
+        Edging::Lines => facet.opacity,
+        Edging::Samples { .. } => 1.0,
+    };
+    if facets.iter().all(|facet| opacity(facet) == 1.0) {
+        return Vec::new();
+    }
+    facets.iter().map(opacity).collect()
 }
 
 /// A little less than the distance of the nearest corner, and more than that of the farthest, as far as they are seen.

@@ -20,6 +20,15 @@ impl MethodCard {
     pub const fn name(&self) -> Value {
         Value::Term(self.name_key)
     }
+
+    /// The key of its name; while it is asked what is wrong, one that does not tell.
+    pub const fn name_asked(&self, is_asked: bool) -> &'static str {
+        if is_asked && self.is_faulty {
+            "faulty-unnamed"
+        } else {
+            self.name_key
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]

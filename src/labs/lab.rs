@@ -17,6 +17,8 @@ pub struct Lab {
     pub id: &'static str,
     pub name_key: &'static str,
     pub about_key: &'static str,
+    /// Says that a method is recorded, and on how many of what its scenes are made of.
+    pub recording_key: &'static str,
     /// In the order in which they are taught.
     pub methods: fn() -> Vec<&'static MethodCard>,
     /// What it opens on where there is no lesson.
@@ -66,6 +68,10 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
     }
     fn takes(&self, _id: &str) -> bool {
         true
+    }
+    /// Of a scene that the first method refuses: what it is called that mends it, and the change.
+    fn mended(&self) -> Option<(&'static str, Own)> {
+        None
     }
     /// One more of what the lab has many of, after this handle's; the handle of the new one, if it has one. Where there is no room
     /// for more the scene is left as it was.

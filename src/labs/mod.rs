@@ -38,7 +38,7 @@ pub use lab::{
 pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
 pub use telling::Answer;
-pub use typed::{typed_change, written};
+pub use typed::{not_read, typed_change, written};
 
 pub(crate) use words::{numbered, plane_symbol, vertex_symbol};
 

@@ -42,9 +42,11 @@ impl<F: Fn() -> I, I: Iterator<Item: Serialize>> Serialize for Each<F> {
     }
 }
 
-pub trait Telling: Method<Output: Answer, Event: Serialize> + 'static {
+pub trait Telling:
+    Method<Input: Send, Held: Send, Output: Answer, Event: Serialize + Send> + 'static
+{
     /// What is drawn around a run: the space of a scene; `()` in the plane.
-    type Scenery: 'static;
+    type Scenery: Send + Sync + 'static;
 
     const ID: &'static str;
     const NAME_KEY: &'static str;

@@ -34,10 +34,7 @@ pub fn typed_change(
 ) -> Result<Edit, Diagnostic> {
     let now = numbers(handle, document, is_flat).unwrap_or_default();
     let Some(mut read) = read_numbers(typed).filter(|read| read.len() == now.len()) else {
-        let message = Message::new("error-typed-place")
-            .with("count", now.len())
-            .with("typed", typed.to_owned());
-        return Err(Diagnostic::new(message));
+        return Err(not_read(now.len(), typed));
     };
     let shown = read_numbers(shown).unwrap_or_default();
     for ((number, now), shown) in read.iter_mut().zip(&now).zip(shown) {
@@ -53,6 +50,12 @@ pub fn typed_change(
         to[i] = number;
     }
     Ok(Edit::Drag(handle, to))
+}
+
+/// What was typed is not as many numbers.
+pub fn not_read(n_numbers: usize, typed: &str) -> Diagnostic {
+    let message = Message::new("error-typed-place").with("count", n_numbers);
+    Diagnostic::new(message.with("typed", typed.to_owned()))
 }
 
 /// What can be typed of a handle: its measure, where one number is what it stands for, else its coordinates.

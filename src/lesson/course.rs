@@ -96,7 +96,9 @@ impl Lesson {
     }
 
     pub fn step_index(&self, id: &str) -> Option<usize> {
-        self.steps.iter().position(|step| step.id == id)
+        let now = self.steps.iter().position(|step| step.id == id);
+        let was = |step: &LessonStep| step.was.as_deref() == Some(id);
+        now.or_else(|| self.steps.iter().position(was))
     }
 
     pub fn title_of(&self, id: &str, lang: Lang) -> Option<&str> {

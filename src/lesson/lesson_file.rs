@@ -24,8 +24,8 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 9] = [
-    "id", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code",
+const STEP_FIELDS: [&str; 10] = [
+    "id", "was", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code",
 ];
 
 /// Nobody reads a longer lesson.
@@ -254,6 +254,7 @@ impl Steps {
         };
         let id = fields.require("id");
         let id = id.and_then(|node| self.ids.take(node, is_kebab, ID));
+        let was = fields.get("was").and_then(Node::text);
         self.choose_scene(&fields);
         let stop = self.stop(&fields);
         let [drawn, before] = ["drawn", "before"].map(|name| self.other(fields.get(name)?));
@@ -267,6 +268,7 @@ impl Steps {
         let step = id.clone().zip(stop);
         let step = step.map(|(id, stop)| LessonStep {
             id,
+            was: was.map(str::to_owned),
             stop,
             figure,
             drawn,

@@ -16,6 +16,8 @@ use super::{prelude::*, toml_fields::Node};
 #[derive(Clone, PartialEq, Debug)]
 pub struct LessonStep {
     pub id: String,
+    /// The id that it had: places and links of then still lead to it.
+    pub was: Option<String>,
     pub(super) stop: Stop,
     /// The figure that export makes of it, unique in the lesson: lower-case letters, digits and hyphens.
     pub figure: Option<String>,

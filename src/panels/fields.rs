@@ -1,40 +1,63 @@
 //! Numbers in a form: one of a scene, dragged or typed as people write it; or how much of something random is asked for next,
 //! and from which seed.
 
-use std::ops::RangeInclusive;
+use std::{cell::RefCell, ops::RangeInclusive};
 
 use egui::{DragValue, Response, Ui};
 
 use crate::{
-    text::{Catalog, Notation, read_numbers},
+    labs::not_read,
+    text::{Catalog, Diagnostic, Notation, read_numbers},
     widgets::Look,
 };
 
-/// A number with its unit behind; the other one that was asked for. One that was typed may lie beyond the range of dragging:
-/// whether it makes a scene, the scene knows.
+/// What came of a field.
+pub struct NumberField {
+    /// The other number that was asked for.
+    pub to: Option<f64>,
+    /// Was it typed? Then it may lie beyond the range of dragging: whether it makes a scene, the scene knows.
+    pub is_typed: bool,
+    /// What was typed is no number.
+    pub unread: Option<Diagnostic>,
+    pub response: Response,
+}
+
+/// A number with its unit behind.
 pub fn number_field(
     ui: &mut Ui,
     look: Look<'_>,
     unit: &str,
     value: f64,
     range: &RangeInclusive<f64>,
-) -> (Option<f64>, Response) {
+) -> NumberField {
     let mut number = value;
     // A hundredth of what it is for each point that the pointer moves.
     let speed = (0.01 * value.abs()).max(0.001);
+    let unread = RefCell::new(None);
     let field = DragValue::new(&mut number)
         .speed(speed)
         .suffix(unit)
         .update_while_editing(false)
         .custom_formatter(|x, _| written(look.catalog, x))
-        .custom_parser(|text| read(text, unit));
-    let field = ui.add(field);
-    if field.dragged() {
+        .custom_parser(|text| {
+            let number = read(text, unit);
+            let is_unread = number.is_none() && !text.trim().is_empty();
+            *unread.borrow_mut() = is_unread.then(|| not_read(1, text));
+            number
+        });
+    let response = ui.add(field);
+    let is_typed = !response.dragged();
+    if !is_typed {
         number = number.clamp(*range.start(), *range.end());
     }
     // A field that was visited and left is read as it was rounded for show.
     let is_another = written(look.catalog, number) != written(look.catalog, value);
-    (is_another.then_some(number), field)
+    NumberField {
+        to: is_another.then_some(number),
+        is_typed,
+        unread: unread.take(),
+        response,
+    }
 }
 
 fn written(catalog: &Catalog, x: f64) -> String {

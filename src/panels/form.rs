@@ -1,19 +1,21 @@
 //! A section of the inspector: rows with a name at the left and at the right what can be set.
 
 use egui::{
-    Align, Checkbox, ComboBox, CornerRadius, Id, Label, Layout, Response, RichText, Sense, Shape,
-    Stroke, StrokeKind, Ui, UiBuilder, epaint::RectShape, vec2,
+    Align, Area, Checkbox, ComboBox, CornerRadius, Frame, Id, Key, Label, Layout, Order, Response,
+    RichText, Sense, Shape, Stroke, StrokeKind, Ui, UiBuilder, epaint::RectShape, vec2,
 };
 
 use crate::{
     labs::Lock,
-    text::Message,
+    text::{Diagnostic, Message},
     widgets::{Look, select},
 };
 
 /// Of a row, the part that its fields have.
 const FIELDS: f32 = 0.6;
 const GAP: f32 = 4.0;
+/// So wide is what is said under a field.
+const MOST_SAID: f32 = 220.0;
 /// No number is longer.
 const MOST_TYPED: usize = 64;
 
@@ -79,6 +81,36 @@ impl Form<'_> {
             ui.painter().set(wash, lit);
         }
         said
+    }
+
+    /// Says under a field why what was typed in it is not taken, until something else is done.
+    pub fn refuse(&self, ui: &Ui, field: &Response, refusal: Option<Diagnostic>) {
+        let (id, ctx) = (field.id.with("refused"), ui.ctx());
+        let is_over = ui.input(|input| {
+            let is_typed = |event: &egui::Event| matches!(event, egui::Event::Text(_));
+            input.pointer.any_pressed()
+                || input.key_pressed(Key::Escape)
+                || input.events.iter().any(is_typed)
+        });
+        if let Some(refusal) = refusal {
+            let said = self.look.catalog.message(&refusal.message);
+            ctx.data_mut(|data| data.insert_temp(id, said));
+        } else if is_over {
+            ctx.data_mut(|data| data.remove::<String>(id));
+        }
+        let Some(said) = ctx.data(|data| data.get_temp::<String>(id)) else {
+            return;
+        };
+        let frame = Frame::popup(ui.style()).fill(self.look.theme.background);
+        Area::new(id)
+            .order(Order::Foreground)
+            .fixed_pos(field.rect.left_bottom() + vec2(0.0, GAP))
+            .constrain(true)
+            .show(ctx, |ui| {
+                ui.set_max_width(MOST_SAID * self.look.theme.text_scale);
+                let text = RichText::new(said).color(self.look.theme.signal_text);
+                frame.show(ui, |ui| ui.add(Label::new(text).wrap()));
+            });
     }
 
     fn name(&self, ui: &mut Ui, name: &str, width: f32) {

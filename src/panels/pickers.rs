@@ -20,11 +20,7 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     let mut asked = None;
     let name = |card: &MethodCard| look.say(card.name_key);
     let now = *scene.document().methods().first()?;
-    let shown = if asks && now.is_faulty {
-        look.say("faulty-unnamed")
-    } else {
-        name(now)
-    };
+    let shown = look.say(now.name_asked(asks));
     let combo = list("method", shown).truncate().show_ui(ui, |ui| {
         let methods = (scene.document().lab().methods)().into_iter();
         for card in methods.filter(|card| !card.is_faulty) {

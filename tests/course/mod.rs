@@ -1,6 +1,7 @@
 //! Every number of the course's texts comes from a run: as a reference, or from the list under `numbers/`, which is recomputed here.
 //! A translation has the references of the English text, and no number besides that the English has not.
 
+mod claims;
 mod glossary;
 mod order;
 

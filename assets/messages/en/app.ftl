@@ -226,6 +226,19 @@ again = { $what } again
 is-missing = { $what } missing
 refused = refused
 run-later = The scene is too large to be run while you drag: its run is recorded when you let go.
+recording-triangles = { $method } is being recorded on { $count ->
+        [one] { $count } triangle
+       *[other] { $count } triangles
+    }…
+recording-vertices = { $method } is being recorded on { $count ->
+        [one] { $count } vertex
+       *[other] { $count } vertices
+    }…
+recording-segments = { $method } is being recorded on { $count ->
+        [one] { $count } segment
+       *[other] { $count } segments
+    }…
+recording-stop = Stop (Esc)
 
 ## Views beside the drawing
 

@@ -76,6 +76,7 @@ system-no-files = there are no files here
 system-loop = it is a link that leads to itself
 system-number = the system reports error { $number }
 system-silent = the system gives no reason
+error-typed-range = expected a number from { $least } to { $most }, but { $typed } was typed
 error-typed-place = expected { $count ->
     [1] one number
    *[other] { $count } numbers

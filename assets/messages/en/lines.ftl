@@ -228,6 +228,7 @@ measure-note = The numbers are for one segment, on average over { $count }. The 
 
 ## The verdict
 
+verdict-part-dropped = From { $from } to { $to } this step cuts the segment away.
 verdict-line-between = The line enters ({ $enters }) only after it has left ({ $leaves }).
 verdict-line-in = Moved { $move } inwards, at right angles to the border ({ $edge }), the segment would be visible.
 verdict-line-back = Moved { $move } outwards, at right angles to the border ({ $edge }), the segment would be visible.

@@ -21,6 +21,7 @@ refused-degenerate = There is nothing to clip: { $part } has no area.
 action-draw-subject = Draw the polygon
 action-draw-clip = Draw the clip polygon
 action-draw-hole = Draw a hole
+action-no-hole = Remove this hole
 action-no-holes = Remove all holes
 draw-subject = Click to place vertex { $number } of the new polygon; Backspace removes the last one, Esc cancels.
 draw-clip = Click to place vertex { $number } of the new clip polygon; Backspace removes the last one, Esc cancels.

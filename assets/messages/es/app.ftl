@@ -226,6 +226,19 @@ again = { $what } otra vez
 is-missing = falta { $what }
 refused = rechazado
 run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
+recording-triangles = Se registra { $method } con { $count ->
+        [one] { $count } triángulo
+       *[other] { $count } triángulos
+    }…
+recording-vertices = Se registra { $method } con { $count ->
+        [one] { $count } vértice
+       *[other] { $count } vértices
+    }…
+recording-segments = Se registra { $method } con { $count ->
+        [one] { $count } segmento
+       *[other] { $count } segmentos
+    }…
+recording-stop = Detener (Esc)
 
 ## Vistas junto al dibujo
 
@@ -238,10 +251,10 @@ practice-question = ¿Qué viene ahora?
 practice-how = Pulsa una cifra o elige.
 practice-show = Muéstramelo (S)
 practice-right = ✓ { $right }.
-practice-wrong = × { $right }; no: { $chosen }.
+practice-wrong = × { $right }, y no: { $chosen }.
 practice-shown = { $right }.
 practice-go-on = Seguir (Intro)
-practice-told = { $right } de { $count } dichas antes de verlas
+practice-told = { $right } de { $count } acertadas antes de verlas
 practice-done = La ejecución ha terminado: no quedan decisiones.
 practice-on = Te preguntaré antes de la próxima decisión.
 practice-leave = No preguntar más

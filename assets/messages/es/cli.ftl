@@ -112,7 +112,7 @@ case-surfaces-seen = Píxeles que muestran una superficie: { $seen } de { $pixel
 case-painted = Pintados en este orden: { $ids }.
 case-painter-cycle = Ningún orden es correcto: cada uno de { $ids } debe pintarse antes que el siguiente, y el último antes que el primero.
 case-bsp-pieces = Piezas del árbol: { $pieces }. Píxeles que muestran una superficie: { $seen } de { $pixels }.
-case-occlusion = Píxeles que muestran un objeto: { $seen } de { $pixels }. Objetos saltados: { $skipped } de { $objects }.
+case-occlusion = Píxeles que muestran un objeto: { $seen } de { $pixels }. Objetos omitidos: { $skipped } de { $objects }.
 case-bsp-too-large = Los planos cortarían estos triángulos en más de { $pieces } piezas, o clasificarían piezas más de { $questions } veces: de tantas no se construye un árbol.
 case-triangles =
     { $n ->

@@ -76,6 +76,7 @@ system-no-files = aquí no hay archivos
 system-loop = es un enlace que lleva a sí mismo
 system-number = el sistema indica el error { $number }
 system-silent = el sistema no da ningún motivo
+error-typed-range = se esperaba un número de { $least } a { $most }, pero se escribió { $typed }
 error-typed-place = { $count ->
     [1] se esperaba un número
    *[other] se esperaban { $count } números

@@ -228,6 +228,7 @@ measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más 
 
 ## The verdict
 
+verdict-part-dropped = De { $from } a { $to }, este paso descarta el segmento.
 verdict-line-between = La recta entra ({ $enters }) solo después de haber salido ({ $leaves }).
 verdict-line-in = Desplazado { $move } hacia dentro, en perpendicular al borde ({ $edge }), sería visible.
 verdict-line-back = Desplazado { $move } hacia fuera, en perpendicular al borde ({ $edge }), sería visible.

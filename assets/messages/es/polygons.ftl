@@ -21,6 +21,7 @@ refused-degenerate = No hay nada que recortar: { $part } no tiene área.
 action-draw-subject = Dibujar el polígono
 action-draw-clip = Dibujar el polígono de recorte
 action-draw-hole = Dibujar un agujero
+action-no-hole = Quitar este agujero
 action-no-holes = Quitar todos los agujeros
 draw-subject = Haz clic para poner el vértice { $number } del nuevo polígono; Retroceso quita el último; Esc cancela.
 draw-clip = Haz clic para poner el vértice { $number } del nuevo polígono de recorte; Retroceso quita el último; Esc cancela.

@@ -357,7 +357,7 @@ code-occlusion-others = para cada otro objeto P, si caja(P) llega al plano cerca
 words-occlusion-others = Toma los demás objetos uno a uno. Si su caja llega al plano cercano, dibuja el objeto sin consultar.
 code-occlusion-ask = n ← píxeles de caja(P) con z_caja ≤ z[píxel]
 words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No escribas nada.
-code-occlusion-skip = si n = 0: saltar P
+code-occlusion-skip = si n = 0: omitir P
 words-occlusion-skip = Si no hay ninguno, sáltate el objeto.
 code-occlusion-draw = si no, dibujar P
 words-occlusion-draw = Si no, dibuja el objeto.
@@ -385,7 +385,7 @@ occlusion-beside = La caja de { $object } no cubre ningún píxel.
 occlusion-unasked = La caja de { $object } llega al plano cercano, que puede cortar su parte delantera: no se compara nada.
 occlusion-answer-seen = La caja de { $object } se vería.
 occlusion-answer-hidden = La caja de { $object } queda oculta: en todas partes hay algo más cercano.
-occlusion-skip = { $object } se salta: { $triangles ->
+occlusion-skip = { $object } se omite: { $triangles ->
     [one] su triángulo no se dibuja.
    *[other] sus { $triangles } triángulos no se dibujan.
   }
@@ -407,17 +407,17 @@ occlusion-done = Terminado: { $drawn ->
     [one] uno dibujado
    *[other] { $drawn } dibujados
   }, { $skipped ->
-    [one] uno saltado
-   *[other] { $skipped } saltados
+    [one] uno omitido
+   *[other] { $skipped } omitidos
   }. Triángulos ahorrados: { $spared } de { $triangles }. La imagen es la misma que si se hubiera dibujado todo.
 occlusion-objects = objetos
 occlusion-asked = píxeles de la caja
 occlusion-passed = visibles
 occlusion-drawn = dibujado
-occlusion-skipped = saltado
+occlusion-skipped = omitido
 occlusion-is-occluder = oclusor
 watch-objects-drawn = objetos dibujados
-watch-objects-skipped = objetos saltados
+watch-objects-skipped = objetos omitidos
 watch-pixels-asked = píxeles consultados
 watch-triangles-spared = triángulos ahorrados
 

@@ -7,7 +7,7 @@ why-view-section = A lo largo del plano, longitudes reales
 ## t por triángulos semejantes
 
 why-similar = Por qué: t = d₁ / (d₁ − d₂)
-why-similar-opening = ¿Después de qué parte t del camino de P₁ a P₂ encuentra el segmento el plano { $plane }?
+why-similar-opening = ¿Qué parte t del camino de P₁ a P₂ hay que recorrer hasta el plano { $plane }?
 why-similar-d1 = El valor de n·P + D en P₁ dice a cuántos niveles del plano está P₁.
 why-similar-d2 = Lo mismo en P₂.
 why-similar-levels = De P₁ a P₂ el segmento pasa por todos los niveles entre esos dos valores.
@@ -29,15 +29,15 @@ why-view-above = Visto desde arriba
 why-view-side = Visto de lado
 why-view-front = Visto de frente
 why-shadow = Por qué: d = n·(P − p₀)
-why-shadow-opening = Ve de p₀, un punto del plano { $plane }, a P en pasos a lo largo de los ejes. La luz corre a lo largo del plano.
-why-shadow-piece = El paso a lo largo de { $axis } da su propia sombra sobre n: tan larga como el paso por esta componente de n.
+why-shadow-opening = Avanza de p₀, un punto del plano { $plane }, a P con pasos a lo largo de los ejes. La luz llega paralela al plano.
+why-shadow-piece = El paso a lo largo de { $axis } proyecta su propia sombra sobre n, tan larga como el paso multiplicado por esta componente de n.
 why-shadow-sum = Puestas una tras otra, las sombras de los pasos son la sombra de todo el camino P − p₀.
 why-shadow-distance = La sombra y la perpendicular son lados opuestos de un rectángulo, así que la sombra es la distancia d de P al plano { $plane }.
-why-shadow-elsewhere = Desde p₀ = { $other } cada sombra es distinta, y la suma es la misma.
+why-shadow-elsewhere = Desde p₀ = { $other } cada sombra es otra, pero la suma es la misma.
 why-code-steps = para cada eje: paso ← P − p₀
-why-words-steps = Ve de un punto del plano a P, eje por eje.
+why-words-steps = Avanza de un punto del plano a P, eje por eje.
 why-code-shadow = sombra ← paso · componente de n
-why-words-shadow = Cada paso da una sombra sobre la normal.
+why-words-shadow = Cada paso proyecta una sombra sobre la normal.
 why-code-sum = n·(P − p₀) ← suma de las sombras
 why-words-sum = Las sombras se suman.
 why-code-rectangle = d ← n·(P − p₀) = n·P + D
@@ -45,18 +45,18 @@ why-words-rectangle = La perpendicular es tan larga como la sombra, sea cual sea
 
 ## Franjas: por qué p < 0 es «entra»
 
-why-view-strips = x e y según u, cada una con su franja de la ventana
+why-view-strips = x e y en función de u, cada una con su franja de la ventana
 why-in = entra
 why-out = sale
 why-strips = Por qué: p < 0 es «entra» y p > 0 es «sale»
-why-strips-opening = Según u las dos coordenadas son rectas, y la ventana es una franja para cada una.
+why-strips-opening = En función de u, las dos coordenadas son rectas, y la ventana es una franja para cada una.
 why-strips-in = La recta entra en su franja por el { $edge }.
 why-strips-out = La recta sale de su franja por el { $edge }.
-why-strips-level = La recta es horizontal y queda siempre dentro del { $edge }.
-why-strips-beyond = La recta es horizontal y queda siempre fuera del { $edge }: no se ve ninguna parte.
-why-strips-from = Las dos franjas contienen la recta solo después del «entra» más tardío.
-why-strips-empty = El «sale» más temprano llega antes que el «entra» más tardío: no hay ningún u en que las dos franjas contengan la recta.
-why-strips-to = Del «entra» más tardío al «sale» más temprano las dos franjas contienen la recta.
+why-strips-level = La recta es horizontal y queda siempre del lado interior del { $edge }.
+why-strips-beyond = La recta es horizontal y queda siempre más allá del { $edge }: no se ve ninguna parte.
+why-strips-from = Las dos franjas contienen la recta solo después de la última entrada.
+why-strips-empty = La primera salida llega antes que la última entrada: no hay ningún u en que las dos franjas contengan la recta.
+why-strips-to = De la última entrada a la primera salida, las dos franjas contienen la recta.
 why-code-strip = para cada borde de una franja:
 why-words-strip = Izquierda y derecha limitan la franja de x; abajo y arriba, la de y.
 why-code-in = si p < 0: entra en u = q / p
@@ -65,12 +65,12 @@ why-code-out = si p > 0: sale en u = q / p
 why-words-out = Por el otro borde de la franja sale.
 why-code-level = si p = 0: siempre dentro, o nunca
 why-words-level = Una recta horizontal no cruza ningún borde de su franja.
-why-code-both = u_min ← último entra;  u_max ← primer sale
+why-code-both = u_min ← última entrada;  u_max ← primera salida
 why-words-both = Se ve lo que las dos franjas contienen.
 
 ## La fila 3 de la proyección
 
-why-view-depth = z′ según la profundidad, entre −w y w
+why-view-depth = z′ en función de la profundidad, entre −w y w
 why-projection-row = Por qué: la fila 3 de la proyección
 why-row-opening = La fila 3 da z′ = a · profundidad + b. ¿Qué a y b ponen las profundidades de { $near } a { $far } entre −w y w?
 why-row-near = El plano cercano, a profundidad { $near }, tiene que quedar en el borde inferior.
@@ -78,7 +78,7 @@ why-row-far = El plano lejano, a profundidad { $far }, tiene que quedar en el bo
 why-row-slope = Solo una recta pasa por los dos puntos. Sube { $climb } en { $way }: eso es a.
 why-row-start = Prolongada hacia atrás hasta la profundidad 0, la recta empieza en b.
 why-row-point = P está a profundidad { $depth }; la recta da su z′.
-why-row-divided = Sobre una recta desde 0 el cociente z′ / w es igual en todas partes: se lee en la regla del plano lejano.
+why-row-divided = En una recta que parte de 0, el cociente z′ / w es igual en todos los puntos: se lee en la regla graduada del plano lejano.
 why-row-middle = La primera mitad del intervalo, de −1 a 0, la ocupan las profundidades de { $near } a { $middle }.
 why-code-near-far = cercano ↦ z′ = −w;  lejano ↦ z′ = w
 why-words-near-far = Dos condiciones: cada plano va a su borde.
@@ -94,24 +94,24 @@ why-words-divide = Después de dividir, las profundidades cercanas al plano leja
 ## n·e > 0
 
 why-view-bar = Cada cara de canto, con la normal hacia arriba
-why-facing = Por qué: n·e > 0 mira al ojo
+why-facing = Por qué: con n·e > 0, la cara mira al ojo
 why-facing-opening = La cara { $face } se pone sobre una barra, con la normal hacia arriba. ¿Está el ojo encima o debajo de la barra?
 why-facing-product = n·e es la longitud de n por la sombra de e sobre n.
 why-facing-length = La longitud de n es positiva, así que no cambia el signo.
 why-facing-no-length = Esta cara no tiene área, así que no tiene normal ni lado que mostrar.
-why-facing-above = La sombra de e es la altura del ojo sobre el plano de la cara { $face }: el ojo ve su frente.
-why-facing-below = La sombra de e apunta al otro lado: el ojo no está por encima del plano de la cara { $face }, así que no ve su frente.
+why-facing-above = La sombra de e es la altura del ojo sobre el plano de la cara { $face }: el ojo la ve por delante.
+why-facing-below = La sombra de e apunta al otro lado: el ojo no está por encima del plano de la cara { $face }, así que no la ve por delante.
 why-facing-other-above = La cara { $face }, puesta sobre la misma barra, tiene el ojo encima.
 why-facing-other-below = La cara { $face }, puesta sobre la misma barra, no tiene el ojo encima.
-why-facing-fronts = De { $faces } caras sobre la barra, el ojo está encima de { $fronts }: esas muestran su frente, y su n·e es positivo.
+why-facing-fronts = De { $faces } caras sobre la barra, el ojo queda por encima de { $fronts }: esas se ven por delante, y su n·e es positivo.
 why-code-product = n·e = |n| · sombra de e sobre n
 why-words-product = Un producto escalar es una longitud por una sombra.
 why-code-height = altura ← n·e / |n|
 why-words-height = A qué altura está el ojo sobre el plano de la cara.
-why-code-bar = para cada otra cara: la misma barra
+why-code-bar = para cada una de las demás caras: la misma barra
 why-words-bar = Vista de canto, cada cara es una barra.
-why-code-front = frente ⇔ altura > 0 ⇔ n·e > 0
-why-words-front = El signo solo ya dice de qué lado está el ojo.
+why-code-front = delantera ⇔ altura > 0 ⇔ n·e > 0
+why-words-front = El signo, por sí solo, ya dice de qué lado está el ojo.
 why-depth = profundidad
 
 ## La normal de un lado
@@ -159,9 +159,6 @@ why-words-top = Una recta se ve recta.
 
 why-error-term = Por qué: el e de Bresenham
 why-view-columns = Las primeras columnas, ampliadas
-why-column = columna
-why-line = recta
-why-midpoint = punto medio
 why-error-opening = En cada columna la recta se aparta b / a de píxel; el punto medio entre dos píxeles está a 1/2. ¿Qué queda más lejos?
 why-error-parts = Mide ambos con una misma regla que tiene 2a partes por píxel.
 why-error-one-pixel = La recta empieza y acaba en el mismo píxel: no hay nada que elegir.

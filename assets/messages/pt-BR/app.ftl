@@ -226,6 +226,19 @@ again = { $what } de novo
 is-missing = falta { $what }
 refused = recusado
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
+recording-triangles = { $method } está sendo registrado com { $count ->
+        [one] { $count } triângulo
+       *[other] { $count } triângulos
+    }…
+recording-vertices = { $method } está sendo registrado com { $count ->
+        [one] { $count } vértice
+       *[other] { $count } vértices
+    }…
+recording-segments = { $method } está sendo registrado com { $count ->
+        [one] { $count } segmento
+       *[other] { $count } segmentos
+    }…
+recording-stop = Parar (Esc)
 
 ## Vistas ao lado do desenho
 
@@ -235,13 +248,13 @@ view-more = … mais { $count }
 practice = Pergunte-me
 action-practise = Pergunte-me o que vem antes de cada decisão
 practice-question = O que vem agora?
-practice-how = Pressione um dígito ou escolha.
+practice-how = Pressione um número ou escolha.
 practice-show = Mostre (S)
 practice-right = ✓ { $right }.
-practice-wrong = × { $right }; não: { $chosen }.
+practice-wrong = × { $right }, e não: { $chosen }.
 practice-shown = { $right }.
 practice-go-on = Continuar (Enter)
-practice-told = { $right } de { $count } ditas antes de vê-las
+practice-told = { $right } de { $count } acertadas antes de vê-las
 practice-done = A execução terminou: não há mais decisões.
 practice-on = A pergunta virá antes da próxima decisão.
 practice-leave = Não perguntar mais

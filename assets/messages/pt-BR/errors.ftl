@@ -76,6 +76,7 @@ system-no-files = aqui não há arquivos
 system-loop = é um link que leva a si mesmo
 system-number = o sistema relata o erro { $number }
 system-silent = o sistema não dá nenhum motivo
+error-typed-range = era esperado um número de { $least } a { $most }, mas foi digitado { $typed }
 error-typed-place = { $count ->
     [1] era esperado um número
    *[other] eram esperados { $count } números

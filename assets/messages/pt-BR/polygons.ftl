@@ -21,6 +21,7 @@ refused-degenerate = Não há nada a recortar: { $part } não tem área.
 action-draw-subject = Desenhar o polígono
 action-draw-clip = Desenhar o polígono de recorte
 action-draw-hole = Desenhar um furo
+action-no-hole = Remover este furo
 action-no-holes = Remover todos os furos
 draw-subject = Clique para colocar o vértice { $number } do novo polígono; Backspace remove o último, Esc cancela.
 draw-clip = Clique para colocar o vértice { $number } do novo polígono de recorte; Backspace remove o último, Esc cancela.

@@ -129,7 +129,7 @@ help-step-ten = 一次十步
 help-phase = 上一阶段或下一阶段
 help-ends = 第一步或最后一步
 help-play = 播放或暂停
-help-reset = 重置本步的场景；自由场景则回到第一步并适配视图
+help-reset = 重置本步的场景；自由场景则回到第一步并适应视图
 help-lesson-step = 课程上一步或下一步
 help-drag = 任何一步都可拖动控制柄：运行过程会重新记录
 
@@ -214,6 +214,10 @@ again = { $what } 重复
 is-missing = 缺 { $what }
 refused = 不接受
 run-later = 松开后重新记录：场景太大，无法边拖动边运行。
+recording-triangles = 正在记录 { $method } 在 { $count } 个三角形上的运行……
+recording-vertices = 正在记录 { $method } 在 { $count } 个顶点上的运行……
+recording-segments = 正在记录 { $method } 在 { $count } 条线段上的运行……
+recording-stop = 停止（Esc）
 
 ## 图旁的视图
 
@@ -221,17 +225,17 @@ view-empty = 什么也不剩
 view-more = …… 还有 { $count } 项
 
 practice = 考考我
-action-practise = 在每次判断之前先问我结果
+action-practise = 每次判断之前，先让我说出结果
 practice-question = 下一步会怎样？
 practice-how = 按数字键，或点选。
-practice-show = 告诉我（S）
+practice-show = 显示答案（S）
 practice-right = ✓ { $right }。
 practice-wrong = × { $right }，而不是：{ $chosen }。
 practice-shown = { $right }。
 practice-go-on = 继续（Enter）
-practice-told = { $count } 次判断中事先答对 { $right } 次
-practice-done = 运行已结束：没有更多的判断了。
-practice-on = 到下一次判断之前会先问你。
+practice-told = { $count } 次判断，事先答对 { $right } 次
+practice-done = 运行已结束，不再有判断了。
+practice-on = 下一次判断之前会先问你。
 practice-leave = 不再提问
 practice-step = 第 { $step } 步
 what-comes-next = 下一步会怎样？{ $options }

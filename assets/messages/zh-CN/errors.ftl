@@ -72,4 +72,5 @@ system-no-files = 这里没有文件可用
 system-loop = 它是指向自身的链接
 system-number = 系统报告错误 { $number }
 system-silent = 系统没有说明原因
+error-typed-range = 应为 { $least } 到 { $most } 之间的数，但输入的是 { $typed }
 error-typed-place = 应为 { $count } 个数，例如 −1.5 或 1/4，但输入的是 { $typed }

@@ -60,7 +60,7 @@ alg-funnel = 剔除漏斗
 alg-faulty-one-angle = 错误：两个方向用同一个视场角
 alg-faulty-turned-sign = 错误：符号取反
 alg-faulty-around-origin = 错误：球心取在原点
-alg-faulty-winding = 错误：把顶点当作顺时针
+alg-faulty-winding = 错误：把顶点顺序当作顺时针
 alg-faulty-constant-view = 错误：所有面用同一视线方向
 
 ## A point
@@ -105,7 +105,7 @@ watch-object = 物体
 
 ## A bounding box
 
-box-opening = 包住全部顶点的盒子代表物体：{ $planes } 个平面，每个测八个角。
+box-opening = 包住全部顶点的盒子代表物体：{ $planes } 个平面，每个平面测试八个角。
 box-inside = 八个角都在{ $plane }平面内侧（外侧 { $outside } 个）。
 box-straddles = 8 个角中有 { $outside } 个在{ $plane }平面外侧：跨界。
 box-outside = 全部 { $outside } 个角都在{ $plane }平面外侧：整个物体剔除。
@@ -192,19 +192,19 @@ words-funnel-draw = 每一层都去掉了自己能判定的部分。
 
 ## Mistakes
 
-faulty-one-angle-differs = 从第 { $step } 步起出现差别：把上下视场角也当成了左右视场角。
+faulty-one-angle-differs = 从第 { $step } 步起出现差别：左右方向也用了上下方向的视场角。
 faulty-turned-sign-differs = 从第 { $step } 步起出现差别：把平面的内侧当成了外侧。
-faulty-around-origin-differs = 从第 { $step } 步起出现差别：包围球以模型原点为心，而不是质心。
-faulty-winding-differs = 从第 { $step } 步起出现差别：把顶点顺序当成顺时针，法向量指向了里面。
+faulty-around-origin-differs = 从第 { $step } 步起出现差别：包围球的球心取在模型原点，而不是质心。
+faulty-winding-differs = 从第 { $step } 步起出现差别：把顶点顺序当作顺时针，于是法向量指向内部。
 faulty-constant-view-differs = 从第 { $step } 步起出现差别：所有面用了同一个视线方向。
 code-faulty-one-angle = 用同一视场角的平面：d ← n·c + D
-words-faulty-one-angle = 左右平面与上下平面张角相同。
+words-faulty-one-angle = 左、右平面的张角与上、下平面相同。
 code-faulty-turned-sign = 若 d > r：剔除物体
 words-faulty-turned-sign = 剔除法向量所指一侧的物体。
 code-faulty-around-origin = c, r ← 原点，绕质心的半径
-words-faulty-around-origin = 以模型原点为心，半径却从质心量起。
+words-faulty-around-origin = 球心取在模型原点，半径却从质心量起。
 code-faulty-winding = n ← (V₂ − V₀) × (V₁ − V₀)
-words-faulty-winding = 按顺时针顶点求法向量。
+words-faulty-winding = 把顶点顺序当作顺时针来求法向量。
 code-faulty-constant-view = 剔除 n·v ≥ 0 的三角形，v 不变
 words-faulty-constant-view = 每个面都用同一视线方向。
 
@@ -255,8 +255,8 @@ verdict-inside = 物体 { $object } 在内部：最近的是{ $plane }平面，d
 verdict-face-in = 沿{ $plane }平面的法向量移动 { $move }，这个面的顶点就不再都在同一平面之外。
 verdict-face-never = 沿{ $plane }平面的法向量怎样移动都改变不了。
 verdict-face-cut = 这个面没有一点同时在所有平面之内，所以沿某一平面的法向量移动说明不了什么。
-verdict-face-turn-to = 绕 V₀ 正对视点转 { $angle }°，这个面就开始露出正面。
-verdict-face-turn-away = 绕 V₀ 背离视点转 { $angle }°，这个面就侧对视点，被剔除。
+verdict-face-turn-to = 绕 V₀ 朝向视点转 { $angle }°，这个面就开始露出正面。
+verdict-face-turn-away = 绕 V₀ 背离视点转 { $angle }°，这个面就正好侧对视点，被剔除。
 verdict-face-no-normal = 这个面没有法向量：怎样转都不会露出正面。
 part-segment = 线段
 part-corner = 顶点 { $vertex }

@@ -225,6 +225,7 @@ measure-note = 每条线段的平均值，共 { $count } 条。时间取五遍�
 
 ## The verdict
 
+verdict-part-dropped = 从 { $from } 到 { $to }，这一步把线段的这一部分裁去。
 verdict-line-between = 直线先穿出（{ $leaves }），之后才穿入（{ $enters }）。
 verdict-line-in = 垂直于该边界（{ $edge }）向内移动 { $move }，它就可见。
 verdict-line-back = 垂直于该边界（{ $edge }）向外移动 { $move }，它就可见。

@@ -51,7 +51,7 @@ pipeline-view-under = 第 2 行沿相机的上方量：P 比光轴低 { $value }
 pipeline-view-back = 第 3 行向后量：P 在相机后方 { $value } 处。
 pipeline-view-ahead = 第 3 行向后量：P 在相机前方 { $value } 处，所以 z 为负。
 pipeline-clip-x = 第 1 行缩放 x，使左右两面落在 x = ±w。
-pipeline-clip-y = 第 2 行缩放 y，使下上两面落在 y = ±w。
+pipeline-clip-y = 第 2 行缩放 y，使上下两面落在 y = ±w。
 pipeline-clip-z = 第 3 行把近平面放到 z = −w，远平面放到 z = w。
 pipeline-clip-w = 第 4 行把深度复制到 w：{ $value }，接下来要除以它。
 pipeline-clip-w-parallel = 第 4 行让 w 保持为 1：视线平行时不需要除法。

@@ -7,7 +7,7 @@ alg-intersection-polygon = 整个多边形，最后作扇形剖分
 alg-textured-triangle = 带纹理的整个多边形
 alg-homogeneous-triangle = 除以 w 之前裁剪三角形
 alg-faulty-missed-edge = 错误：d₀ = 0 时三角形原样保留
-alg-faulty-on-plane = 错误：平面上算外侧
+alg-faulty-on-plane = 错误：平面上的点算在外侧
 alg-faulty-kept-uv = 错误：(u, v) 没有插值
 alg-undivided-texture = 错误：贴图时不做除法
 alg-faulty-edge-by-edge = 错误：把边当作线段裁剪
@@ -22,7 +22,7 @@ tri-list-given = 三角形
 tri-list-left = 剩下的部分
 tri-corners = 顶点
 tri-none = 不成三角形
-tri-not-asked = 没有检验
+tri-not-asked = 未检验
 tri-list-fan = 从 V₀ 出发的扇形：{ $vertices } − 2 = { $triangles } 个三角形
 tally-triangles = 三角形
 tally-crossings = 交点
@@ -57,7 +57,7 @@ code-ip-cross = 两端不同侧处：输出 C
 code-ip-pass = 表 ← 输出的顶点
 code-ip-fan = 三角形 ← 表的扇形
 words-ip-each = 依次检验每个平面；法向量指向内侧。
-words-ip-first = 若第一个顶点在内侧，就输出它；边界上算内侧。
+words-ip-first = 若第一个顶点在内侧，就输出它；平面上的点算在内侧。
 words-ip-distance = 逐边前进，最后一条回到 V₀；求每条边终点的有符号距离。
 words-ip-inside = 然后，若终点在内侧就输出它；V₀ 已经在表中。
 words-ip-cross = 边从一侧到另一侧时，输出它与平面的交点：t = d₁ / (d₁ − d₂)。
@@ -85,15 +85,15 @@ pat-done-empty = 完成：剩下 { $n } 个三角形，求交 { $crossings } 次
 code-pat-each = 对每个平面 (n, D)：
 code-pat-triangle = 对每个三角形：数 d ≥ 0 的个数
 code-pat-three = 3：保留
-code-pat-two = 2：切，两个三角形
-code-pat-one = 1：切，一个三角形
+code-pat-two = 2：切成两个三角形
+code-pat-one = 1：切成一个三角形
 code-pat-none = 0：舍弃
 code-pat-pass = 表 ← 保留的三角形
 words-pat-each = 依次检验每个平面；法向量指向内侧。
 words-pat-triangle = 三角形有几个顶点在内侧？
 words-pat-three = 若三个都在，原样保留。
 words-pat-two = 若有两个，剩下四边形，从它的第一个顶点分开。
-words-pat-one = 若有一个，剩下一个较小的三角形。
+words-pat-one = 若有一个，切成一个较小的三角形。
 words-pat-none = 若一个也没有，舍弃。
 words-pat-pass = 保留的三角形就是下一个平面的表。
 
@@ -129,11 +129,11 @@ words-ht-fan = 剩下的部分 w ≥ near > 0，可以除以 w。
 ## 哪里错了？
 
 faulty-missed-edge-differs = 从第 { $step } 步起出现差别：d₀ = 0 时两个乘积都不为负，三角形被原样保留。
-faulty-on-plane-differs = 从第 { $step } 步起出现差别：平面上的顶点被当作在外侧。
+faulty-on-plane-differs = 从第 { $step } 步起出现差别：平面上的顶点被当作外侧的顶点。
 faulty-kept-uv-differs = 从第 { $step } 步起出现差别：交点沿用了外侧顶点的 (u, v)。
-faulty-edge-by-edge-differs = 从第 { $step } 步起出现差别：三条边各自裁剪，而不是作为一个环。
-faulty-all-sides-differs = 从第 { $step } 步起出现差别：检验了区域码没有涉及的面，它什么也没切。
-faulty-divided-triangle-differs = 从第 { $step } 步起出现差别：w < 0 的顶点在裁剪之前就做了除法。
+faulty-edge-by-edge-differs = 从第 { $step } 步起出现差别：三条边各自裁剪，而不是作为一个轮廓。
+faulty-all-sides-differs = 从第 { $step } 步起出现差别：检验了区域码没有涉及的面，而这个面什么也没切。
+faulty-divided-triangle-differs = 从第 { $step } 步起出现差别：还没裁剪，w < 0 的顶点就除以了 w。
 code-faulty-missed-edge = 若 d₀·d₁ < 0 或 d₀·d₂ < 0：切
 words-faulty-missed-edge = 只有第一个距离与另一个异号时才切。
 code-faulty-on-plane = 若 d > 0 且 P ≠ V₀：输出 P

@@ -35,7 +35,7 @@ code-faulty-depth-straight = 对 T 中每个像素：z_T ← 距离，在屏幕�
 words-faulty-depth-straight = 不做透视除法，把观察空间中的距离在屏幕上直接线性插值。
 faulty-depth-clear-differs = 从第 { $step } 步起出现差别：没有深度小于 0，所以什么也写不进去。
 faulty-depth-compare-differs = 从第 { $step } 步起出现差别：写入的是较远的三角形。
-faulty-depth-always-differs = 从第 { $step } 步起出现差别：虽然已有更近的，三角形仍被写入。
+faulty-depth-always-differs = 从第 { $step } 步起出现差别：该处已存有更近的表面，仍写入这个三角形。
 faulty-depth-straight-differs = 从第 { $step } 步起出现差别：这不是该表面的深度，因为距离在屏幕上不是线性的。
 
 ## The depth buffer
@@ -82,10 +82,10 @@ occlusion-triangles = 每个物体的三角形数
 scale-near = 近 { $value }
 scale-far = { $value } 远
 raster-wrong = { $count } 个像素有误
-depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍去，虽然 { $other } 让 { $through } 的光透过。
+depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍弃，虽然 { $other } 让 { $through } 的光透过。
 depth-glass-done = 完成：{ $unsorted ->
     [0] 在每个像素，每个面都画在它后面的面之后
-   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍去：每个像素只有一个深度，记不住顺序
+   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍弃：每个像素只有一个深度，记不住顺序
   }。平均每个像素计算的次数：
 depth-done-stored = 完成：{ $pixels } 个像素的深度从 { $least } 到 { $most }。
 depth-done-distance = 完成：{ $pixels } 个像素的距离从 { $least } 到 { $most }。
@@ -185,7 +185,7 @@ words-faulty-painter-nearest = 三角形的排序键取其最近顶点的距离�
 code-faulty-painter-keys = 对表中每个 P：下一个是 P
 words-faulty-painter-keys = 照排好的次序取，不做检验。
 faulty-painter-nearest-differs = 从第 { $step } 步起出现差别：排序键取了最近顶点的距离，而不是最远顶点的。
-faulty-painter-keys-differs = 从第 { $step } 步起出现差别：没有检验它是否可以接着画。
+faulty-painter-keys-differs = 从第 { $step } 步起出现差别：没有检验这个三角形能否接着画。
 surfaces-first = 只取 { $all } 个三角形中的前 { $triangles } 个：全部的步骤太多，没法跟踪。
 refused-too-many-faces = 不接受：场景有 { $triangles } 个三角形，这个方法最多接受 { $most } 个。请移除一些物体，或者换一个方法。
 painter-opening = 要画 { $triangles } 个三角形，最远的先画：后画的遮住先画的。

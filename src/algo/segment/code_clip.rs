@@ -21,9 +21,9 @@ use crate::{
 use super::{Ends, Fields, LineAnswer, VisibleLine};
 
 /// What is clipped by codes, and against what.
-pub trait Coded<const N: usize>: Clone + 'static {
+pub trait Coded<const N: usize>: Clone + Send + 'static {
     /// A side that an end may lie beyond.
-    type Side: Copy + PartialEq + Debug + Serialize + 'static;
+    type Side: Copy + PartialEq + Debug + Serialize + Send + 'static;
     /// One bit for each of them.
     type Code: Copy
         + PartialEq
@@ -33,6 +33,7 @@ pub trait Coded<const N: usize>: Clone + 'static {
         + Serialize
         + BitOr<Output = Self::Code>
         + BitAnd<Output = Self::Code>
+        + Send
         + 'static;
     /// The answer, as a program asks for it.
     type Output: LineAnswer<N>;

@@ -41,11 +41,11 @@ impl LineRules for Right {}
 /// What a segment of `N` coordinates is clipped against.
 pub trait Bounds<const N: usize>: Clone + PartialEq + Debug + 'static {
     /// One of its planes. Of two that are crossed at the same place the lesser is that which the point is put on.
-    type Plane: Copy + Ord + Debug + Serialize + 'static;
+    type Plane: Copy + Ord + Send + Debug + Serialize + 'static;
     /// The numbers of a plane's row.
-    type Row: RowNumbers;
+    type Row: RowNumbers + Send;
     /// What a program gives: a segment and these bounds.
-    type Input: Given<N, Self>;
+    type Input: Given<N, Self> + Send;
     /// What it gets.
     type Output: LineAnswer<N>;
 

@@ -71,7 +71,19 @@ fn the_camera_s_numbers_are_typed_and_undone() {
         depths,
         "as they make a camera"
     );
-    assert!(!bench.app.notices.is_empty(), "and that is said");
+    let said = |bench: &mut Bench, part: &str| {
+        let texts = bench.texts().into_iter();
+        texts.filter(|(text, _)| text.contains(part)).count()
+    };
+    assert_eq!(
+        said(&mut bench, "The far plane must"),
+        1,
+        "and that is said"
+    );
+    bench.type_into("Near plane", "close");
+    assert_eq!(said(&mut bench, "but close was typed"), 1);
+    assert_eq!(said(&mut bench, "The far plane must"), 0);
+    assert_eq!(bench.space().camera.depths(), depths);
     bench.type_into("Target x", "−1");
     let [_, target, up] = bench.space().camera.places();
     assert_eq!((target[0], up), (-1.0, before.camera.places()[2]));

@@ -38,6 +38,9 @@ fn every_lab_has_a_format_solvers_a_panel_and_words() {
                 let said = Catalog::of(lang).term(key);
                 assert!(!said.contains('⟦'), "{lang} has no {key}");
             }
+            let recording = Message::new(lab.recording_key).with("method", "M".to_owned());
+            let said = Catalog::of(lang).message(&recording.with("count", 2usize));
+            assert!(!said.contains('⟦'), "{lang}: {said}");
         }
         for handle in scene.document().handles() {
             let at = scene.document().position(handle);

@@ -18,6 +18,7 @@ mod places;
 mod polygons;
 mod practice;
 mod presentation;
+mod recording;
 mod text_size;
 mod third_lab;
 mod verdicts;
@@ -163,6 +164,11 @@ impl Bench {
 
     /// Frames without input, until nothing moves any more.
     fn settle(&mut self) {
+        self.frame(0.0, Vec::new());
+        while self.app.is_recording() {
+            std::thread::sleep(std::time::Duration::from_millis(2));
+            self.frame(0.0, Vec::new());
+        }
         for _ in 0..60 {
             self.frame(0.1, Vec::new());
             if self.wait_secs > 0.0 {

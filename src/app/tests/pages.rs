@@ -1,7 +1,11 @@
 //! Nothing is lost: what was done on a page is there again when it is opened.
 
 use super::*;
-use crate::trace::Transport;
+use crate::{
+    figure::{Mark, Role, Shape},
+    labs::polygons,
+    trace::Transport,
+};
 
 /// One more segment; the scene before and after.
 fn change(bench: &mut Bench) -> [Scene; 2] {
@@ -96,8 +100,8 @@ polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
     let said = format!("{:?}", run.caption(0));
     assert!(said.contains("S₁S₂") && said.contains("S₃S₄"), "{said}");
     let (scene, revision) = (bench.app.scene().clone(), bench.app.history.revision());
-    let ways = bench.app.stage.ways_out(&scene, revision).iter();
-    let ways: Vec<&str> = ways.map(|card| card.id).collect();
+    let ways = bench.app.stage.ways_out(&scene, revision);
+    let ways: Vec<&str> = ways.methods.iter().map(|card| card.id).collect();
     assert_eq!(ways, ["sutherland-hodgman", "sutherland-hodgman-pipeline"]);
     for id in ways {
         bench.apply(Command::Edit(Edit::Method(id), None));
@@ -218,6 +222,30 @@ polygon = [[1, 1], [5, 5], [5, 1], [1, 5]]
     assert!(bench.app.playback.main().is_refused());
     bench.edit(Edit::Replace(own));
     assert_eq!(bench.app.position(), 3);
+}
+
+#[test]
+fn a_hole_outside_the_polygon_is_drawn_and_can_be_removed() {
+    let mut bench = Bench::course(SIZE);
+    let beside = b"method = \"weiler-atherton\"
+window = [0, 0, 4, 4]
+polygon = [[1, 1], [3, 1], [3, 3], [1, 3]]
+holes = [[[1.5, 1.5], [1.5, 2], [2, 1.5]], [[5, 1], [5, 2], [6, 1]]]
+";
+    bench.app.open_bytes("beside.toml", beside);
+    bench.settle();
+    assert!(bench.app.playback.main().is_refused());
+    let frame = bench.app.playback.main().frame(0);
+    let is_hole =
+        |mark: &&Mark| mark.shape == Shape::Outline(vec![[5.0, 1.0], [5.0, 2.0], [6.0, 1.0]]);
+    let hole = frame.marks().iter().find(is_hole).expect("it is drawn");
+    assert_eq!(hole.role, Role::Discarded);
+    let words = Catalog::of(Lang::En).term("action-no-hole");
+    let texts = bench.texts();
+    let button = texts.iter().find(|(text, _)| *text == words);
+    bench.press_at(button.expect("a way out").1.center());
+    assert!(!bench.app.playback.main().is_refused());
+    assert_eq!(bench.scene::<polygons::Scene>().holes.len(), 1);
 }
 
 /// From a folder's course one comes back to the built-in one, and again, each at its own place.

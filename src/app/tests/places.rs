@@ -185,8 +185,7 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
         for step in 0..=n_steps {
             bench.app.seek(step);
             let bounds = bench.app.stage.bounds();
-            let scene = bench.app.scene().clone();
-            bench.app.playback.prepare(&scene, bounds, None);
+            bench.app.playback.prepare(bounds, None);
             let frames = bench.app.playback.on_stage().iter();
             let said = |frame: &Frame| caption_text(Catalog::of(Lang::En), &frame.caption);
             let length = frames.clone().map(|frame| said(frame).len()).max();

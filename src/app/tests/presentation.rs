@@ -107,6 +107,25 @@ fn a_presented_step_says_its_number_and_its_question_and_then_the_answer() {
 }
 
 #[test]
+fn what_a_presented_question_asks_for_is_put_beside_the_stage() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([33, 0]));
+    bench.key(Key::F5);
+    bench.settle();
+    let rows = Catalog::of(Lang::En).term("raster-rows");
+    let is_there = |bench: &mut Bench| bench.named().iter().any(|(name, _)| *name == rows);
+    assert!(!is_there(&mut bench));
+    let mut named = bench.named().into_iter();
+    let link = named.find(|(name, _)| name.ends_with(" rows"));
+    bench.press_at(link.expect("a link").1.center());
+    assert!(is_there(&mut bench) && bench.app.is_presenting());
+    bench.key(Key::F5);
+    bench.key(Key::F5);
+    bench.settle();
+    assert!(!is_there(&mut bench), "another presentation");
+}
+
+#[test]
 fn a_presenter_draws_while_b_is_held_and_the_next_step_is_clean() {
     let mut bench = Bench::course(SIZE);
     bench.command(Command::FIRST);
@@ -201,6 +220,10 @@ fn the_speaker_reads_notes_that_nobody_else_sees() {
     bench.key(Key::N);
     bench.settle();
     assert!(!has(&mut bench, &note));
+    bench.key(Key::N);
+    bench.key(Key::Escape);
+    bench.settle();
+    assert!(!bench.app.is_presenting() && !has(&mut bench, &note));
 }
 
 #[test]

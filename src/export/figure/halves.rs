@@ -37,14 +37,14 @@ pub fn halves<'a>(
 }
 
 /// What stands over each column.
-pub fn headings(halves: &[Half<'_>], catalog: &Catalog) -> Vec<String> {
+pub fn headings(halves: &[Half<'_>], catalog: &Catalog, asks: bool) -> Vec<String> {
     match halves {
         [_, _] => ["figure-before", "figure-now"]
             .map(|key| catalog.term(key))
             .to_vec(),
         _ => {
             let columns = halves.iter().flat_map(|half| &half.columns);
-            let name = |column: &Column| catalog.term(column.method.name_key);
+            let name = |column: &Column| catalog.term(column.method.name_asked(asks));
             columns.map(name).collect()
         }
     }

@@ -30,6 +30,7 @@ fn facets() -> Vec<Facet> {
                 link: Some(Link::nth("face", facets.len())),
                 skin: None,
                 edging: Edging::Lines,
+                opacity: 1.0,
             });
         }
     }

@@ -22,6 +22,7 @@ fn cube() -> Vec<Facet> {
             link: None,
             skin: None,
             edging: Edging::Lines,
+            opacity: 1.0,
         }
     };
     (0..3)

@@ -37,6 +37,7 @@ pub static FRUSTUM: SpaceLab = SpaceLab {
         id: "frustum",
         name_key: "lab-frustum",
         about_key: "lab-frustum-about",
+        recording_key: "recording-triangles",
         methods: || FRUSTUM.all().map(Method::card).collect(),
         first_scene: || first_scene().into(),
         smallest_scene: || first_scene().alone().into(),

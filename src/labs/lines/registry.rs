@@ -12,12 +12,16 @@ use crate::{
     trace::{self, Counted, Counts, held_after, silent},
 };
 
-use super::{LineTelling, Method, MethodInfo, Pass, Scene, verdict::decided};
+use super::{
+    LineTelling, Method, MethodInfo, Pass, Scene,
+    verdict::{decided, dropped},
+};
 
 pub static LAB: &Lab = &Lab {
     id: "lines",
     name_key: "lab-lines",
     about_key: "lab-lines-about",
+    recording_key: "recording-segments",
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
     smallest_scene: || Scene::first().into(),
@@ -50,6 +54,7 @@ where
                 Counts::of(|| held_after::<M, Counted>(&input)).1
             },
             decided: decided::<M>,
+            dropped: dropped::<M>,
             pass: pass::<M>,
         },
     }

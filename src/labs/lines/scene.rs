@@ -1,10 +1,11 @@
 //! The lines lab's document: what is clipped against what, and by which method; and what the lab knows of a method.
 
+use glam::DVec2;
 use serde::Serialize;
 use serde_json::json;
 
 use crate::{
-    algo::line::{BitOrder, Visible, WindowInput},
+    algo::line::{BitOrder, End, Visible, WindowInput},
     geom::{ConvexPolygon, HalfPlane, Segment, Window},
     labs::prelude::*,
     text::Diagnostic,
@@ -22,6 +23,7 @@ pub struct MethodInfo {
     pub record: fn(&Scene, Segment) -> Box<dyn Run>,
     pub cost: fn(&Scene, Segment) -> Counts,
     pub decided: fn(&Scene, Segment) -> Decided,
+    pub dropped: fn(&Scene, Segment) -> Vec<Dropped>,
     pub pass: fn(&Scene, &[Segment]) -> Pass,
 }
 
@@ -32,6 +34,13 @@ pub struct Decided {
     /// The borders that it comes in and goes out by, where it comes in only after it has gone out.
     pub between: Option<[Value; 2]>,
     pub borders: Vec<(HalfPlane, Value)>,
+}
+
+/// A part of a segment that a step has cut away, from one parameter along it to another.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Dropped {
+    pub step: usize,
+    pub from_to: [f64; 2],
 }
 
 /// Clips a batch, the same one each time it is called; the number of segments that are visible.
@@ -194,6 +203,21 @@ pub trait LineTelling: Telling<Scenery = ()> + trace::Method<Output = Visible> {
     const WRITES_CODES: bool = false;
 
     fn input(scene: &Scene, segment: Segment) -> Self::Input;
+
+    /// The end that an event cuts off, and up to which parameter along the segment.
+    fn cuts(event: &Self::Event, segment: &Segment) -> Option<(End, f64)>;
+}
+
+/// The parameter of the place along a segment that is nearest to a point.
+pub fn nearest_along(segment: &Segment, at: [f64; 2]) -> f64 {
+    let ends = [segment.p1, segment.p2].map(|end| DVec2::from(end.to_array()));
+    let along = ends[1] - ends[0];
+    let share = (DVec2::from(at) - ends[0]).dot(along) / along.length_squared();
+    if share.is_nan() {
+        0.0
+    } else {
+        share.clamp(0.0, 1.0)
+    }
 }
 
 impl Answer for Visible {

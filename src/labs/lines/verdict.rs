@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use glam::DVec2;
+
 use crate::{
-    algo::line::{least_move_in, least_move_out},
+    algo::line::{End, least_move_in, least_move_out},
     figure::Decides,
     geom::{Edge, HalfPlane, Segment, distance_to_segment},
     labs::{
@@ -13,7 +15,10 @@ use crate::{
     },
 };
 
-use super::{LineTelling, Scene, scene::Decided};
+use super::{
+    LineTelling, Scene,
+    scene::{Decided, Dropped, nearest_along},
+};
 
 pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
     let recording = Recording::<M>::new(M::input(scene, segment));
@@ -44,6 +49,29 @@ pub fn decided<M: LineTelling>(scene: &Scene, segment: Segment) -> Decided {
     }
 }
 
+/// What each step cuts away, in their order.
+pub fn dropped<M: LineTelling>(scene: &Scene, segment: Segment) -> Vec<Dropped> {
+    let recording = Recording::<M>::new(M::input(scene, segment));
+    let mut left = [0.0, 1.0];
+    let mut all = Vec::new();
+    for (step, event) in (1..).zip(recording.events()) {
+        let Some((end, to)) = M::cuts(event, &segment) else {
+            continue;
+        };
+        let [low, high] = left;
+        let to = to.clamp(low, high);
+        let from_to = match end {
+            End::P1 => [low, to],
+            End::P2 => [to, high],
+        };
+        left[end.idx()] = to;
+        if from_to[0] < from_to[1] {
+            all.push(Dropped { step, from_to });
+        }
+    }
+    all
+}
+
 /// In the order in which the method numbers them.
 fn borders<M: LineTelling>(scene: &Scene) -> Vec<(HalfPlane, Value, Link)> {
     if M::TAKES_POLYGON {
@@ -61,13 +89,31 @@ fn borders<M: LineTelling>(scene: &Scene) -> Vec<(HalfPlane, Value, Link)> {
 
 impl Answers for Scene {
     fn asked(&self, click: &Click<'_>) -> Option<Link> {
-        under(self, click).map(segment_link)
+        let segment_idx = under(self, click)?;
+        let [x, y, _] = click.at;
+        let u = nearest_along(&self.focused(), [x, y]);
+        let is_there = |it: &Dropped| it.from_to[0] <= u && u <= it.from_to[1];
+        let dropped = || (self.method.info().dropped)(self, self.focused());
+        let part = (segment_idx == self.focus()).then(dropped);
+        let part = part.and_then(|parts| parts.into_iter().find(is_there));
+        Some(part.map_or(segment_link(segment_idx), |part| part_link(part.step)))
     }
 
     fn verdict(&self, about: Link, (run, _): AtStep<'_>) -> Option<Verdict> {
         let segment = self.focused();
         if about != segment_link(self.focus()) {
-            return None;
+            let mut parts = (self.method.info().dropped)(self, segment).into_iter();
+            let part = parts.find(|part| about == part_link(part.step))?;
+            let ends = [segment.p1, segment.p2].map(|end| DVec2::from(end.to_array()));
+            let place = |u: f64| Value::Point(ends[0].lerp(ends[1], u).to_array());
+            let [from, to] = part.from_to.map(place);
+            let message = Message::new("verdict-part-dropped").with("from", from);
+            return Some(Verdict {
+                why: run.caption(part.step),
+                notes: vec![message.with("to", to)],
+                step: Some(part.step),
+                offer: None,
+            });
         }
         let decided = (self.method.info().decided)(self, segment);
         let (planes, names): (Vec<HalfPlane>, Vec<Value>) = decided.borders.into_iter().unzip();
@@ -109,6 +155,11 @@ pub const fn segment_link(segment_idx: usize) -> Link {
     Link::nth("segment", segment_idx)
 }
 
+/// The part of the segment in focus that a step has cut away.
+const fn part_link(step: usize) -> Link {
+    Link::nth("cut away", step)
+}
+
 /// The nearest segment within reach of a click.
 pub fn under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     let [x, y, _] = click.at;
@@ -120,4 +171,41 @@ pub fn under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     });
     let (_, nearest) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(nearest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        super::{Method, random_segments},
+        *,
+    };
+    use crate::{algo::line::LiangBarsky, labs::Document, trace::silent};
+
+    #[test]
+    fn what_is_dropped_and_what_is_visible_are_all_of_a_segment() {
+        let mut scene = Scene::first();
+        let mut n_parts = 0;
+        for segment in random_segments(&scene.window, 60, 3) {
+            let Some(visible) = silent::<LiangBarsky>(&scene.with(segment)) else {
+                continue;
+            };
+            scene.set_segment(0, segment);
+            let ends = [visible.p1, visible.p2].map(|end| nearest_along(&segment, end.to_array()));
+            for method in Method::all_right() {
+                scene.method = method;
+                let parts = (method.info().dropped)(&scene, segment);
+                let dropped: f64 = parts.iter().map(|it| it.from_to[1] - it.from_to[0]).sum();
+                let all = dropped + ends[1] - ends[0];
+                assert!((all - 1.0).abs() < 1e-9, "{method:?}: {parts:?} {ends:?}");
+                let run = scene.record().swap_remove(0);
+                for part in &parts {
+                    let about = part_link(part.step);
+                    let told = scene.verdict(about, (&*run, 0)).expect("it is told");
+                    assert_eq!(told.step, Some(part.step));
+                    n_parts += 1;
+                }
+            }
+        }
+        assert!(n_parts > 50, "{n_parts}");
+    }
 }

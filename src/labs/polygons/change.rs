@@ -18,6 +18,7 @@ pub enum PolygonsChange {
     Texture(Texture),
     Subject(Polygon),
     Hole(Polygon),
+    NoHole(usize),
     NoHoles,
     /// Another clip polygon; none for the window.
     Clip(Option<Polygon>),
@@ -41,6 +42,10 @@ impl ChangeOf for PolygonsChange {
             Self::Texture(texture) => changed.texture = texture,
             Self::Subject(subject) => (changed.subject, changed.holes) = (subject, Vec::new()),
             Self::Hole(hole) => changed.holes.push(hole),
+            Self::NoHole(i) if i < changed.holes.len() => {
+                changed.holes.remove(i);
+            }
+            Self::NoHole(_) => {}
             Self::NoHoles => changed.holes.clear(),
             Self::Clip(clip) => changed.clip = clip,
             Self::Region(i) => {

@@ -59,6 +59,11 @@ impl Document for Scene {
         Method::by_id(id).is_some_and(|method| (method.info().takes)(self))
     }
 
+    fn mended(&self) -> Option<(&'static str, Own)> {
+        let hole = (self.method.info().unfit_hole)(self)?;
+        Some(("action-no-hole", Arc::new(PolygonsChange::NoHole(hole))))
+    }
+
     fn add(&mut self, after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
         PolygonsChange::Insert(vertex_of(self, after), None).make(self)
     }

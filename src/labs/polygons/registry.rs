@@ -23,6 +23,7 @@ pub static LAB: &Lab = &Lab {
     id: "polygons",
     name_key: "lab-polygons",
     about_key: "lab-polygons-about",
+    recording_key: "recording-vertices",
     methods: || Method::all().map(Method::card).collect(),
     first_scene: || Scene::first().into(),
     smallest_scene: || Scene::smallest().into(),
@@ -44,6 +45,7 @@ const fn info<M: PolygonTelling>() -> MethodEntry<MethodInfo> {
                 M::record(scene).unwrap_or_else(|refusal| refusal.run(scene, M::SUBJECT))
             },
             takes: |scene| M::input(scene).is_ok(),
+            unfit_hole: |scene| M::input(scene).err()?.hole(),
             fate: fate::<M>,
             found: found::<M>,
         },

@@ -88,6 +88,8 @@ pub struct MethodInfo {
     /// Runs it on a scene; where it cannot take it, the run has no steps and says why.
     pub record: fn(&Scene) -> Box<dyn Run>,
     pub takes: fn(&Scene) -> bool,
+    /// The hole for which it does not take the scene.
+    pub unfit_hole: fn(&Scene) -> Option<usize>,
     pub fate: fn(&Scene, Point) -> Option<VertexFate>,
     pub found: fn(&Scene) -> Vec<Found>,
 }

@@ -37,6 +37,14 @@ impl UnfitScene {
         Self { part, error }
     }
 
+    /// The hole that is at fault.
+    pub const fn hole(self) -> Option<usize> {
+        match self.part {
+            ScenePart::Hole(i) => Some(i),
+            ScenePart::Subject | ScenePart::Clip => None,
+        }
+    }
+
     /// A run without a step that says what is wrong, and shows it over the outline at fault, whose vertices have their names.
     pub(super) fn run(self, scene: &Scene, subject: char) -> Box<dyn Run> {
         let outline = self.outline(scene);

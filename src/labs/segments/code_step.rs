@@ -30,7 +30,7 @@ pub struct CodeKeys {
 pub type EventOf<const N: usize, I> = CodeEvent<N, <I as Coded<N>>::Code, <I as Coded<N>>::Side>;
 
 pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
-    type Scenery: 'static;
+    type Scenery: Send + Sync + 'static;
     const ID: &'static str;
     const NAME_KEY: &'static str;
     const SOURCE: &'static str;

@@ -28,7 +28,7 @@ pub struct LineKeys {
 }
 
 pub trait LineLook<const N: usize>: Bounds<N, Output: Answer> {
-    type Scenery: 'static;
+    type Scenery: Send + Sync + 'static;
     const SOURCE: &'static str;
     const KEYS: LineKeys;
     const WATCHED: &'static [&'static str] = &["P₁", "P₂", "Δ", "P₁′", "P₂′"];

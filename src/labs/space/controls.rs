@@ -36,6 +36,24 @@ pub struct Control {
     set: fn(&mut Scene, usize, f64) -> Result<(), Diagnostic>,
 }
 
+impl Control {
+    /// Why the scene does not take this number in this place, if it does not.
+    pub fn refusal(&self, scene: &Scene, place: usize, to: f64) -> Option<Diagnostic> {
+        let mut tried = scene.clone();
+        if let Err(refused) = (self.set)(&mut tried, place, to) {
+            return Some(refused);
+        }
+        let (range, numbers) = ((self.range)(scene), (self.numbers)(&tried));
+        if range.contains(&to) || numbers.get(place) == Some(&to) {
+            return None;
+        }
+        let message = Message::new("error-typed-range")
+            .with("least", *range.start())
+            .with("most", *range.end());
+        Some(Diagnostic::new(message.with("typed", to)))
+    }
+}
+
 /// The ids of all that can be set in these sections.
 pub fn ids(sections: &[&str]) -> Vec<&'static str> {
     let known = SECTIONS.iter().filter(|it| sections.contains(&it.id));

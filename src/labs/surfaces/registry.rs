@@ -31,6 +31,7 @@ pub static SURFACES: SpaceLab = SpaceLab {
         id: "surfaces",
         name_key: "lab-surfaces",
         about_key: "lab-surfaces-about",
+        recording_key: "recording-triangles",
         methods: || SURFACES.all().map(Method::card).collect(),
         first_scene: || first_scene().into(),
         smallest_scene: || first_scene().alone().into(),

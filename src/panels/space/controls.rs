@@ -27,8 +27,13 @@ fn numbers(ui: &mut Ui, form: &Form<'_>, section: &Section, scene: &Scene) -> Op
         let name = (control.name)();
         let entry = (control.id, &name, control.group);
         let set = form.row(ui, entry, numbers.len(), |ui, i| {
-            let (to, field) = number_field(ui, form.look, control.unit, numbers[i], &range);
-            (to.map(|to| (i, to)), field)
+            let field = number_field(ui, form.look, control.unit, numbers[i], &range);
+            let typed = field.to.filter(|_| field.is_typed);
+            let refusal = typed.and_then(|to| control.refusal(scene, i, to));
+            let refusal = field.unread.or(refusal);
+            let to = field.to.filter(|_| refusal.is_none());
+            form.refuse(ui, &field.response, refusal);
+            (to.map(|to| (i, to)), field.response)
         });
         asked = asked.or(set.map(|(i, to)| {
             let change = Edit::own(SpaceChange::Set(control.id, i, to));

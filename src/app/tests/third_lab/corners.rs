@@ -181,6 +181,7 @@ fn facets(half: f64) -> Vec<Facet> {
         link: Some(Link::to("face")),
         skin: None,
         edging: Edging::Lines,
+        opacity: 1.0,
     };
     FACES.map(facet).to_vec()
 }

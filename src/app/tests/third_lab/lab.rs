@@ -24,6 +24,7 @@ pub static LAB: &Lab = &Lab {
     id: "boxes",
     name_key: "object-window",
     about_key: "object-window",
+    recording_key: "recording-vertices",
     methods: || vec![&CARD],
     first_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),
     smallest_scene: || BoxScene { half: 1.0, c: 0.5 }.into(),

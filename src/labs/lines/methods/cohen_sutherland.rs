@@ -34,6 +34,14 @@ impl LineTelling for CohenSutherland {
             bit_order: scene.bit_order,
         }
     }
+
+    fn cuts(event: &Event, segment: &Segment) -> Option<(End, f64)> {
+        if let Event::Cut { end, to, .. } = *event {
+            Some((end, nearest_along(segment, to)))
+        } else {
+            None
+        }
+    }
 }
 
 impl CodeLook<2> for Input {

@@ -20,7 +20,7 @@ use crate::{
 use super::{
     convex_edges::{Shown, edge_in_hand, edge_marks, edge_table, products},
     prelude::*,
-    shared::{SegmentInterval, point},
+    shared::{SegmentInterval, bounded, point},
 };
 
 const LINES: [CodeLine; N_LINES] = [
@@ -41,6 +41,10 @@ impl<L: LineRules + LineVariant<2, ConvexPolygon>> LineTelling for LineClip<2, C
             clip: scene.clip_polygon(),
             segment,
         }
+    }
+
+    fn cuts(event: &Self::Event, _: &Segment) -> Option<(End, f64)> {
+        bounded(event)
     }
 }
 

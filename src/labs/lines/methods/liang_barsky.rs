@@ -7,12 +7,16 @@ use crate::{
 
 use super::{
     prelude::*,
-    shared::{SegmentInterval, ends, outside_marks, point, put_formulas, side, side_key},
+    shared::{SegmentInterval, bounded, ends, outside_marks, point, put_formulas, side, side_key},
 };
 
 impl LineTelling for LiangBarsky {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
         scene.with(segment)
+    }
+
+    fn cuts(event: &Self::Event, _: &Segment) -> Option<(End, f64)> {
+        bounded(event)
     }
 }
 

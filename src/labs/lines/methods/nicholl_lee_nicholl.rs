@@ -34,6 +34,14 @@ impl LineTelling for NichollLeeNicholl {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
         scene.with(segment)
     }
+
+    fn cuts(event: &Event, segment: &Segment) -> Option<(End, f64)> {
+        if let Event::Cut { end, to, .. } = *event {
+            Some((end, nearest_along(segment, to.to_array())))
+        } else {
+            None
+        }
+    }
 }
 
 const fn side_row(line: usize, key: &'static str) -> Row {

@@ -5,7 +5,7 @@ pub(super) use crate::{
     geom::{Axis, Edge, Point, Segment, Window},
     labs::{
         crossing_formulas::upright,
-        lines::{LineTelling, Scene},
+        lines::{LineTelling, Scene, scene::nearest_along},
         prelude::*,
         words::{along, axis_symbol, border_equation, edge_link, edge_name},
     },

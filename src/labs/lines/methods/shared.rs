@@ -3,7 +3,7 @@
 use crate::{
     algo::{
         line::{Ratio, corner_between},
-        segment::VisibleLine,
+        segment::{LineEvent, VisibleLine},
     },
     figure::Side,
     labs::{
@@ -299,4 +299,30 @@ impl SegmentInterval {
 pub fn on_line(segment: &Segment, u: f64) -> [f64; 2] {
     let [x1, y1, x2, y2] = segment.to_array();
     [x1 + u * (x2 - x1), y1 + u * (y2 - y1)]
+}
+
+/// Of a clipper by inequalities: the end that a bound which has moved cuts off, and up to where.
+pub fn bounded<P, W>(event: &LineEvent<P, 2, W>) -> Option<(End, f64)> {
+    match *event {
+        LineEvent::Enter {
+            raises: true,
+            u_min,
+            ..
+        } => Some((End::P1, u_min)),
+        LineEvent::Leave {
+            lowers: true,
+            u_max,
+            ..
+        } => Some((End::P2, u_max)),
+        LineEvent::Enter { .. }
+        | LineEvent::Leave { .. }
+        | LineEvent::Delta { .. }
+        | LineEvent::Depths { .. }
+        | LineEvent::Row { .. }
+        | LineEvent::Parallel { .. }
+        | LineEvent::Interval { .. }
+        | LineEvent::Put { .. }
+        | LineEvent::Accept { .. }
+        | LineEvent::Reject { .. } => None,
+    }
 }

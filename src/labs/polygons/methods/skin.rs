@@ -14,7 +14,7 @@ use super::prelude::*;
 /// that grows with the square.
 const MOST: usize = 400;
 
-pub trait LabVertex: Vertex + Serialize + 'static {
+pub trait LabVertex: Vertex + Serialize + Send + 'static {
     const IS_TEXTURED: bool = true;
 
     fn with_uv(at: Point, uv: [f64; 2]) -> Self;

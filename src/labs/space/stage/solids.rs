@@ -93,6 +93,7 @@ impl Solids {
                     .skin(*face)
                     .filter(|_| role != Role::Discarded),
                 edging: Edging::Lines,
+                opacity: object.opacity() as f32,
             };
             match fate {
                 Fate::Cut => self.cut_face(&whole, planes),
@@ -244,6 +245,7 @@ impl Solids {
             link: Some(link),
             skin: None,
             edging: Edging::Lines,
+            opacity: 1.0,
         }));
     }
 }

@@ -109,7 +109,7 @@ impl PolygonTelling for WeilerAtherton {
         }
     }
 
-    /// From where the subject leaves, up to the next intersection.
+    /// From where the subject leaves, up to the next intersection; of a ring that is outside, all of it.
     fn dropped(step: &Step<'_, Self>) -> Vec<[Point; 2]> {
         let lists = &step.held.lists;
         let entries = &lists.entries[0];
@@ -128,6 +128,17 @@ impl PolygonTelling for WeilerAtherton {
                 parts.push([at(entry), at(next)]);
                 from = next.node().is_none().then_some(next);
             }
+        }
+        if let Some(Event::Whole {
+            list: Subject,
+            ring_idx,
+            kind: None,
+            ..
+        }) = step.event()
+        {
+            let vertices = step.input.subject.rings().ring(ring_idx as usize);
+            let next = |i: usize| vertices[(i + 1) % vertices.len()];
+            parts.extend((0..vertices.len()).map(|i| [vertices[i], next(i)]));
         }
         parts
     }
