@@ -12,7 +12,8 @@ use crate::messages::messages;
 /// Languages that tell one thing from several.
 const WITH_PLURALS: [Lang; 3] = [Lang::En, Lang::Es, Lang::PtBr];
 /// What is counted here is never one: limits, vertices of polygons, sides of a picture, planes of a volume.
-const NEVER_ONE: [&str; 63] = [
+const NEVER_ONE: [&str; 64] = [
+    "why-fence-nothing",
     "case-tints-length",
     "refused-too-many-faces",
     "box-done-in-vain",

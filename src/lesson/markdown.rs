@@ -244,8 +244,8 @@ impl Reader<'_> {
         if text.is_empty() {
             return;
         }
-        if let Some(claim) = text[0].text.strip_prefix(CLAIM) {
-            text[0].text = claim.to_owned();
+        if text[0].text.starts_with(CLAIM) {
+            text[0].text.drain(..CLAIM.len());
             if self.quotes > 0 || !self.lists.is_empty() {
                 stray_claim(span, sink);
                 return;

@@ -159,9 +159,6 @@ why-words-top = A straight line looks straight.
 
 why-error-term = Why: Bresenham’s e
 why-view-columns = The first columns, large
-why-column = column
-why-line = line
-why-midpoint = midpoint
 why-error-opening = In a column the line moves b / a of a pixel aside; the midpoint between two pixels is 1/2 aside. Which is farther?
 why-error-parts = Measure both with one ruler that has 2a parts to a pixel.
 why-error-one-pixel = The line begins and ends in the same pixel: nothing has to be chosen.

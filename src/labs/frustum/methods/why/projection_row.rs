@@ -38,7 +38,7 @@ const NAMES: [(&str, Fact); 7] = [
     ("slope", Fact::Slope),
     ("start", Fact::AtZero),
     ("z′", Fact::Point),
-    ("z′ / w", Fact::Divided),
+    ("divided", Fact::Divided),
     ("middle", Fact::Middle),
 ];
 
@@ -63,7 +63,7 @@ impl Telling for Why<ProjectionRow> {
         "start",
         "depth",
         "z′",
-        "z′ / w",
+        "divided",
     ])];
     const OPENING: Row = Row::new(Phase, 0, "why-row-opening");
 
@@ -77,7 +77,7 @@ impl Telling for Why<ProjectionRow> {
         point: Shown { fact: Fact::Point, .. } =>
             Row::new(Test, 3, "why-row-point").so(&["~ z′ = {slope} · {(depth)} + {(start)}{=z′}"]);
         divided: Shown { fact: Fact::Divided, .. } =>
-            Row::new(Test, 4, "why-row-divided").so(&["~ z′ / w = {z′ / w of it}{=z′ / w}"]);
+            Row::new(Test, 4, "why-row-divided").so(&["~ z′ / w = {z′ / w of it}{=divided}"]);
         middle: Shown { fact: Fact::Middle, .. } =>
             Row::new(Accept, 4, "why-row-middle").so(&["~ 0 = {slope} · {middle} + {(start)}"]);
     }
@@ -90,6 +90,7 @@ impl Telling for Why<ProjectionRow> {
             "far" => volume.far().into(),
             "depth" => (*depth).into(),
             "w of it" => at.step.input.w(*depth).into(),
+            "divided" => Named::from(number("divided")?).labelled(sym("z′ / w")),
             "climb" => (number("z′ at far")? - number("z′ at near")?).into(),
             "way" => (volume.far() - volume.near()).into(),
             "first" => number("middle")

@@ -255,7 +255,7 @@ impl Section {
     }
 
     /// The levels that are whole numbers, where both ends lie on such and there are few of them; else the ends' and the plane's.
-    fn ticks(&self, [d1, d2]: [f64; 2]) -> Vec<f64> {
+    fn ticks([d1, d2]: [f64; 2]) -> Vec<f64> {
         let is_whole = d1.fract() == 0.0 && d2.fract() == 0.0 && (d2 - d1).abs() <= MOST_COPIES;
         if !is_whole {
             return vec![d1, 0.0, d2];
@@ -327,7 +327,7 @@ fn section(at: &At<'_, Why<Similar>>) -> View {
     let section = Section::new(at.step.input);
     let mut picture = Picture::new(&at.step, section.given());
     let values = plane_distances::<f64>(&at.step.input.plane, &at.step.input.ends);
-    let ticks = section.ticks(values);
+    let ticks = Section::ticks(values);
     let value = |name| at.value(name).unwrap_or(Value::Count(0));
     picture.once(Fact::Levels, Role::Soft, |role, it| {
         section.levels(&ticks, role, it)
