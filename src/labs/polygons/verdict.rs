@@ -273,7 +273,8 @@ mod tests {
     #[test]
     fn every_vertex_intersection_and_piece_of_every_method_is_told() {
         let mut scene = Scene::first();
-        for card in (scene.lab().methods)() {
+        let methods = (scene.lab().methods)().into_iter();
+        for card in methods.filter(|card| !card.is_proof) {
             scene.set_method(card.id);
             let runs = scene.record();
             let found = (scene.method.info().found)(&scene);

@@ -127,7 +127,8 @@ mod tests {
                 assert_eq!(key, Some("owns-some"));
             }
             let pixel = |place| told(Link::nth(Raster::LINK, place));
-            assert!(pixel(columns * rows / 2 + columns / 2).is_some());
+            let is_told = pixel(columns * rows / 2 + columns / 2).is_some();
+            assert_eq!(is_told, !method.card().is_proof, "a proof makes no picture");
             assert!(pixel(columns * rows).is_none(), "there is no such pixel");
             assert!(told(object_link(2)).is_none());
         }

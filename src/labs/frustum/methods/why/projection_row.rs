@@ -93,9 +93,6 @@ impl Telling for Why<ProjectionRow> {
             "divided" => Named::from(number("divided")?).labelled(sym("z′ / w")),
             "climb" => (number("z′ at far")? - number("z′ at near")?).into(),
             "way" => (volume.far() - volume.near()).into(),
-            "first" => number("middle")
-                .map(|middle| middle - volume.near())?
-                .into(),
             _ => number(name)?.into(),
         })
     }

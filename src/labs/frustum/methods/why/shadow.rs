@@ -168,7 +168,7 @@ fn in_space(at: &At<'_, Why<Shadow>>, scenery: &Scenery) -> Vec<Mark3> {
     let start = Mark3::new(Role::Ink, Shape3::Dot(from[0])).labelled(name("p₀"));
     marks.push(start);
     if let Some(d) = fact(&at.step, &NAMES, "d") {
-        let drawn = perpendicular(sym("d").equals(d), plane, *point, d).into_iter();
+        let drawn = perpendicular(sym("d"), plane, *point, d).into_iter();
         marks.extend(drawn.map(|mark| Mark3 {
             role: Role::Accent,
             ..mark

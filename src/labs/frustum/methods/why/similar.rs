@@ -151,12 +151,11 @@ fn in_space(at: &At<'_, Why<Similar>>, scenery: &Scenery) -> Vec<Mark3> {
         let place = ends[end.idx()];
         let ring = Mark3::new(Role::Accent, Shape3::Ring(place));
         marks.push(ring.labelled(end_name(end)).strong().linked(end_link(end)));
-        if let Some(value) = fact(&at.step, &NAMES, d) {
-            let label = sym(d).equals(value);
+        if at.step.held.get(of_end).is_some() {
             let is_now = at.step.event().is_some_and(|shown| shown.fact == of_end);
             let role = if is_now { Role::Signal } else { Role::Accent };
             let height = signed_distance(plane, place);
-            let drawn = perpendicular(label, plane, place, height).into_iter();
+            let drawn = perpendicular(sym(d), plane, place, height).into_iter();
             marks.extend(drawn.map(|mark| Mark3 { role, ..mark }));
         }
     }

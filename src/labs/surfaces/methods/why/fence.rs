@@ -148,10 +148,17 @@ fn in_space(at: &At<'_, Why<Fence>>, scenery: &Scenery) -> Vec<Mark3> {
             .event()
             .is_some_and(|shown| shown.fact == fact_of(post));
         let role = if is_now { Role::Signal } else { Role::Ink };
-        let label = Value::Formula(Formula::decimals().num(depth));
         let sight = Shape3::Segment([camera.position(), ends[0]]);
+        let drawn = Mark3::new(role, Shape3::Segment(ends));
+        // All of them would cover each other: the others are read on the screen.
+        let is_said = is_now || [0, FenceInput::STEPS].contains(&post);
+        let label = Value::Formula(Formula::decimals().num(depth));
         marks.push(Mark3::new(Role::Soft, sight).fine());
-        marks.push(Mark3::new(role, Shape3::Segment(ends)).labelled(label));
+        marks.push(if is_said {
+            drawn.labelled(label)
+        } else {
+            drawn
+        });
     }
     marks
 }
