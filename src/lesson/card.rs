@@ -30,6 +30,16 @@ impl CardRow {
             Self::Can => "can",
         }
     }
+
+    pub const fn name_key(self) -> &'static str {
+        match self {
+            Self::Rule => "card-rule",
+            Self::Formula => "card-formula",
+            Self::Cost => "card-cost",
+            Self::Pitfall => "card-pitfall",
+            Self::Can => "card-can",
+        }
+    }
 }
 
 /// Rows in their order: one of each kind, and of pitfalls two or more.

@@ -216,7 +216,7 @@ pub fn card(ui: &mut Ui, look: Look<'_>, card: &Card) {
                 if before.is_some() {
                     ui.add_space(6.0);
                 }
-                let word = look.say(&format!("card-{}", row.id()));
+                let word = look.say(row.name_key());
                 ui.label(RichText::new(word).small().color(look.theme.accent));
             }
             running(ui, look, text);

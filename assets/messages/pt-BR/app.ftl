@@ -227,15 +227,15 @@ is-missing = falta { $what }
 refused = recusado
 run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
 recording-triangles = { $method } está sendo registrado com { $count ->
-        [one] { $count } triângulo
+        [1] { $count } triângulo
        *[other] { $count } triângulos
     }…
 recording-vertices = { $method } está sendo registrado com { $count ->
-        [one] { $count } vértice
+        [1] { $count } vértice
        *[other] { $count } vértices
     }…
 recording-segments = { $method } está sendo registrado com { $count ->
-        [one] { $count } segmento
+        [1] { $count } segmento
        *[other] { $count } segmentos
     }…
 recording-stop = Parar (Esc)

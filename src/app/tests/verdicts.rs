@@ -40,7 +40,7 @@ fn an_object_that_is_clicked_is_told_and_enter_goes_to_its_step() {
 
 #[test]
 fn a_segment_or_a_part_that_is_clicked_is_told_by_the_method_on_stage() {
-    let segment = [-1.2, -0.5, 0.0];
+    let segment = [0.0, 0.25, 0.0];
     let corner = [-5.5, 0.5, 0.0];
     let edge = [1.5, 2.5, -1.5];
     for (lab, of_lab) in [
