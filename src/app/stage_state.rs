@@ -143,7 +143,8 @@ impl StageState {
         let (_, ways) = self.ways_out.insert(known.unwrap_or_else(|| {
             let document = scene.document();
             let methods = (document.lab().methods)().into_iter();
-            let able = methods.filter(|card| !card.is_faulty && document.takes(card.id));
+            let is_meant = |card: &&MethodCard| !card.is_faulty && !card.is_proof;
+            let able = methods.filter(|card| is_meant(card) && document.takes(card.id));
             let ways = WaysOut {
                 methods: able.collect(),
                 mended: document.mended(),

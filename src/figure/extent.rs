@@ -10,7 +10,7 @@ use super::{
     lens::Lens,
     run::Run,
     small_pictures::{Multiples, Raster, Tiles},
-    values::{Bits, Costs, ListColumn, Lists, Table},
+    values::{Bits, Costs, Lists, Table},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
 };
@@ -172,19 +172,16 @@ const WORD: f32 = 5.0;
 /// A letter, in ems: in English, whose words other languages' are as long as, give or take a few.
 const LETTER: f32 = 0.52;
 
-/// In ems.
-fn text_width(value: &Value) -> f32 {
-    LETTER * Catalog::of(Lang::En).value(value).chars().count() as f32
-}
-
 /// In ems, of what a column says in words.
 fn words_width(table: &Table, idx: usize) -> f32 {
+    let catalog = Catalog::of(Lang::En);
     let values = table.rows.iter().filter_map(|row| match idx {
         0 => Some(&row.name),
         _ => row.cells.get(idx - 1)?.value.as_ref(),
     });
     let words = values.filter(|value| matches!(value, Value::Term(_) | Value::Message(_)));
-    words.map(text_width).fold(0.0, f32::max)
+    let letters = words.map(|value| catalog.value(value).chars().count());
+    LETTER * letters.max().unwrap_or(0) as f32
 }
 
 fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
@@ -197,7 +194,7 @@ fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
         4.5 + 2.8 * columns + 0.6 * words,
         3.0 + 1.8 * rows.min(4.0) + 1.5 * notes,
     ];
-    let natural = [6.0 + 3.0 * columns + words, 3.0 + 3.8 * rows + 2.0 * notes];
+    let natural = [6.0 + 3.0 * columns + words, 3.0 + 3.2 * rows + 2.0 * notes];
     (Stand::Beside, least, natural)
 }
 
@@ -232,34 +229,15 @@ fn lists_need(lists: &Lists) -> (Stand, [f32; 2], [f32; 2]) {
     let n = lists.lists.len() as f32;
     let entries = lists.lists.iter().map(|list| list.entries.len());
     let rows = entries.max().unwrap_or(0).min(MOST_ENTRIES) as f32;
+    let columns: usize = lists.lists.iter().map(|list| list.columns.len()).sum();
     // Of a long list four entries say little.
     let seen = if rows > 6.0 { 6.0 } else { rows.min(4.0) };
     let legend = if lists.legend.is_empty() { 0.0 } else { 1.0 };
     let least_width = 5.0 * n + 2.5 * (n - 1.0) + 2.0;
     let least = [least_width, 2.9 + 1.65 * seen + 1.4 * legend];
-    let width: f32 = lists.lists.iter().map(list_width).sum();
-    let gap = if lists.links.is_empty() { 2.8 } else { 4.3 };
-    let height = 3.5 + 3.0 * rows + 2.0 * legend;
-    (Stand::Beside, least, [width + gap * (n - 1.0), height])
-}
-
-/// In ems, with what leads back to its beginning.
-fn list_width(list: &ListColumn) -> f32 {
-    let widest =
-        |values: &mut dyn Iterator<Item = &Value>| values.map(text_width).fold(0.0, f32::max);
-    let name = widest(&mut list.entries.iter().map(|entry| &entry.name));
-    let details = (0..list.columns.len()).map(|nth| {
-        let details = list
-            .entries
-            .iter()
-            .filter_map(|entry| entry.details.get(nth));
-        0.8 + widest(&mut details.flatten())
-    });
-    let has_markers = list.entries.iter().any(|entry| entry.marker.is_some());
-    let marker = if has_markers { 1.3 } else { 0.0 };
-    let chip = 2.0 + marker + name + details.sum::<f32>();
-    let lane = if list.is_ring { 1.7 } else { 0.0 };
-    chip.max(4.5).max(text_width(&list.title)) + lane
+    let width = 6.5 * n + 4.5 * columns as f32 + 4.0 * (n - 1.0);
+    let height = 3.5 + 2.3 * rows + 2.0 * legend;
+    (Stand::Beside, least, [width, height])
 }
 
 /// What the views of a run want, in the order in which a step shows them: enough for every step; `look` sees them, too. A

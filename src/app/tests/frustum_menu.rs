@@ -96,7 +96,7 @@ fn the_camera_s_numbers_are_typed_and_undone() {
 #[test]
 fn what_a_lesson_locks_is_locked_in_the_inspector() {
     let mut bench = Bench::course(ROOMY);
-    for (step, is_locked) in [(1, true), (2, false)] {
+    for (step, is_locked) in [(2, true), (3, false)] {
         bench.command(Command::Open([18, step]));
         bench.command(Command::Section(Some("camera")));
         let before = bench.space().camera.depths()[0];

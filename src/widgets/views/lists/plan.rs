@@ -5,7 +5,7 @@ use crate::figure::{ListColumn, ListLink, Lists};
 use super::super::prelude::*;
 
 const CHIP: f32 = 22.0;
-const STEPS: [f32; 2] = [26.0, 38.0];
+const STEPS: [f32; 2] = [26.0, 30.0];
 const LEAST_CHIP_WIDTH: f32 = 57.0;
 const PAD: f32 = 12.0;
 pub const MARKER: f32 = 16.0;
