@@ -198,6 +198,7 @@ fn put(facets: &mut Vec<Facet>, mesh: &Mesh, world_from_model: &Matrix) {
             link,
             skin: None,
             edging: Edging::Lines,
+            opacity: 1.0,
         }
     }));
 }
