@@ -78,12 +78,7 @@ impl Bookmark {
     /// The step's title; once its answer is open, or where it asks nothing, what it shows.
     pub fn title(&self, lang: Lang, is_open: bool) -> Option<&str> {
         self.step()?;
-        let (lesson, [_, idx]) = (self.lesson()?, self.at);
-        if is_open {
-            lesson.step_claim(idx, lang)
-        } else {
-            lesson.step_title(idx, lang)
-        }
+        self.lesson()?.step_heading(self.at[1], lang, is_open)
     }
 
     /// Opens a step, where there is one with these indices.

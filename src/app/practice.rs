@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeSet, ops::ControlFlow};
 
-use egui::{Event, Frame, Panel, Role, WidgetInfo, accesskit::Live};
+use egui::{Frame, Panel, Role, WidgetInfo, accesskit::Live};
 
 use crate::figure::Choice;
 
@@ -31,7 +31,7 @@ pub struct Practice {
     done: BTreeSet<usize>,
     recording: u64,
     /// Answered right before anything was shown, and all that were answered.
-    told: [usize; 2],
+    pub(super) told: [usize; 2],
 }
 
 struct Asked {
@@ -46,12 +46,12 @@ struct Asked {
 impl Practice {
     /// Is a question open, so that nothing may tell what comes?
     pub fn is_asking(&self) -> bool {
-        self.asked.as_ref().is_some_and(|it| it.chosen.is_none())
+        self.open().is_some()
     }
 
-    #[cfg(test)]
-    pub const fn told(&self) -> [usize; 2] {
-        self.told
+    /// The question that has not been answered.
+    fn open(&self) -> Option<&Asked> {
+        self.asked.as_ref().filter(|asked| asked.chosen.is_none())
     }
 
     const fn is_answered(&self) -> bool {
@@ -183,31 +183,20 @@ impl App {
 
 /// While a question is open digits belong to it, and S shows what comes.
 pub fn keys(app: &App, ctx: &Context) -> Vec<Command> {
-    let Some(asked) = app.practice.asked.as_ref().filter(|it| it.chosen.is_none()) else {
+    let Some(asked) = app.practice.open() else {
         return Vec::new();
     };
+    if ctx.input(|input| input.modifiers.any()) {
+        return Vec::new();
+    }
     let n = asked.choice.options.len();
     let digits = DIGITS.iter().take(n).enumerate();
     let keys = digits.map(|(nth, key)| (*key, Command::Choose(nth)));
-    let keys: Vec<_> = keys.chain([(Key::S, Command::ShowMe)]).collect();
-    let mut commands = Vec::new();
+    let keys = keys.chain([(Key::S, Command::ShowMe)]);
     ctx.input_mut(|input| {
-        input.events.retain(|event| {
-            let Event::Key {
-                key,
-                pressed: true,
-                modifiers: Modifiers::NONE,
-                ..
-            } = event
-            else {
-                return true;
-            };
-            let found = keys.iter().find(|(known, _)| known == key);
-            commands.extend(found.map(|(_, command)| command.clone()));
-            found.is_none()
-        });
-    });
-    commands
+        let pressed = keys.filter(|(key, _)| input.consume_key(Modifiers::NONE, *key));
+        pressed.map(|(_, command)| command).collect()
+    })
 }
 
 /// The question under the stage, with what might come; then what was said, and what comes.

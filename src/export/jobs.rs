@@ -93,12 +93,7 @@ impl Job<'_> {
         match self.source {
             Source::Step(lesson, step) => {
                 let is_shown = !options.asks && options.steps == Steps::Figures;
-                let idx = lesson.step_index(&step.id)?;
-                if is_shown {
-                    lesson.step_claim(idx, lang)
-                } else {
-                    lesson.step_title(idx, lang)
-                }
+                lesson.step_heading(lesson.step_index(&step.id)?, lang, is_shown)
             }
             Source::File(_) => None,
         }

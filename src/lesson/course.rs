@@ -60,6 +60,15 @@ impl Lesson {
         Some(written.claim(self.steps.get(step_idx)?, &self.scenes, lang))
     }
 
+    /// What stands over a step: what it shows, once that may be told, else its title.
+    pub fn step_heading(&self, step_idx: usize, lang: Lang, is_told: bool) -> Option<&str> {
+        if is_told {
+            self.step_claim(step_idx, lang)
+        } else {
+            self.step_title(step_idx, lang)
+        }
+    }
+
     /// What is to be kept of the lesson, at its end.
     pub fn card(&self, lang: Lang) -> Option<&Card> {
         self.written(lang).0.card.as_ref()
@@ -99,10 +108,6 @@ impl Lesson {
         let now = self.steps.iter().position(|step| step.id == id);
         let was = |step: &LessonStep| step.was.as_deref() == Some(id);
         now.or_else(|| self.steps.iter().position(was))
-    }
-
-    pub fn title_of(&self, id: &str, lang: Lang) -> Option<&str> {
-        self.step_title(self.step_index(id)?, lang)
     }
 }
 

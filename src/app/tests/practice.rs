@@ -115,9 +115,9 @@ fn a_drag_asks_anew_and_no_answer_is_undone() {
     bench.edit(Edit::Add(None));
     bench.frame(0.1, Vec::new());
     assert!(bench.app.practice.is_asking());
-    let [right, all] = bench.app.practice.told();
+    let [right, all] = bench.app.practice.told;
     assert_eq!([right, all], [1, 1]);
     bench.command(Command::Undo);
     bench.frame(0.1, Vec::new());
-    assert_eq!(bench.app.practice.told(), [1, 1]);
+    assert_eq!(bench.app.practice.told, [1, 1]);
 }
