@@ -75,7 +75,7 @@ why-projection-row = Por quê: a linha 3 da projeção
 why-row-opening = A linha 3 dá z′ = a · profundidade + b. Que a e b põem as profundidades de { $near } a { $far } entre −w e w?
 why-row-near = O plano próximo, à profundidade { $near }, tem de ficar na borda inferior.
 why-row-far = O plano distante, à profundidade { $far }, tem de ficar na borda superior.
-why-row-slope = Só uma reta passa pelos dois pontos. Ela sobe { $climb } em { $way }: isso é a.
+why-row-slope = Só uma reta passa pelos dois pontos. Ela sobe { $climb } em { $way }: a é esse quociente.
 why-row-start = Prolongada para trás até a profundidade 0, a reta começa em b.
 why-row-point = P está à profundidade { $depth }; a reta dá o seu z′.
 why-row-divided = Em uma reta que parte de 0, o quociente z′ / w é igual em todos os pontos: ele é lido na régua do plano distante.
