@@ -21,7 +21,7 @@ usage-conflict = { $name } 不能与 { $other } 同时使用。
 usage-expected = 可用：{ $expected }。
 usage-expected-size = 应为 宽 x 高，从 64x64 到 { $most }，例如 1920x1080。
 usage-expected-scale = 应为 0.25 到 8 之间的数。
-usage-see-help = --help 列出全部用法和示例。
+usage-see-help = --help 列出全部命令和选项，并附示例。
 
 ## What the refusal of a case says; the JSON answer has the English sentence
 
