@@ -49,7 +49,7 @@ cs-code = { $end } 在{ $region }：{ $code } = { $bits }。
 cs-or-accept = OR = { $bits }：两端点都在窗口内。
 cs-or-open = OR = { $bits } ≠ 0000：并非全在窗口内。
 cs-and-reject = AND = { $bits } ≠ 0000：两端点都在{ $edge }外侧。
-cs-and-open = AND = { $bits }：没有哪条边界使两端点都在其外侧，仅凭区域码无法判定。
+cs-and-open = AND = { $bits }：没有一条边界使两端点都在它的外侧，仅凭区域码无法判定。
 cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。

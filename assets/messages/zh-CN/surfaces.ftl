@@ -85,7 +85,7 @@ raster-wrong = { $count } 个像素有误
 depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍弃，虽然 { $other } 让 { $through } 的光透过。
 depth-glass-done = 完成：{ $unsorted ->
     [0] 在每个像素，每个面都画在它后面的面之后
-   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍弃：每个像素只有一个深度，记不住顺序
+   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍弃：每个像素只有一个深度，记不住次序
   }。平均每个像素计算的次数：
 depth-done-stored = 完成：{ $pixels } 个像素的深度从 { $least } 到 { $most }。
 depth-done-distance = 完成：{ $pixels } 个像素的距离从 { $least } 到 { $most }。
