@@ -16,9 +16,9 @@ why-similar-piece = 相邻两级之间的三角形对应角相等，所以值每
 why-similar-t = 平面是第 0 级。从 P₁ 到平面，值变化 −d₁；走完全程，值变化 d₂ − d₁。
 why-code-d1 = d₁ ← n·P₁ + D;  d₂ ← n·P₂ + D
 why-words-d1 = 求两端点各在哪一级。
-why-code-levels = 级数 ← d₂ − d₁
+why-code-levels = 级差 ← d₂ − d₁
 why-words-levels = 数出从一端到另一端有多少级。
-why-code-piece = 每段 ← 1 / 级数
+why-code-piece = 每段 ← 1 / 级差
 why-words-piece = 每一级占去线段上同样长的一段。
 why-code-t = t ← −d₁ · 每段 = d₁ / (d₁ − d₂)
 why-words-t = 从 P₁ 到平面有 −d₁ 级。
