@@ -278,7 +278,7 @@ fn a_class_has_one_table_and_each_file_that_is_none_is_named() {
         path.display().to_string()
     };
     let steps = r#"{"04-cutting-with-outcodes/four-cuts": {"told": "beforehand"},
-        "04-cutting-with-outcodes/one-cut": {"told": "after-the-numbers"}, "gone/step": {}}"#;
+        "04-cutting-with-outcodes/a-new-code": {"told": "after-the-numbers"}, "gone/step": {}}"#;
     let ana = file("ana.json", &format!(r#"{{"version": 1, "begun": 3, "steps": {steps}}}"#));
     let formula = file("=1+1.json", r#"{"version": 1}"#);
     let broken = file("broken.json", "{");
