@@ -21,7 +21,7 @@ usage-conflict = { $name } 不能与 { $other } 同时使用。
 usage-expected = 可用：{ $expected }。
 usage-expected-size = 应为 宽 x 高，从 64x64 到 { $most }，例如 1920x1080。
 usage-expected-scale = 应为 0.25 到 8 之间的数。
-usage-see-help = --help 列出全部用法和示例。
+usage-see-help = --help 列出全部命令和选项，并附示例。
 
 ## What the refusal of a case says; the JSON answer has the English sentence
 
@@ -85,8 +85,8 @@ case-front = 可见正面：n·e = { $dot }。
 case-back = 看不到正面：n·e = { $dot }。
 case-polygons = { $n } 个多边形：{ $rings }
 case-surfaces-seen = { $pixels } 个像素中有 { $seen } 个显示出表面。
-case-painted = 绘制顺序：{ $ids }。
-case-painter-cycle = 没有正确的顺序：{ $ids } 中每一个都必须先于下一个绘制，最后一个又必须先于第一个。
+case-painted = 绘制次序：{ $ids }。
+case-painter-cycle = 没有正确的次序：{ $ids } 中每一个都必须先于下一个绘制，最后一个又必须先于第一个。
 case-bsp-pieces = 树中共有 { $pieces } 块；{ $pixels } 个像素中有 { $seen } 个显示出表面。
 case-occlusion = { $pixels } 个像素中有 { $seen } 个显示出物体；{ $objects } 个物体中跳过了 { $skipped } 个。
 case-bsp-too-large = 这些三角形会被平面切成 { $pieces } 块以上，或者需要判断 { $questions } 次以上：不为这么多三角形建树。

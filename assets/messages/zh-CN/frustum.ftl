@@ -131,7 +131,7 @@ words-box-done = 平面测试绝不剔除看得见的，但可能保留看不见
 
 face-of-object = { $face }（物体 { $object }）
 face-opening = 相机看到的是不是面 { $face } 的正面？
-face-normal = 从外面看面 { $face } 是逆时针：法向量指向外面。
+face-normal = 从外面看，面 { $face } 逆时针：法向量指向外面。
 face-to-eye = 向量 e 从面 { $face } 的 V₀ 指向相机：e = 视点 − V₀。
 face-to-direction = 平行投影中，面 { $face } 的 e 与其他各面相同：沿视线反向。
 face-products = 面 { $face } 的点积与行列式是同一个数。

@@ -49,14 +49,14 @@ cs-code = { $end } 在{ $region }：{ $code } = { $bits }。
 cs-or-accept = OR = { $bits }：两端点都在窗口内。
 cs-or-open = OR = { $bits } ≠ 0000：并非全在窗口内。
 cs-and-reject = AND = { $bits } ≠ 0000：两端点都在{ $edge }外侧。
-cs-and-open = AND = { $bits }：两端点不在任何一条边界的同一外侧，仅凭区域码无法判定。
+cs-and-open = AND = { $bits }：没有一条边界使两端点都在它的外侧，仅凭区域码无法判定。
 cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。
 cs-option-inside = 两端点都在裁剪区域内。
 cs-option-not-inside = 并非全在裁剪区域内。
-cs-option-undecided = 没有哪一侧的外侧同时有两端点。
-cs-option-beyond = 两端点都在同一侧的外侧。
+cs-option-undecided = 没有哪条边界使两端点都在其外侧。
+cs-option-beyond = 两端点都在同一条边界的外侧。
 cs-note-code = 点在哪条边界外侧，哪一位就是 1。
 cs-note-order = 按上、下、右、左的顺序，则写作 { $other }。
 cs-note-or = OR：任一区域码该位为 1，结果就是 1。

@@ -337,7 +337,7 @@ words-wa-holes = 内孔属于包围它的环。
 ## The verdict
 
 verdict-vertex-kept = { $vertex } 保留。
-verdict-vertex-cut = { $vertex } 在这里被裁去：这是它越过的第一条边界。
+verdict-vertex-cut = { $vertex } 在这里被裁去：在各条边界中，它最先落在这一条的外侧。
 verdict-vertex-passed-by = 没有任何行走经过 { $vertex }：它不在结果中。
 verdict-edge-dropped = 从 { $from } 到 { $to }，这段边被舍去。
 verdict-vertex-in = 垂直于该边界（{ $edge }）向内移动 { $move }，{ $vertex } 就会保留。

@@ -24,7 +24,7 @@ space-line-code-two = { $end } 在{ $first }、{ $second }两个平面外侧：{
 space-line-code-three = { $end } 在{ $first }、{ $second }、{ $third }三个平面外侧：{ $code } = { $bits }。
 space-line-or-accept = OR = { $bits }：两端点都在盒内。
 space-line-or-open = OR = { $bits } ≠ 000000：并非全在盒内。
-space-line-and-open = AND = { $bits }：两端点不在任何一个面的同一外侧，仅凭区域码无法判定。
+space-line-and-open = AND = { $bits }：没有一个面使两端点都在它的外侧，仅凭区域码无法判定。
 space-line-and-reject = AND = { $bits } ≠ 000000：两端点都在{ $plane }平面外侧。
 space-line-choose = 最低位的 1 对应{ $plane }平面：{ $end } 在其外侧。
 space-line-reject-codes = 舍弃：两端点都在{ $plane }平面外侧；AND = { $and }。

@@ -48,7 +48,7 @@ ip-pass-same = { $plane }平面什么也没切：{ $before } → { $after }。
 ip-pass-empty = { $plane }平面之后什么也不剩：{ $before } → { $after }。
 ip-fan = 扇形的第 { $n } 个三角形，共 { $total } 个：{ $corners }。
 ip-done = 完成：{ $vertices } 个顶点，扇形剖分成 { $n } 个三角形，求交 { $crossings } 次。
-ip-done-empty = 完成：没有剩下面积。三角形 { $n } 个，顶点 { $vertices } 个，求交 { $crossings } 次。
+ip-done-empty = 完成：没有剩下有面积的部分。三角形 { $n } 个，顶点 { $vertices } 个，求交 { $crossings } 次。
 code-ip-each = 对每个平面 (n, D)：
 code-ip-first = 若 d(V₀) ≥ 0：输出 V₀
 code-ip-distance = 对每条边 S → P：d ← n·P + D
@@ -110,7 +110,7 @@ ht-outside = { $vertex } 在{ $side }面外侧。
 ht-cross = { $from } → { $to } 与{ $side }面交于 I。
 ht-pass = { $side }面完成：{ $before } → { $n }。
 ht-done = 剩下 { $n } 个顶点，扇形剖分成 { $triangles } 个三角形：现在可以除以 w。
-ht-done-empty = 没有剩下面积：顶点 { $n } 个，三角形 { $triangles } 个。
+ht-done-empty = 没有剩下有面积的部分：顶点 { $n } 个，三角形 { $triangles } 个。
 code-ht-codes = 每个顶点六位：w ± x, y, z < 0
 code-ht-decide = OR = 0：保留；AND ≠ 0：舍弃
 code-ht-each = 对 OR 涉及的每个面：
@@ -155,4 +155,4 @@ words-faulty-divided-triangle = 每个顶点先除以 w，然后才检验。
 
 object-triangle-uv = 纹理坐标
 case-triangles-left = 剩下 { $triangles } 个三角形。
-case-triangles-none = 没有剩下面积。
+case-triangles-none = 没有剩下有面积的部分。

@@ -85,7 +85,7 @@ raster-wrong = { $count } 个像素有误
 depth-glass-behind = 在像素 { $at }，{ $triangle } 在 { $other } 后面而被舍弃，虽然 { $other } 让 { $through } 的光透过。
 depth-glass-done = 完成：{ $unsorted ->
     [0] 在每个像素，每个面都画在它后面的面之后
-   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍弃：每个像素只有一个深度，记不住顺序
+   *[other] 在 { $unsorted } 个像素，玻璃先于它后面的面到来，后面的面被舍弃：每个像素只有一个深度，记不住次序
   }。平均每个像素计算的次数：
 depth-done-stored = 完成：{ $pixels } 个像素的深度从 { $least } 到 { $most }。
 depth-done-distance = 完成：{ $pixels } 个像素的距离从 { $least } 到 { $most }。
@@ -215,7 +215,7 @@ painter-done = 完成：{ $triangles } 个三角形，检验了 { $pairs } 对�
 painter-done-cycle = 没有正确的次序：{ $cycle } 个三角形中每个都必须先于下一个，最后一个又必须先于第一个。
 painter-must = 必须先画
 painter-cycle = 循环
-watch-pairs = 检验的对数
+watch-pairs = 检验的三角形对
 watch-depth-extents = 由深度
 watch-screen-extents = 由屏幕位置
 watch-behind-plane = 由对方的平面
@@ -309,12 +309,12 @@ owns-some = { $surface } 覆盖 { $covered } 个像素，在其中 { $seen } 个
 surface-costs-title = 判定哪个表面在前面的代价
 surface-costs-about = 在 { $columns } × { $rows } 像素上计数而非计时：街道上的盒子，每个十二个三角形。
 surface-costs-triangles = 三角形数
-surface-costs-counts = 对数、测试数、片元数
+surface-costs-counts = 三角形对、测试、片元的个数
 surface-costs-pairs = 画家算法：{ $triangles } 个三角形检验 { $count } 对；随 n 的 { $exponent } 次幂增长。
 surface-costs-questions = 光线投射：光线对 { $triangles } 个三角形共测试 { $count } 次；随 n 的 { $exponent } 次幂增长。
 surface-costs-fragments = 深度缓冲：{ $triangles } 个三角形产生 { $count } 个片元；随 n 的 { $exponent } 次幂增长。
 surface-costs-overdraw = 过度绘制：{ $fragments } 个片元对 { $pixels } 个像素，每个像素平均计算 { $overdraw } 次。
-surface-costs-note = 指数是对数坐标下拟合直线的斜率。检验的对数只在存在次序时计数；没有次序处，曲线缺一个点。
+surface-costs-note = 指数是对数坐标下拟合直线的斜率。检验的三角形对只在存在次序时计数；没有次序处，曲线缺一个点。
 
 ## The raster's form
 
