@@ -61,6 +61,7 @@ fn window(
             page: Some(Page::Step(lesson.to_owned(), step.id.clone())),
             ..Places::default()
         },
+        asks: false,
         ..Settings::default()
     };
     let mut app = App::new(course.clone(), settings);

@@ -52,6 +52,7 @@ impl Desk {
             },
             // So that a drag changes the scene in every frame.
             snap: false,
+            asks: false,
             ..Settings::default()
         };
         let ctx = Context::default();

@@ -136,6 +136,12 @@ impl App {
             Command::Section(id) => self.open_section(id),
             Command::Control(id) => self.lead_to(id, now),
             Command::Snap(snap) => settings.snap = snap,
+            Command::AskInLessons(asks) => {
+                settings.asks = asks;
+                self.ask_of_step(false);
+            }
+            Command::AskAgain => self.ask_of_step(true),
+            Command::Afresh => self.begin_afresh(),
             Command::Board(board) => {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();
@@ -255,6 +261,7 @@ impl App {
             Some((scene, position)) => {
                 self.edit(Edit::Replace(scene), None, now);
                 self.seek(position);
+                self.ask_of_step(false);
             }
             None => self.seek(0),
         }

@@ -59,6 +59,11 @@ pub fn ask(
         return;
     };
     let vertex = click.spot.and_then(|i| handles.get(i));
+    let pointed = vertex.and_then(|handle| handle.link()).or(shown.pointed);
+    if let Some(nth) = pointed.and_then(|link| app.practice.option_of(link)) {
+        app.push(Command::Choose(nth));
+        return;
+    }
     let is_free = |handle: &&Handle| !Lock::any_holds(locks, **handle);
     if let Some(&handle) = vertex.filter(|handle| click.is_double && is_free(handle)) {
         app.push(Command::Type(Some(handle), None));

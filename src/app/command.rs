@@ -22,6 +22,12 @@ pub enum Command {
     Choose(usize),
     /// Has its answer shown.
     ShowMe,
+    /// Has the open step ask once more.
+    AskAgain,
+    /// Do steps of lessons ask?
+    AskInLessons(bool),
+    /// Another student is here: no step has been seen.
+    Afresh,
     Speed(f32),
     Reset,
     Lesson {

@@ -1,21 +1,23 @@
 //! The course: lessons, the steps of the open one, its text, its source.
 
 use egui::{
-    Frame, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, Vec2, WidgetInfo,
+    Frame, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, WidgetInfo,
     style::ScrollAnimation,
     text::{LayoutJob, TextWrapping},
 };
 
-use crate::widgets::{card, claimed, lesson_text, step_title};
+use crate::{
+    lesson::Block,
+    widgets::{card, claimed, lesson_text, step_title},
+};
 
 use super::{
     App, Command,
+    course_steps::{CHANGED, discs, is_changed, named, steps},
     prelude::*,
     question::{answer_button, question_button, shown_answer},
 };
 
-const GAP: f32 = 4.0;
-const CHANGED: f32 = 3.0;
 /// How strongly a text is seen that speaks of another scene than the stage's.
 const ASIDE: f32 = 0.6;
 
@@ -55,9 +57,22 @@ pub fn show(app: &App, ui: &mut Ui) {
                 }
                 if !app.is_untouched() {
                     changed(app, ui);
-                    ui.set_opacity(ASIDE);
+                    if app.met().is_empty() {
+                        ui.set_opacity(ASIDE);
+                    }
                 }
-                let asked = lesson_text(ui, look, id, &step.body, app.shown.is_answered);
+                let told = app.text_told();
+                let waits = |block: &Block| *block == Block::Wait;
+                let is_shown = !told.waits || step.body.iter().any(waits);
+                let body = if is_shown { &step.body[..] } else { &[] };
+                let asked = lesson_text(ui, look, id, body, told);
+                if told.waits {
+                    ui.add(Label::new(soft(look, "lesson-waits")).wrap());
+                    return;
+                }
+                if app.is_reached() {
+                    reached(app, ui);
+                }
                 app.push_all(asked.map(Command::Control));
                 shown_answer(app, ui);
                 let is_last = step_idx + 1 == lesson.steps.len();
@@ -103,6 +118,7 @@ fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
         ),
         is_open: true,
         is_changed: has_changes(app, lesson_idx, lesson),
+        ..Row::default()
     };
     let response = row(ui, look, heading).on_hover_text(look.say("lesson-contents"));
     let middle = pos2(response.rect.left() + 16.0, response.rect.center().y);
@@ -117,7 +133,10 @@ fn heading(app: &App, ui: &mut Ui, lesson: &Lesson) -> Response {
 fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let look = app.look();
     let has_source = !lesson.source.is_empty() && !app.is_low();
-    if !has_source && !app.has_answer() {
+    let waits = app.practice.asks_for_a_step();
+    let asks = app.bookmark.step().is_some_and(|step| step.asks) && !waits;
+    let has_answer = app.has_answer() && !waits;
+    if !has_source && !has_answer && !asks {
         return;
     }
     Panel::bottom("under the lesson")
@@ -127,7 +146,16 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 ui.add_space(4.0);
-                answer_button(app, ui);
+                if has_answer {
+                    answer_button(app, ui);
+                }
+                if asks
+                    && ui
+                        .add(Button::new(accent(look, "lesson-ask-again")))
+                        .clicked()
+                {
+                    app.push(Command::AskAgain);
+                }
                 if has_source {
                     let text = RichText::new(&lesson.source).small();
                     ui.add(Label::new(text.color(look.theme.soft)).truncate());
@@ -163,6 +191,8 @@ fn lessons(app: &App, ui: &mut Ui) {
             title: lesson.title(app.settings.lang),
             is_open: i == open,
             is_changed: has_changes(app, i, lesson),
+            tally: &app.tally_of(lesson),
+            ..Row::default()
         };
         let response = row(ui, app.look(), row_of);
         if i == open {
@@ -214,29 +244,15 @@ fn has_changes(app: &App, idx: usize, lesson: &Lesson) -> bool {
     (0..lesson.steps.len()).any(|step| is_changed(app, idx, step))
 }
 
-fn is_changed(app: &App, lesson: usize, step: usize) -> bool {
-    if [lesson, step] == app.bookmark.at {
-        return !app.is_untouched();
-    }
-    let page = app.bookmark.page_of([lesson, step]);
-    page.is_some_and(|page| app.desk.is_changed(&page))
-}
-
-/// A lesson in the list, or a step among the numbers.
+/// A lesson in the list.
 #[derive(Clone, Copy, Default)]
 struct Row<'a> {
     number: &'a str,
     title: &'a str,
     is_open: bool,
     is_changed: bool,
-}
-
-fn named(look: Look<'_>, title: &str, is_changed: bool) -> String {
-    if is_changed {
-        format!("{title}: {}", look.say("lesson-has-changes"))
-    } else {
-        title.to_owned()
-    }
+    /// In the list: how many of a lesson's questions have been told.
+    tally: &'a str,
 }
 
 fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
@@ -284,7 +300,10 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
     let left = rect.left() + 32.0;
     let format = TextFormat::simple(style.resolve(ui.style()), colour);
     let mut job = LayoutJob::single_section(row.title.to_owned(), format);
-    job.wrap = TextWrapping::truncate_at_width(rect.right() - 12.0 - left);
+    let small = TextStyle::Small.resolve(ui.style());
+    let at = pos2(rect.right() - 12.0, y);
+    let tally = (ui.painter()).text(at, Align2::RIGHT_CENTER, row.tally, small, theme.faint);
+    job.wrap = TextWrapping::truncate_at_width(tally.left() - 4.0 - left);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
     let is_cut = galley.elided;
     let at = pos2(left, y - 0.5 * galley.size().y);
@@ -292,52 +311,12 @@ fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
     is_cut
 }
 
-fn steps(app: &App, ui: &mut Ui, lesson: &Lesson) {
-    let n_steps = lesson.steps.len().max(1) as f32;
-    let room = (ui.available_width() + GAP) / n_steps - GAP;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
-        discs(app, ui, lesson, room);
-    });
-    ui.add_space(12.0);
-}
-
-impl Row<'_> {
-    fn disc(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
-        let theme = look.theme;
-        let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
-        let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
-        let title = named(look, self.title, self.is_changed);
-        let name = format!("{}: {title}", self.number);
-        response.widget_info(|| WidgetInfo::selected(Role::Tab, true, self.is_open, &name));
-        self.draw_disc(ui, theme, rect, &response);
-        response
-            .on_hover_cursor(CursorIcon::PointingHand)
-            .on_hover_text(title)
-            .clicked()
-    }
-
-    fn draw_disc(&self, ui: &Ui, theme: &Theme, rect: Rect, response: &Response) {
-        let (fill, text, rim) = match (self.is_open, response.hovered()) {
-            (true, _) => (theme.accent, theme.background, theme.accent),
-            (false, true) => (theme.hover, theme.ink, theme.hairline),
-            (false, false) => (theme.panel, theme.soft, theme.hairline),
-        };
-        let (painter, centre) = (ui.painter(), rect.center());
-        let radius = 0.5 * rect.width() - 0.5;
-        painter.circle(centre, radius, fill, Stroke::new(1.0, rim));
-        if response.has_focus() {
-            painter.circle_stroke(centre, radius + 2.0, theme.stroke(2.0, theme.accent));
-        }
-        let font = TextStyle::Small.resolve(ui.style());
-        painter.text(centre, Align2::CENTER_CENTER, self.number, font, text);
-        if self.is_changed {
-            // At its upper right, ringed: seen on the open one too.
-            let at = centre + 0.8 * radius * vec2(1.0, -1.0);
-            let ring = Stroke::new(1.5, theme.panel);
-            painter.circle(at, CHANGED + 0.5, theme.accent, ring);
-        }
-    }
+/// All parts of the goal hold.
+fn reached(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    let label = ui.label(accent(look, "goal-reached"));
+    let live = |node: &mut egui::accesskit::Node| node.set_live(egui::accesskit::Live::Polite);
+    ui.ctx().accesskit_node_builder(label.id, live);
 }
 
 fn changed(app: &App, ui: &mut Ui) {
@@ -349,19 +328,4 @@ fn changed(app: &App, ui: &mut Ui) {
             app.push(Command::Reset);
         }
     });
-}
-
-fn discs(app: &App, ui: &mut Ui, lesson: &Lesson, room: f32) {
-    let [lesson_idx, open] = app.bookmark.at;
-    for i in 0..lesson.steps.len() {
-        let step = Row {
-            number: &(i + 1).to_string(),
-            title: lesson.step_title(i, app.settings.lang).unwrap_or_default(),
-            is_open: i == open,
-            is_changed: is_changed(app, lesson_idx, i),
-        };
-        if step.disc(ui, app.look(), room) {
-            app.push(Command::Open([lesson_idx, i]));
-        }
-    }
 }

@@ -13,13 +13,22 @@ pub enum Dialog {
     Export(Target, Figures),
     /// About a whole scene, of this name.
     Scene(SceneAct, String),
+    /// What has been seen and told; is it to be begun afresh once that is said again?
+    Progress(bool),
+    /// The same as a file to be handed in, or one that is taken up.
+    HandIn(Target),
+    TakeUp(Target),
 }
 
 impl Dialog {
     pub const fn target_mut(&mut self) -> Option<&mut Target> {
         match self {
-            Self::Help | Self::Scene(..) => None,
-            Self::Open(target) | Self::Save(target) | Self::Export(target, _) => Some(target),
+            Self::Help | Self::Scene(..) | Self::Progress(_) => None,
+            Self::Open(target)
+            | Self::Save(target)
+            | Self::HandIn(target)
+            | Self::TakeUp(target)
+            | Self::Export(target, _) => Some(target),
         }
     }
 }
@@ -112,7 +121,9 @@ impl App {
             Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
             Dialog::Save(_) => ("save-title", false, &["toml"]),
             Dialog::Export(..) => ("export-title", false, &["png"]),
-            Dialog::Help | Dialog::Scene(..) => return,
+            Dialog::HandIn(_) => ("hand-in-title", false, &["json"]),
+            Dialog::TakeUp(_) => ("take-up-title", true, &["json"]),
+            Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_) => return,
         };
         let is_waiting = self.asked.take().is_some();
         let target = dialog.target_mut().cloned();

@@ -170,8 +170,9 @@ impl App {
                 let path = |step| path_of(&target.path, *figures, step);
                 (first..=last).any(|step| self.platform.exists(&path(step)))
             }
-            Some(Dialog::Open(_)) => false,
-            Some(Dialog::Help | Dialog::Scene(..)) | None => return,
+            Some(Dialog::HandIn(target)) => self.platform.exists(&target.path),
+            Some(Dialog::Open(_) | Dialog::TakeUp(_)) => false,
+            Some(Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_)) | None => return,
         };
         if let Some(target) = asked.as_mut().and_then(Dialog::target_mut)
             && is_there
@@ -184,37 +185,44 @@ impl App {
         self.notices.clear();
         // Where something goes wrong, the path is still there to be mended.
         match asked {
-            Some(Dialog::Open(Target { path, .. })) => {
-                if !self.open_folder_or_mesh(Path::new(&path), ctx) {
-                    match self.platform.read(&path) {
-                        Ok(bytes) => self.open_bytes(&path, &bytes),
-                        Err(reason) => {
-                            self.report_unread(&path, reason);
-                            self.shown.dialog = Some(Dialog::Open(Target::new(path)));
-                        }
-                    }
-                }
-            }
-            Some(Dialog::Save(target)) => {
-                let path = target.path.clone();
-                let written = self.platform.write(&path, self.as_file().as_bytes());
-                match &written {
-                    Ok(path) => {
-                        self.history.saved(path.clone());
-                        self.remember(path);
-                    }
-                    Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
-                }
-                self.report(&path, written, ["status-saved", "status-save-failed"], now);
-            }
+            Some(Dialog::Open(Target { path, .. })) => self.open_typed(path, ctx),
+            Some(Dialog::Save(target)) => self.save(target, now),
+            Some(Dialog::HandIn(target)) => self.hand_in(target, now),
+            Some(Dialog::TakeUp(target)) => self.take_up(target, now),
             Some(Dialog::Export(target, figures)) => {
                 self.settings.figures = Some(figures);
                 self.exporting = Some(self.export_of(target.path, figures));
                 self.export_next(ctx, now);
             }
-            Some(Dialog::Help | Dialog::Scene(..)) | None => {}
+            Some(Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_)) | None => {}
         }
         ctx.request_repaint();
+    }
+
+    fn open_typed(&mut self, path: String, ctx: &Context) {
+        if self.open_folder_or_mesh(Path::new(&path), ctx) {
+            return;
+        }
+        match self.platform.read(&path) {
+            Ok(bytes) => self.open_bytes(&path, &bytes),
+            Err(reason) => {
+                self.report_unread(&path, reason);
+                self.shown.dialog = Some(Dialog::Open(Target::new(path)));
+            }
+        }
+    }
+
+    fn save(&mut self, target: Target, now: f64) {
+        let path = target.path.clone();
+        let written = self.platform.write(&path, self.as_file().as_bytes());
+        match &written {
+            Ok(path) => {
+                self.history.saved(path.clone());
+                self.remember(path);
+            }
+            Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
+        }
+        self.report(&path, written, ["status-saved", "status-save-failed"], now);
     }
 
     /// The first and the last step that become figures.
@@ -307,7 +315,7 @@ impl App {
     }
 
     /// Says what came of a file.
-    fn report(
+    pub(super) fn report(
         &mut self,
         asked: &str,
         written: Result<String, Diagnostic>,

@@ -3,7 +3,8 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen, practice,
+    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen,
+    practice_panel,
     prelude::*,
     question, recording,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
@@ -30,8 +31,8 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
             Room::Stage => {
-                practice::show(app, ui);
-                if app.asks_on_stage() {
+                state.pointed_in_inspector = practice_panel::show(app, ui, state.lit);
+                if app.asks_on_stage() && !app.practice.asks_for_a_step() {
                     question::show(app, ui);
                 }
                 centre(app, ui, state);
@@ -73,8 +74,8 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Bo
     let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
-    practice::show(app, ui);
-    if !app.practice.is_on {
+    state.pointed_in_inspector = practice_panel::show(app, ui, state.lit);
+    if !app.practice.is_on && app.practice.asked.is_none() {
         question::show(app, ui);
     }
     notice::show(app, ui);

@@ -15,7 +15,10 @@ use std::{
 use egui::Context;
 use serde_json::{Map, Value as Json};
 
-use crate::{export::write_whole, lesson::read_file};
+use crate::{
+    export::write_whole,
+    lesson::{Progress, read_file},
+};
 
 use super::{
     App, Settings,
@@ -205,6 +208,7 @@ fn merged(before: &Settings, now: &Settings, there: &Settings) -> Settings {
     let fields = |settings: &Settings| -> Map<String, Json> {
         let json = serde_json::to_value(Settings {
             works: Vec::new(),
+            progress: Progress::default(),
             ..settings.clone()
         });
         json.ok()
@@ -222,6 +226,7 @@ fn merged(before: &Settings, now: &Settings, there: &Settings) -> Settings {
     let settings = serde_json::from_value(Json::Object(new)).unwrap_or_else(|_| now.clone());
     Settings {
         works: works([&before.works, &now.works, &there.works]),
+        progress: now.progress.clone().joined(&there.progress),
         ..settings
     }
 }

@@ -9,7 +9,7 @@ use crate::{
 };
 
 use super::{
-    App, Command, free_scenes,
+    App, Command, Dialog, free_scenes,
     history::UndoGroup,
     prelude::*,
     room::{BESIDE_TRANSPORT, transport_has_room},
@@ -118,6 +118,10 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     if ui.checkbox(&mut snap, look.say("settings-snap")).changed() {
         app.push(Command::Snap(snap));
     }
+    let mut asks = app.settings.asks;
+    if ui.checkbox(&mut asks, look.say("settings-asks")).changed() {
+        app.push(Command::AskInLessons(asks));
+    }
     ui.separator();
     changes(app, ui);
     menu_button(ui, look.say("free-scenes"), |ui| free_scenes::menu(app, ui));
@@ -128,6 +132,8 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     if cfg!(not(target_arch = "wasm32")) {
         action(ui, look, ("action-notes", "N"), true).then(|| app.push(Command::Notes));
     }
+    let progress = Command::Show(Some(Dialog::Progress(false)));
+    action(ui, look, ("progress-title", ""), true).then(|| app.push(progress));
     action(ui, look, ("action-help", "?"), true).then(|| app.push(Command::Help));
 }
 

@@ -19,6 +19,7 @@ mod clicks;
 mod command;
 mod controls;
 mod course_panel;
+mod course_steps;
 mod desk;
 mod dialog;
 mod errand;
@@ -26,10 +27,13 @@ mod files;
 mod found;
 mod free_panel;
 mod free_scenes;
+mod goals;
 mod history;
 mod inspector;
 mod keys;
+mod kit;
 mod layout;
+mod marks;
 #[cfg(not(target_arch = "wasm32"))]
 mod memory;
 mod menus;
@@ -44,7 +48,9 @@ mod pen;
 mod platform;
 mod playback;
 mod practice;
+mod practice_panel;
 mod prelude;
+mod progress_page;
 mod question;
 mod recording;
 #[cfg(not(target_arch = "wasm32"))]
@@ -65,6 +71,7 @@ mod window;
 pub use command::{BINDINGS, Binding, Command};
 pub use desk::{Page, Places, StoredWork};
 pub use dialog::{Answer, Dialog, Figures, Question, Target};
+pub use kit::Kit;
 #[cfg(not(target_arch = "wasm32"))]
 pub use mesh_loading::is_mesh;
 #[cfg(not(target_arch = "wasm32"))]
@@ -82,35 +89,13 @@ use std::{cell::RefCell, collections::BTreeMap};
 use egui::Vec2;
 use web_time::Instant;
 
-use crate::{lesson::SceneFormats, panels, widgets::Album};
+use crate::{panels, widgets::Album};
 
 use bookmark::{Bookmark, FreeScene};
 use desk::Desk;
 use history::History;
 use playback::Playback;
 use prelude::*;
-
-/// The labs that the window has, with what each adds to it and how its scenes are spelt in files.
-pub struct Kit {
-    panels: Vec<Box<dyn LabPanel>>,
-    formats: SceneFormats,
-}
-
-impl Default for Kit {
-    fn default() -> Self {
-        Self {
-            panels: panels::all(),
-            formats: SceneFormats::standard(),
-        }
-    }
-}
-
-impl Kit {
-    fn lab(&self, id: &str) -> Option<&'static Lab> {
-        let mut labs = self.panels.iter().map(|panel| panel.lab());
-        labs.find(|lab| lab.id == id)
-    }
-}
 
 /// The whole app, without a window of its own.
 pub struct App {
@@ -120,6 +105,7 @@ pub struct App {
     history: History<Scene>,
     playback: Playback,
     practice: practice::Practice,
+    goals: goals::Goals,
     /// What takes the place of the playback once it is recorded.
     pending: Option<recording::Pending>,
     given_up: Option<errand::Errand<found::Found>>,
@@ -201,6 +187,7 @@ impl App {
             settings,
             playback: Playback::record(&scene, 0),
             practice: practice::Practice::default(),
+            goals: goals::Goals::default(),
             pending: None,
             given_up: None,
             album: None,
@@ -326,6 +313,7 @@ impl App {
             self.playback.rerecord(self.history.now());
         }
         self.ask_anew();
+        self.look_at_goal();
         self.take_recorded(&ctx);
         self.take_up_lesson();
         let album = self.album.as_ref();

@@ -4,7 +4,7 @@ use egui::{Frame, Grid, KeyboardShortcut, Modal, TextEdit};
 
 use crate::widgets::{select, theme_key};
 
-use super::{App, BINDINGS, Command, Dialog, Figures, desk::SceneAct, prelude::*};
+use super::{App, BINDINGS, Command, Dialog, Figures, desk::SceneAct, prelude::*, progress_page};
 
 const WIDTH: f32 = 528.0;
 /// Of its width the keys take so much.
@@ -30,6 +30,7 @@ pub fn show(app: &App, ui: &Ui, panels: &mut [Box<dyn LabPanel>]) {
     match app.shown.dialog.as_ref() {
         Some(Dialog::Help) => help(app, ctx),
         Some(Dialog::Scene(act, name)) => scene_dialog(app, ctx, *act, name),
+        Some(Dialog::Progress(is_sure)) => progress(app, ctx, *is_sure),
         Some(dialog) => path_dialog(app, ctx, dialog),
         None => {}
     }
@@ -73,6 +74,16 @@ fn help(app: &App, ctx: &Context) {
                     ui.add(Label::new(soft(look, note)).wrap());
                 }
             });
+    });
+    if response.should_close() {
+        app.push(Command::Show(None));
+    }
+}
+
+fn progress(app: &App, ctx: &Context, is_sure: bool) {
+    let response = modal("progress", app.look()).show(ctx, |ui| {
+        heading(app, ui, "progress-title");
+        progress_page::show(app, ui, is_sure);
     });
     if response.should_close() {
         app.push(Command::Show(None));
@@ -146,7 +157,9 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         Dialog::Open(target) => ("open-title", "action-open-it", target, None),
         Dialog::Save(target) => ("save-title", "action-save", target, None),
         Dialog::Export(target, figures) => ("export-title", "action-export", target, Some(figures)),
-        Dialog::Help | Dialog::Scene(..) => return,
+        Dialog::HandIn(target) => ("hand-in-title", "action-save", target, None),
+        Dialog::TakeUp(target) => ("take-up-title", "action-open-it", target, None),
+        Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_) => return,
     };
     let action = if target.replaces {
         "action-replace"

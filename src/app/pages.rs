@@ -73,6 +73,8 @@ impl App {
         }
         self.note_place();
         self.playback.transport.set_speed(self.settings.speed);
+        self.ask_of_step(false);
+        self.see_step();
         before
     }
 
@@ -188,7 +190,9 @@ impl App {
     /// Has the text of the open step an answer?
     /// Is there nothing that the open step's claim would give away?
     pub(super) fn is_open(&self) -> bool {
-        (self.shown.is_answered || !self.has_answer()) && !self.practice.is_on
+        (self.shown.is_answered || !self.has_answer())
+            && !self.practice.is_on
+            && !self.practice.is_asking()
     }
 
     /// The name of a method on the stage; of a mistake, only once it may be told.

@@ -1,15 +1,14 @@
-//! Practice: before every decision the run stops and asks what comes. What might come, what does, and why are the step's own.
+//! Asking what comes: practice does before every decision of a run, a step of a lesson before its own. What might come, what
+//! does, and why are the step's own.
 
 use std::{collections::BTreeSet, ops::ControlFlow};
 
-use egui::{Frame, Panel, Role, WidgetInfo, accesskit::Live};
-
 use crate::figure::Choice;
 
-use super::{App, Command, prelude::*};
+use super::{App, Command, desk::Page, prelude::*};
 
 /// What has a digit of its own; more options than these are a list.
-const DIGITS: [Key; 9] = [
+pub(super) const DIGITS: [Key; 9] = [
     Key::Num1,
     Key::Num2,
     Key::Num3,
@@ -20,13 +19,10 @@ const DIGITS: [Key; 9] = [
     Key::Num8,
     Key::Num9,
 ];
-/// Of the window's height.
-const MOST: f32 = 0.4;
-
 #[derive(Default)]
 pub struct Practice {
     pub is_on: bool,
-    asked: Option<Asked>,
+    pub(super) asked: Option<Asked>,
     /// Steps of this recording that have been answered, or shown: they are not asked again.
     done: BTreeSet<usize>,
     recording: u64,
@@ -34,13 +30,15 @@ pub struct Practice {
     pub(super) told: [usize; 2],
 }
 
-struct Asked {
+pub struct Asked {
     /// The decision's: until it is answered the stage shows the step before.
     step: usize,
-    choice: Choice,
+    pub(super) choice: Choice,
     /// What was answered; the right one where the answer was asked for.
-    chosen: Option<usize>,
-    is_shown: bool,
+    pub(super) chosen: Option<usize>,
+    pub(super) is_shown: bool,
+    /// The step of the course that asks it, where none of a practice does.
+    of: Option<Page>,
 }
 
 impl Practice {
@@ -50,12 +48,23 @@ impl Practice {
     }
 
     /// The question that has not been answered.
-    fn open(&self) -> Option<&Asked> {
+    pub(super) fn open(&self) -> Option<&Asked> {
         self.asked.as_ref().filter(|asked| asked.chosen.is_none())
     }
 
     const fn is_answered(&self) -> bool {
         matches!(&self.asked, Some(it) if it.chosen.is_some())
+    }
+
+    /// Does the open step of the course wait for an answer, and its text with it?
+    pub fn asks_for_a_step(&self) -> bool {
+        self.open().is_some_and(|asked| asked.of.is_some())
+    }
+
+    /// The option that is about this.
+    pub fn option_of(&self, link: Link) -> Option<usize> {
+        let links = &self.open()?.choice.links;
+        links.iter().position(|it| *it == Some(link))
     }
 }
 
@@ -80,7 +89,7 @@ impl App {
     /// What is left to be done of a command: on the way forward the run stops at the next question.
     pub(super) fn practised(&mut self, command: Command) -> Option<Command> {
         if !self.practice.is_on {
-            return Some(command);
+            return self.answered(command);
         }
         let (now, last) = (self.position(), self.playback.transport.n_steps());
         let is_answered = self.practice.is_answered();
@@ -115,6 +124,70 @@ impl App {
         Some(command)
     }
 
+    /// What is left to be done of a command while a step of the course has asked, or nothing has.
+    fn answered(&mut self, command: Command) -> Option<Command> {
+        let is_answered = self.practice.is_answered();
+        let Some(asked) = &self.practice.asked else {
+            return Some(command);
+        };
+        let now = self.position();
+        let is_forward = match command {
+            Command::Step(by) | Command::Phase(by) => by > 0,
+            Command::Seek(step) => step > now,
+            Command::Play => true,
+            _ => false,
+        };
+        let goes_on = matches!(command, Command::Play | Command::CloseOutline);
+        match command {
+            Command::Choose(nth) => self.choose(Some(nth)),
+            Command::ShowMe => self.choose(None),
+            // Whoever pages through a lesson is shown what comes.
+            Command::Lesson { forward: true } if !is_answered => self.choose(None),
+            Command::Cancel => self.practice.asked = None,
+            _ if goes_on && is_answered => {
+                let home = self.own().map_or(asked.step, |(_, position)| position);
+                self.practice.asked = None;
+                self.seek(home);
+            }
+            _ if is_forward && !is_answered => {}
+            Command::Step(_) | Command::Seek(_) | Command::Phase(_) => {
+                self.practice.asked = None;
+                return Some(command);
+            }
+            command => return Some(command),
+        }
+        None
+    }
+
+    /// Where the open step of the course asks what comes, and that has not been told yet, or is to be asked `again`, the run
+    /// waits before it.
+    pub(super) fn ask_of_step(&mut self, again: bool) {
+        if self.practice.is_on {
+            return;
+        }
+        self.practice.asked = None;
+        self.practice.recording = self.playback.recording;
+        let page = self.bookmark.page();
+        let asks = self.bookmark.step().is_some_and(|step| step.asks);
+        let is_told = || self.told_of_step() >= Told::AfterTheNumbers;
+        let is_asked = again || (self.settings.asks && !is_told());
+        if !(asks && is_asked && self.is_untouched() && self.pending.is_none()) {
+            return;
+        }
+        let Some((_, home)) = self.own() else { return };
+        let Some((step, choice)) = self.playback.main().decision_by(home) else {
+            return;
+        };
+        self.practice.asked = Some(Asked {
+            step,
+            choice,
+            chosen: None,
+            is_shown: false,
+            of: page,
+        });
+        self.seek(step - 1);
+    }
+
     /// To this step, or as far as the first decision on the way that has not been answered.
     fn walk_to(&mut self, to: usize) {
         self.practice.asked = None;
@@ -136,6 +209,7 @@ impl App {
                         choice,
                         chosen: None,
                         is_shown: false,
+                        of: None,
                     });
                     ControlFlow::Break(())
                 });
@@ -159,6 +233,10 @@ impl App {
         if nth.is_some() {
             practice.told[0] += usize::from(chosen == right);
             practice.told[1] += 1;
+            if let Some(Page::Step(lesson, step)) = &asked.of {
+                let progress = &mut self.settings.progress;
+                progress.answer(lesson, step, chosen == right);
+            }
         }
         practice.done.insert(asked.step);
         let step = asked.step;
@@ -197,137 +275,4 @@ pub fn keys(app: &App, ctx: &Context) -> Vec<Command> {
         let pressed = keys.filter(|(key, _)| input.consume_key(Modifiers::NONE, *key));
         pressed.map(|(_, command)| command).collect()
     })
-}
-
-/// The question under the stage, with what might come; then what was said, and what comes.
-pub fn show(app: &App, ui: &mut Ui) {
-    if !app.practice.is_on {
-        return;
-    }
-    let look = app.look();
-    let most = MOST * ui.max_rect().height();
-    let frame = Frame::new().fill(look.theme.panel);
-    Panel::bottom("practice")
-        .frame(frame.inner_margin(Margin::symmetric(24, 10)))
-        .show(ui, |ui| {
-            ScrollArea::vertical()
-                .id_salt("practice")
-                .max_height(most)
-                .min_scrolled_height(most)
-                .auto_shrink([false, true])
-                .show(ui, |ui| in_kept_room(app, ui));
-        });
-}
-
-/// Question, answer and what follows are as high as the highest of this recording was, so that the stage stays where it is.
-fn in_kept_room(app: &App, ui: &mut Ui) {
-    let id = Id::unique(("practice", app.playback.recording));
-    let known: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let shown = ui.scope(|ui| match &app.practice.asked {
-        Some(asked) if asked.chosen.is_none() => question(app, ui, asked),
-        Some(asked) => answer(app, ui, asked),
-        None => at_the_end(app, ui),
-    });
-    let height = shown.response.rect.height();
-    ui.add_space((known - height).max(0.0));
-    ui.data_mut(|data| data.insert_temp(id, known.max(height)));
-}
-
-fn said_live(ui: &mut Ui, look: Look<'_>, text: &str) {
-    let text = RichText::new(text).font(theme::strong().resolve(ui.style()));
-    let label = ui.add(Label::new(text.color(look.theme.ink)).wrap());
-    let live = |node: &mut egui::accesskit::Node| node.set_live(Live::Polite);
-    ui.ctx().accesskit_node_builder(label.id, live);
-}
-
-fn question(app: &App, ui: &mut Ui, asked: &Asked) {
-    let look = app.look();
-    ui.horizontal(|ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
-        Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
-        let stroke = look.theme.stroke(1.5, look.theme.signal);
-        ui.painter().circle_stroke(rect.center(), 10.0, stroke);
-        said_live(ui, look, &look.say("practice-question"));
-        ui.label(soft(look, "practice-how"));
-        if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
-            app.push(Command::ShowMe);
-        }
-    });
-    ui.add_space(4.0);
-    let said = asked.choice.said(look.catalog);
-    let is_list = said.len() > DIGITS.len() || said.iter().any(|it| it.chars().count() > 48);
-    let options = |ui: &mut Ui| {
-        for (nth, option) in said.iter().enumerate() {
-            let digit = (nth < DIGITS.len()).then(|| format!("{}\u{2002}", nth + 1));
-            let text = digit.unwrap_or_default() + option;
-            let stroke = look.theme.stroke(1.0, look.theme.hairline);
-            let chip = Button::new(&text).wrap().stroke(stroke).corner_radius(4.0);
-            let button = ui.add(chip.fill(look.theme.background));
-            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, false, &text));
-            if button.clicked() {
-                app.push(Command::Choose(nth));
-            }
-        }
-    };
-    if is_list {
-        ui.vertical(options);
-    } else {
-        ui.horizontal_wrapped(options);
-    }
-}
-
-fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
-    let look = app.look();
-    let said = asked.choice.said(look.catalog);
-    let chosen = asked.chosen.unwrap_or(asked.choice.right);
-    let key = if asked.is_shown {
-        "practice-shown"
-    } else if chosen == asked.choice.right {
-        "practice-right"
-    } else {
-        "practice-wrong"
-    };
-    let message = Message::new(key)
-        .with("right", said[asked.choice.right].clone())
-        .with("chosen", said[chosen].clone());
-    ui.horizontal_wrapped(|ui| {
-        said_live(ui, look, &look.catalog.message(&message));
-        told(app, ui);
-    });
-    // Why is the step's own sentence, over this.
-    let go_on = RichText::new(look.say("practice-go-on")).color(look.theme.background);
-    if ui.add(Button::new(go_on).fill(look.theme.accent)).clicked() {
-        app.push(Command::Play);
-    }
-}
-
-fn at_the_end(app: &App, ui: &mut Ui) {
-    ui.horizontal_wrapped(|ui| {
-        let transport = &app.playback.transport;
-        let is_at_end = transport.position() == transport.n_steps();
-        let key = if is_at_end {
-            "practice-done"
-        } else {
-            "practice-on"
-        };
-        ui.label(soft(app.look(), key));
-        told(app, ui);
-        if ui
-            .add(Button::new(accent(app.look(), "practice-leave")))
-            .clicked()
-        {
-            app.push(Command::Practise);
-        }
-    });
-}
-
-fn told(app: &App, ui: &mut Ui) {
-    let [right, all] = app.practice.told;
-    if all > 0 {
-        let message = Message::new("practice-told")
-            .with("right", Value::Count(right))
-            .with("count", Value::Count(all));
-        let text = RichText::new(app.look().catalog.message(&message));
-        ui.label(text.color(app.look().theme.soft));
-    }
 }

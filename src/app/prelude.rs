@@ -9,7 +9,7 @@ pub(super) use crate::{
     figure::{Lens, Link, Moment, Run, ViewId, Watch},
     geom::Orbit,
     labs::{Click, Edit, Handle, Lab, Lock, MethodCard, Motion, Scene, Sketch},
-    lesson::{CodeView, Course, Lesson, LessonStep, Problem, SceneFile},
+    lesson::{CodeView, Course, Lesson, LessonStep, Problem, SceneFile, Told},
     paint::{Theme, ThemeKind, Viewport, theme},
     panels::{LabPanel, panel_of},
     text::{Diagnostic, Lang, Message, Value},

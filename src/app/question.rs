@@ -37,7 +37,7 @@ pub fn show(app: &App, ui: &mut Ui) {
                 .id_salt(id)
                 .max_height(most)
                 .show(ui, |ui| {
-                    let led_to = lesson_text(ui, look, id, asked, app.shown.is_answered);
+                    let led_to = lesson_text(ui, look, id, asked, app.text_told());
                     app.push_all(led_to.map(Command::Control));
                     if !app.is_presenting() {
                         answer_button(app, ui);

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     figure::Moment,
     labs::Scene,
-    lesson::SceneFormats,
+    lesson::{Progress, SceneFormats},
     paint::{ThemeKind, theme::text_size},
     text::Lang,
     trace::Transport,
@@ -28,6 +28,8 @@ pub struct Settings {
     pub course: bool,
     pub inspector: bool,
     pub snap: bool,
+    /// Do steps of lessons ask what comes before they show it?
+    pub asks: bool,
     /// Steps a second.
     pub speed: f32,
     /// How large text is, one of [`TEXT_SIZES`](crate::paint::theme::TEXT_SIZES). Before, all was enlarged.
@@ -52,6 +54,8 @@ pub struct Settings {
     /// The folder whose course is open.
     #[serde(skip)]
     pub folder: Option<String>,
+    /// What has been seen of the courses, and told beforehand.
+    pub progress: Progress,
     pub works: Vec<StoredWork>,
 }
 
@@ -63,6 +67,7 @@ impl Default for Settings {
             course: true,
             inspector: true,
             snap: true,
+            asks: true,
             speed: 1.0,
             text: 1.0,
             board: 1.0,
@@ -74,6 +79,7 @@ impl Default for Settings {
             places: Places::default(),
             folders: Vec::new(),
             folder: None,
+            progress: Progress::default(),
             works: Vec::new(),
         }
     }

@@ -3,7 +3,7 @@
 
 use egui::{CentralPanel, Frame, ViewportBuilder, ViewportClass, ViewportId};
 
-use crate::widgets::{lesson_text, rule, step_title};
+use crate::widgets::{TextTold, lesson_text, rule, step_title};
 
 use super::{
     App, Command,
@@ -70,10 +70,10 @@ fn notes(app: &App, ui: &mut Ui, minutes: Option<u64>) {
     if text.note.is_empty() {
         ui.label(soft(look, "speaker-no-note"));
     }
-    lesson_text(ui, look, id, &text.note, true);
+    lesson_text(ui, look, id, &text.note, TextTold::answered());
     if let Some(asked) = asked(&text.body) {
         rule(ui, look);
-        lesson_text(ui, look, id.with("asked"), asked, true);
+        lesson_text(ui, look, id.with("asked"), asked, TextTold::answered());
     }
     rule(ui, look);
     let next = app.bookmark.next_title(lang);

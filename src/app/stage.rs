@@ -196,6 +196,8 @@ impl Column<'_> {
             let at = ui.input(click).filter(|_| is_clicked);
             app.push_all(at.map(|at| Command::Type(Some(handle), Some(at))));
         }
+        let option = pointed.and_then(|link| app.practice.option_of(link));
+        app.push_all(option.filter(|_| is_clicked).map(Command::Choose));
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
         if pixel.is_some() && is_clicked {
             app.push(Command::Ask(pixel));

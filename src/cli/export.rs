@@ -209,6 +209,8 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
             },
             ..Places::default()
         },
+        // The picture is of the step itself.
+        asks: false,
         ..Settings::default()
     };
     let size: egui::Vec2 = args.size.0.map(|side| side as f32).into();

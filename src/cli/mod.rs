@@ -6,6 +6,7 @@
 mod export;
 mod lessons;
 mod list;
+mod progress;
 mod say;
 mod trace;
 mod usage;
@@ -70,6 +71,8 @@ enum Command {
     Check(lessons::Args),
     /// List lessons with their steps and figures, and the algorithms that `trace` knows
     List(list::Args),
+    /// Make one table of the progress that a class has handed in
+    Progress(progress::Args),
 }
 
 pub fn run() -> ExitCode {
@@ -87,6 +90,7 @@ pub fn run() -> ExitCode {
         Some(Command::Trace(args)) => trace::trace(&args).into(),
         Some(Command::Check(args)) => lessons::check(&args).into(),
         Some(Command::List(args)) => list::list(&args).into(),
+        Some(Command::Progress(args)) => progress::progress(&args).into(),
     }
 }
 

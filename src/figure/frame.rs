@@ -141,6 +141,8 @@ pub enum Decides {
 pub struct Choice {
     pub question: &'static str,
     pub options: Vec<Value>,
+    /// What each is about, where that can be pointed at.
+    pub links: Vec<Option<Link>>,
     pub right: usize,
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use crate::trace::Counts;
 
 use super::{
-    frame::{Caption, Frame, Shown},
+    frame::{Caption, Choice, Frame, Shown},
     moment::Moment,
     role::Link,
     watch::{Watch, mark_changes},
@@ -64,6 +64,18 @@ pub trait Run: Send {
         };
         let nth = (1..step).filter(is_same).count() + 1;
         Moment::Event { words, nth }
+    }
+
+    /// The last step up to this one that answers a question, and what might come there.
+    fn decision_by(&self, step: usize) -> Option<(usize, Choice)> {
+        (1..=step.min(self.n_steps())).rev().find_map(|step| {
+            let mut choice = None;
+            self.visit([step, step], &mut |_, shown| {
+                choice = shown.options();
+                ControlFlow::Break(())
+            });
+            Some((step, choice?))
+        })
     }
 
     fn find(&self, moment: &Moment) -> Option<usize> {

@@ -282,30 +282,32 @@ impl<M: Telling> At<'_, M> {
     pub fn options(&self) -> Option<Choice> {
         let row = self.row();
         let question = row.answers?;
-        let (options, right): (Vec<Value>, Value) = match question.options {
+        let (options, right): (Vec<(Value, Option<Link>)>, Value) = match question.options {
             Options::Rows => {
                 let rows = M::ROWS.iter();
                 let rows =
                     rows.filter(|other| other.answers.is_some_and(|it| it.id == question.id));
                 let said = |row: &Row| Value::Message(self.message(row.option.unwrap_or(row.key)));
-                let mut options: Vec<Value> = Vec::new();
+                let mut options: Vec<(Value, Option<Link>)> = Vec::new();
                 for option in rows.map(said) {
-                    if !options.contains(&option) {
-                        options.push(option);
+                    if options.iter().all(|(known, _)| *known != option) {
+                        options.push((option, None));
                     }
                 }
                 (options, said(row))
             }
             Options::Of { name, list } => {
                 let values = M::listed(self, list).into_iter();
-                let options = values.filter_map(|entry| entry.value).collect();
-                (options, self.value(name)?)
+                let option = |entry: Named| Some((entry.value?, entry.link));
+                (values.filter_map(option).collect(), self.value(name)?)
             }
         };
+        let (options, links): (Vec<Value>, Vec<_>) = options.into_iter().unzip();
         let right = options.iter().position(|option| *option == right)?;
         Some(Choice {
             question: question.id,
             options,
+            links,
             right,
         })
     }

@@ -13,8 +13,10 @@ use crate::{
 };
 
 use super::{
+    asking::{self, Goal},
     course::Lesson,
     likeness,
+    names::{Names, is_figure_name, is_kebab},
     prelude::*,
     reference::{Scenes, WrittenText},
     scene_file::{SceneFormat, SceneFormats},
@@ -24,8 +26,9 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 10] = [
-    "id", "was", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code",
+const STEP_FIELDS: [&str; 13] = [
+    "id", "was", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code", "ask", "goal",
+    "reached",
 ];
 
 /// Nobody reads a longer lesson.
@@ -167,34 +170,6 @@ fn scenes(
     named.into_iter().flatten().map(read).collect()
 }
 
-/// Names that must not come twice, and the line of each.
-#[derive(Default)]
-struct Names(BTreeMap<String, usize>);
-
-impl Names {
-    fn take(
-        &mut self,
-        node: Node<'_>,
-        is_valid: fn(&str) -> bool,
-        [invalid, expect, duplicate]: [&'static str; 3],
-    ) -> Option<String> {
-        let name = node.text()?;
-        let about = |key| Message::new(key).with("name", clipped(name));
-        if !is_valid(name) {
-            node.error(about(invalid), [Message::new(expect)]);
-            return None;
-        }
-        if let Some(line) = self.0.get(name) {
-            let first = Message::new("expect-first-here").with("line", line.to_string());
-            node.error(about(duplicate), [first]);
-            return None;
-        }
-        let line = node.sink.source.line(node.span().start);
-        self.0.insert(name.to_owned(), line);
-        Some(name.to_owned())
-    }
-}
-
 /// The scene that a step without one keeps.
 enum Current {
     None,
@@ -265,6 +240,26 @@ impl Steps {
         let drags = drags.map(|(node, stop)| drags_in(&stop.scene, node));
         let code = fields.get("code");
         let code = code.and_then(|node| node.value(CodeView::ALL, CodeView::id));
+        let asks = fields.get("ask").map(|node| {
+            let run = stop.as_ref().and_then(|_| self.run());
+            let position = stop.as_ref().and_then(|stop| *stop.found.get()?);
+            asking::asks(node, run.zip(position))
+        });
+        let goal = fields
+            .get("goal")
+            .map(|node| (node, asking::conditions(node)));
+        let goal = goal.and_then(|(node, conditions)| {
+            let reached = self.named(fields.require("reached")?)?;
+            let scene = |name: &str| self.scenes.get(name)?.scene.clone();
+            let goal = Goal {
+                conditions: conditions?,
+                reached: scene(&reached)?,
+            };
+            if let Some(stop) = stop.as_ref().filter(|_| self.run().is_some()) {
+                goal.check(node, &stop.scene);
+            }
+            Some(goal)
+        });
         let step = id.clone().zip(stop);
         let step = step.map(|(id, stop)| LessonStep {
             id,
@@ -276,8 +271,18 @@ impl Steps {
             locks: locks.unwrap_or_default(),
             drags: drags.unwrap_or_default(),
             code: code.unwrap_or_default(),
+            asks: asks.unwrap_or_default(),
+            goal,
         });
         (id, step)
+    }
+
+    /// The run of the scene that is shown, where moments are looked for now.
+    fn run(&self) -> Option<&dyn Run> {
+        let Current::Scene(name) = &self.current else {
+            return None;
+        };
+        self.scenes.get(name)?.run.as_deref()
     }
 
     fn choose_scene(&mut self, fields: &TomlFields<'_>) {
@@ -375,14 +380,4 @@ fn drags_in(scene: &Scene, node: Node<'_>) -> Vec<String> {
         })
     };
     nodes.filter_map(kind).collect()
-}
-
-fn is_kebab(id: &str) -> bool {
-    is_figure_name(id) && id.split('-').all(|part| !part.is_empty())
-}
-
-/// Nothing that a path could be made of.
-fn is_figure_name(name: &str) -> bool {
-    let is_plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
-    name.len() <= 64 && name.bytes().all(is_plain)
 }

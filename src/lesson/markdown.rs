@@ -1,6 +1,6 @@
 //! The part of Markdown that lesson texts are written in, parsed once into blocks that are only laid out.
 
-use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
 use super::{glossary::Word, prelude::*, problem::is_wide, reference::Braces};
 
@@ -13,12 +13,19 @@ pub enum Block {
         marker: BlockMarker,
         text: Vec<Inline>,
     },
+    /// A part of the step's goal, counted from 0.
+    Goal {
+        nth: usize,
+        text: Vec<Inline>,
+    },
     /// Lines of code, each ended by a line break.
     Code(String),
     /// Hidden until the reader asks for it.
     Answer(Vec<Self>),
     /// For whoever presents the step, and for nobody else.
     Note(Vec<Inline>),
+    /// `---`: while the step asks what comes, what follows waits for the answer.
+    Wait,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -76,7 +83,8 @@ pub(super) fn parse(
         controls,
         ..Reader::default()
     };
-    for (event, span) in Parser::new(text).into_offset_iter() {
+    let parser = Parser::new_ext(text, Options::ENABLE_TASKLISTS);
+    for (event, span) in parser.into_offset_iter() {
         reader.event(event, span, sink);
     }
     reader.parts
@@ -100,6 +108,9 @@ struct Reader<'a> {
     answer: Vec<Block>,
     quotes: usize,
     is_heading: bool,
+    /// Is the open item a part of a goal, and how many were there before in its step?
+    is_goal: bool,
+    n_goals: usize,
 }
 
 impl Reader<'_> {
@@ -114,12 +125,13 @@ impl Reader<'_> {
             Event::Code(code) => self.push(&code, true),
             Event::SoftBreak => self.push("\u{2028}", false),
             Event::HardBreak => self.push("\n", false),
+            Event::Rule if self.quotes == 0 && self.lists.is_empty() => {
+                self.block(Block::Wait, span);
+            }
             Event::InlineHtml(_) | Event::Html(_) | Event::Rule => unsupported(span, sink),
             // Extensions that are not switched on.
-            Event::InlineMath(_)
-            | Event::DisplayMath(_)
-            | Event::FootnoteReference(_)
-            | Event::TaskListMarker(_) => {}
+            Event::InlineMath(_) | Event::DisplayMath(_) | Event::FootnoteReference(_) => {}
+            Event::TaskListMarker(_) => self.is_goal = true,
         }
     }
 
@@ -206,7 +218,7 @@ impl Reader<'_> {
     }
 
     fn heading(&mut self, level: HeadingLevel, span: Range<usize>, sink: &Sink<'_>) {
-        self.is_heading = false;
+        (self.is_heading, self.n_goals) = (false, 0);
         let title: String = self.inlines().into_iter().map(|part| part.text).collect();
         if level > HeadingLevel::H2 {
             unsupported(span, sink);
@@ -273,6 +285,10 @@ impl Reader<'_> {
         }
         let block = if is_note {
             Block::Note(text)
+        } else if std::mem::take(&mut self.is_goal) {
+            let nth = self.n_goals;
+            self.n_goals += 1;
+            Block::Goal { nth, text }
         } else if self.lists.is_empty() {
             Block::Paragraph(text)
         } else {

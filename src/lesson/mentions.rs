@@ -82,14 +82,14 @@ pub(super) fn mark(blocks: &mut [Block], lang: Lang) {
 fn mark_new(blocks: &mut [Block], lang: Lang, known: &mut Vec<&'static Word>) {
     for block in blocks {
         match block {
-            Block::Paragraph(text) | Block::ListItem { text, .. } => {
+            Block::Paragraph(text) | Block::ListItem { text, .. } | Block::Goal { text, .. } => {
                 *text = text
                     .drain(..)
                     .flat_map(|part| parts(part, lang, known))
                     .collect();
             }
             Block::Answer(inner) => mark_new(inner, lang, known),
-            Block::Code(_) | Block::Note(_) => {}
+            Block::Code(_) | Block::Note(_) | Block::Wait => {}
         }
     }
 }

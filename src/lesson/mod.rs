@@ -10,6 +10,7 @@
 //! A mistake never stops the reading: every mistake of every file is a [`Problem`] with its place, and a
 //! lesson with one is left out while the others stay. Nothing here knows of a file system but `folder.rs`.
 
+mod asking;
 mod card;
 mod course;
 #[cfg(not(target_arch = "wasm32"))]
@@ -24,8 +25,10 @@ mod load;
 mod markdown;
 mod mentions;
 mod mesh_file;
+mod names;
 mod prelude;
 mod problem;
+mod progress;
 mod reference;
 mod scene_file;
 mod sections;
@@ -39,6 +42,7 @@ mod toml_errors;
 mod toml_fields;
 mod translated;
 
+pub use asking::Goal;
 pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
@@ -53,6 +57,7 @@ pub use mesh_file::{
     ObjFile, PictureFault, picture_of, read_mtl, read_obj, read_obj_while, read_picture,
 };
 pub use problem::{Place, Problem, Severity};
+pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};

@@ -10,7 +10,7 @@ use crate::{
     labs::{Handle, Lock, Scene},
 };
 
-use super::{prelude::*, toml_fields::Node};
+use super::{asking::Goal, prelude::*, toml_fields::Node};
 
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]
@@ -29,6 +29,10 @@ pub struct LessonStep {
     /// The kinds of handles that its text asks for.
     pub drags: Vec<String>,
     pub code: CodeView,
+    /// Is it asked what comes, before the step shows that?
+    pub asks: bool,
+    /// What the scene is to be changed to.
+    pub goal: Option<Goal>,
 }
 
 /// A scene, and where in its run a step or its figure stops.

@@ -97,6 +97,10 @@ impl<'t> Node<'t> {
         self.expecting(self.item.get_ref().as_table(), "expect-table")
     }
 
+    pub fn value_of(self) -> &'t DeValue<'t> {
+        self.item.get_ref()
+    }
+
     pub fn span(self) -> Range<usize> {
         self.item.span()
     }
@@ -151,13 +155,9 @@ impl<'t> Node<'t> {
         Some(fields.map(move |(key, item)| (key, Node { item, sink })))
     }
 
-    pub fn as_str(self) -> Option<&'t str> {
-        self.item.get_ref().as_str()
-    }
-
     /// A text that says something.
     pub fn text(self) -> Option<&'t str> {
-        let text = self.expecting(self.as_str(), "expect-text")?;
+        let text = self.expecting(self.value_of().as_str(), "expect-text")?;
         if text.trim().is_empty() {
             self.error(Message::new("problem-empty-text"), []);
             return None;

@@ -17,17 +17,42 @@ const LEADING: f32 = 0.35;
 const DOTS: f32 = 3.0;
 const UNDER: f32 = 2.0;
 
+/// What of a text is shown, and how.
+#[derive(Clone, Copy, Default)]
+pub struct TextTold<'a> {
+    /// Are its answers?
+    pub is_answered: bool,
+    /// Which parts of the goal hold.
+    pub met: &'a [bool],
+    /// Does it end where it waits for what comes to be told?
+    pub waits: bool,
+}
+
+impl TextTold<'_> {
+    /// All of it.
+    pub const fn answered() -> Self {
+        Self {
+            is_answered: true,
+            met: &[],
+            waits: false,
+        }
+    }
+}
+
 /// The control that was asked for, of those that the text leads to.
 pub fn lesson_text(
     ui: &mut Ui,
     look: Look<'_>,
     id: Id,
     blocks: &[Block],
-    is_answered: bool,
+    told: TextTold<'_>,
 ) -> Option<&'static str> {
     ui.spacing_mut().item_spacing.y = 8.0;
     let mut asked = None;
-    for (i, block) in blocks.iter().enumerate() {
+    let is_end = |block: &&Block| told.waits && **block == Block::Wait;
+    let n_shown = blocks.iter().position(|block| is_end(&block));
+    let shown = &blocks[..n_shown.unwrap_or(blocks.len())];
+    for (i, block) in shown.iter().enumerate() {
         let by_block = match block {
             Block::Paragraph(text) | Block::Note(text) => running(ui, look, text),
             Block::ListItem {
@@ -35,17 +60,56 @@ pub fn lesson_text(
                 marker,
                 text,
             } => item(ui, look, *depth, *marker, text),
+            Block::Goal { nth, text } => goal(ui, look, text, told.met.get(*nth) == Some(&true)),
             Block::Code(code) => {
                 let code = RichText::new(code.trim_end()).monospace();
                 ui.add(Label::new(code.color(look.theme.ink)).selectable(true));
                 None
             }
-            Block::Answer(blocks) if is_answered => answer(ui, look, id.with(i), blocks),
-            Block::Answer(_) => None,
+            Block::Answer(blocks) if told.is_answered => answer(ui, look, id.with(i), blocks),
+            Block::Answer(_) | Block::Wait => None,
         };
         asked = asked.or(by_block);
     }
     asked
+}
+
+/// A part of a goal: with a tick where it holds, else with an open ring.
+fn goal(ui: &mut Ui, look: Look<'_>, text: &[Inline], is_met: bool) -> Option<&'static str> {
+    const RADIUS: f32 = 6.0;
+    let mut inner = ui.available_rect_before_wrap();
+    inner.min.x += 20.0;
+    let inner = UiBuilder::new().max_rect(inner);
+    let place = ui.scope_builder(inner, |ui| running(ui, look, text));
+    let font = TextStyle::Body.resolve(ui.style());
+    let down = (font.size * (1.0 + LEADING) * 0.5).round();
+    let rect = place.response.rect;
+    let centre = rect.left_top() + vec2(-11.0, down);
+    let painter = ui.painter();
+    if is_met {
+        painter.circle_filled(centre, RADIUS, look.theme.accent);
+        let tick = [[-3.0, 0.0], [-1.0, 2.5], [3.0, -2.5]].map(|[x, y]| centre + vec2(x, y));
+        let stroke = look.theme.stroke(1.5, look.theme.background);
+        painter.line(tick.to_vec(), stroke);
+    } else {
+        painter.circle_stroke(
+            centre,
+            RADIUS - 0.75,
+            look.theme.stroke(1.5, look.theme.soft),
+        );
+    }
+    let sign = ui.interact(
+        Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS)),
+        place.response.id.with("met"),
+        Sense::hover(),
+    );
+    let said = look.say(if is_met {
+        "goal-part-met"
+    } else {
+        "goal-part-open"
+    });
+    sign.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_met, &said));
+    place.inner
 }
 
 fn item(
@@ -87,7 +151,9 @@ fn item(
 fn answer(ui: &mut Ui, look: Look<'_>, id: Id, blocks: &[Block]) -> Option<&'static str> {
     let left = ui.cursor().left();
     let inner = id.with("shown");
-    let shown = ui.indent(id, |ui| lesson_text(ui, look, inner, blocks, true));
+    let shown = ui.indent(id, |ui| {
+        lesson_text(ui, look, inner, blocks, TextTold::answered())
+    });
     let rect = shown.response.rect;
     let bar = Rect::from_x_y_ranges(left..=left + 2.0, rect.y_range());
     ui.painter().rect_filled(bar, 0.0, look.theme.accent);

@@ -34,7 +34,7 @@ pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped};
 pub use headings::{column_title, focus_ring, rule, section};
 pub use hit::link_at;
-pub use lesson_text::{card, claimed, lesson_text, step_title};
+pub use lesson_text::{TextTold, card, claimed, lesson_text, step_title};
 pub use menu::{
     form_button, language_menu, menu_button, menu_style, text_menu, theme_key, theme_menu,
 };

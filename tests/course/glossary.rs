@@ -61,6 +61,7 @@ fn inlines(blocks: &[Block]) -> Vec<&Inline> {
     let of_block = |block| match block {
         &Block::Paragraph(ref text)
         | &Block::ListItem { ref text, .. }
+        | &Block::Goal { ref text, .. }
         | &Block::Note(ref text) => text.iter().collect(),
         Block::Answer(inner) => inlines(inner),
         Block::Code(_) => Vec::new(),

@@ -13,14 +13,14 @@ const MOST_AHEAD: usize = 10;
 fn said(blocks: &[Block], all: &mut Vec<String>) {
     for block in blocks {
         match block {
-            Block::Paragraph(text) | Block::ListItem { text, .. } => {
+            Block::Paragraph(text) | Block::ListItem { text, .. } | Block::Goal { text, .. } => {
                 let text: String = text.iter().map(|part| &*part.text).collect();
                 // A dot between digits ends nothing, but then no term stands in either half.
                 let sentences = text.split_inclusive(['.', '?', '!']);
                 all.extend(sentences.map(str::to_owned));
             }
             Block::Answer(inner) => said(inner, all),
-            Block::Code(_) | Block::Note(_) => {}
+            Block::Code(_) | Block::Note(_) | Block::Wait => {}
         }
     }
 }

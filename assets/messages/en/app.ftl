@@ -263,3 +263,29 @@ what-comes-next = What comes next? { $options }
 named-sentence = { $name }: { $said }
 figure-before = Before
 figure-now = Now
+
+lesson-waits = The rest opens with your answer, or with S.
+lesson-ask-again = Ask me this again
+settings-asks = Lessons ask before they show
+told-beforehand = told beforehand
+told-after = told after the numbers
+told-open = open
+told-seen = seen
+told-unseen = not seen yet
+progress-title = Progress
+progress-counts = { $seen ->
+    [one] One step seen
+   *[other] { $seen } steps seen
+} · { $beforehand } told beforehand · { $after } told after the numbers · { $open } open · { $reached } of { $goals } goals reached
+progress-hand-in = Hand in…
+progress-take-up = Take up a file…
+progress-afresh = Begin afresh
+progress-sure = All marks of this computer go.
+hand-in-title = Hand in your progress
+take-up-title = Take up a file of progress
+progress-taken-up = The marks of the file were added to yours.
+goal-reached = All parts hold: the goal is reached.
+goal-part-met = holds
+goal-part-open = does not hold yet
+mark-reached = goal reached
+mark-goal = goal not reached yet

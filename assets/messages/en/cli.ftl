@@ -152,3 +152,6 @@ list-algorithms = Algorithms that cases can name
 list-lessons = Lessons
 list-figure = figure { $name }
 cli-no-lesson = There is no lesson “{ $name }”: neither a path nor a lesson of the course. See clipscope list.
+
+table-file = file
+table-score = score

@@ -81,3 +81,6 @@ error-typed-place = expected { $count ->
     [1] one number
    *[other] { $count } numbers
 }, such as −1.5 or 1/4, but { $typed } was typed
+
+error-progress-broken = This is no file of progress.
+error-progress-version = A later version of Clipscope wrote this file.

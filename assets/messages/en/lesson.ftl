@@ -191,3 +191,14 @@ problem-flat-faces =
 problem-no-faces = The file has no face that can be drawn.
 problem-too-many-faces = The file has more than { $limit } triangles: it is too large to be drawn.
 expect-obj-index = Expected: 1 for the first vertex of the file, 2 for the next; −1 for the one before this line.
+
+problem-nothing-asked = The run of this step makes no decision before the step stops.
+expect-true-or-false = Expected: true or false.
+expect-decision = Expected: a moment at a decision, or after one.
+problem-goal-missed = Part { $count } of the goal does not hold of the scene that is said to reach it.
+problem-goal-met = The goal holds of the step’s own scene.
+expect-reached = Expected: the name of a scene of which all parts of the goal hold, while they do not all hold of the step’s own scene.
+problem-goal-parts = The goal has { $count } parts, and { $limit } at most.
+expect-goal = Expected: a list of conditions, such as ["output.visible = false", "events(cut) = 1"].
+problem-goal-text = Step “{ $name }” has { $count } goal lines, and { $limit } conditions in lesson.toml.
+expect-goal-text = Expected: one line “- [ ] …” for each condition.

@@ -263,3 +263,29 @@ what-comes-next = ¿Qué viene ahora? { $options }
 named-sentence = { $name }: { $said }
 figure-before = Antes
 figure-now = Ahora
+
+lesson-waits = El resto se abre con tu respuesta, o con S.
+lesson-ask-again = Pregúntamelo otra vez
+settings-asks = Las lecciones preguntan antes de mostrar
+told-beforehand = dicho de antemano
+told-after = dicho después de los números
+told-open = pendiente
+told-seen = visto
+told-unseen = aún no visto
+progress-title = Progreso
+progress-counts = { $seen ->
+    [one] Un paso visto
+   *[other] { $seen } pasos vistos
+} · { $beforehand } dichos de antemano · { $after } dichos después de los números · { $open } pendientes · { $reached } de { $goals } objetivos alcanzados
+progress-hand-in = Entregar…
+progress-take-up = Cargar un archivo…
+progress-afresh = Empezar de cero
+progress-sure = Se pierden todas las marcas de este ordenador.
+hand-in-title = Entregar tu progreso
+take-up-title = Cargar un archivo de progreso
+progress-taken-up = Las marcas del archivo se han añadido a las tuyas.
+goal-reached = Se cumplen todas las partes: has alcanzado el objetivo.
+goal-part-met = se cumple
+goal-part-open = aún no se cumple
+mark-reached = objetivo alcanzado
+mark-goal = objetivo aún no alcanzado

@@ -148,3 +148,6 @@ list-algorithms = Algoritmos que admiten los casos
 list-lessons = Lecciones
 list-figure = figura { $name }
 cli-no-lesson = No hay ninguna lección «{ $name }»: no es una ruta ni una lección del curso. Véase clipscope list.
+
+table-file = archivo
+table-score = puntuación

@@ -81,3 +81,6 @@ error-typed-place = { $count ->
     [1] se esperaba un número
    *[other] se esperaban { $count } números
 }, como −1,5 o 1/4, pero se escribió { $typed }
+
+error-progress-broken = Este archivo no es de progreso.
+error-progress-version = Este archivo es de una versión posterior de Clipscope.

@@ -191,3 +191,14 @@ problem-flat-faces =
 problem-no-faces = El archivo no tiene ninguna cara que se pueda dibujar.
 problem-too-many-faces = El archivo tiene más de { $limit } triángulos: es demasiado grande para dibujarlo.
 expect-obj-index = Se espera: 1 para el primer vértice del archivo, 2 para el siguiente; −1 para el anterior a esta línea.
+
+problem-nothing-asked = La ejecución de este paso no toma ninguna decisión antes de detenerse.
+expect-true-or-false = Se esperaba: true o false.
+expect-decision = Se esperaba: un momento en una decisión o posterior a una.
+problem-goal-missed = La parte { $count } del objetivo no se cumple en la escena que debe alcanzarlo.
+problem-goal-met = El objetivo ya se cumple en la escena del paso.
+expect-reached = Se esperaba: el nombre de una escena en la que se cumplan todas las partes del objetivo, que no se cumplen todas en la escena del paso.
+problem-goal-parts = El objetivo tiene { $count } partes, y como máximo puede tener { $limit }.
+expect-goal = Se esperaba: una lista de condiciones, como ["output.visible = false", "events(cut) = 1"].
+problem-goal-text = El paso «{ $name }» tiene { $count } líneas de objetivo, y lesson.toml { $limit } condiciones.
+expect-goal-text = Se esperaba: una línea «- [ ] …» por cada condición.

@@ -263,3 +263,29 @@ what-comes-next = O que vem agora? { $options }
 named-sentence = { $name }: { $said }
 figure-before = Antes
 figure-now = Agora
+
+lesson-waits = O resto se abre com a sua resposta, ou com S.
+lesson-ask-again = Pergunte-me de novo
+settings-asks = As lições perguntam antes de mostrar
+told-beforehand = respondido de antemão
+told-after = respondido depois dos números
+told-open = em aberto
+told-seen = visto
+told-unseen = ainda não visto
+progress-title = Progresso
+progress-counts = { $seen ->
+    [one] Um passo visto
+   *[other] { $seen } passos vistos
+} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · { $reached } de { $goals } metas alcançadas
+progress-hand-in = Entregar…
+progress-take-up = Carregar um arquivo…
+progress-afresh = Começar do zero
+progress-sure = Todas as marcas deste computador se perdem.
+hand-in-title = Entregar o seu progresso
+take-up-title = Carregar um arquivo de progresso
+progress-taken-up = As marcas do arquivo foram somadas às suas.
+goal-reached = Todas as partes valem: a meta foi alcançada.
+goal-part-met = vale
+goal-part-open = ainda não vale
+mark-reached = meta alcançada
+mark-goal = meta ainda não alcançada

@@ -148,3 +148,6 @@ list-algorithms = Algoritmos que os casos aceitam
 list-lessons = Lições
 list-figure = figura { $name }
 cli-no-lesson = Não há nenhuma lição “{ $name }”: não é um caminho nem uma lição do curso. Veja clipscope list.
+
+table-file = arquivo
+table-score = pontuação

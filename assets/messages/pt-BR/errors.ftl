@@ -81,3 +81,6 @@ error-typed-place = { $count ->
     [1] era esperado um número
    *[other] eram esperados { $count } números
 }, como −1,5 ou 1/4, mas foi digitado { $typed }
+
+error-progress-broken = Este arquivo não é de progresso.
+error-progress-version = Este arquivo é de uma versão posterior do Clipscope.

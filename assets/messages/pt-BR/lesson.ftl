@@ -191,3 +191,14 @@ problem-flat-faces =
 problem-no-faces = O arquivo não tem nenhuma face que possa ser desenhada.
 problem-too-many-faces = O arquivo tem mais de { $limit } triângulos: é grande demais para ser desenhado.
 expect-obj-index = Espera-se: 1 para o primeiro vértice do arquivo, 2 para o seguinte; −1 para o anterior a esta linha.
+
+problem-nothing-asked = A execução deste passo não toma nenhuma decisão antes de parar.
+expect-true-or-false = Esperado: true ou false.
+expect-decision = Esperado: um momento em uma decisão ou depois de uma.
+problem-goal-missed = A parte { $count } da meta não vale na cena que deveria alcançá-la.
+problem-goal-met = A meta já vale na cena do passo.
+expect-reached = Esperado: o nome de uma cena em que valem todas as partes da meta, que não valem todas na cena do passo.
+problem-goal-parts = A meta tem { $count } partes, e o máximo é { $limit }.
+expect-goal = Esperado: uma lista de condições, como ["output.visible = false", "events(cut) = 1"].
+problem-goal-text = O passo “{ $name }” tem { $count } linhas de meta, e lesson.toml { $limit } condições.
+expect-goal-text = Esperado: uma linha “- [ ] …” para cada condição.

@@ -120,3 +120,6 @@ list-algorithms = 用例可用的算法
 list-lessons = 课程
 list-figure = 图 { $name }
 cli-no-lesson = 没有课程“{ $name }”：既不是路径，也不是内置课程。请见 clipscope list。
+
+table-file = 文件
+table-score = 得分

@@ -74,3 +74,6 @@ system-number = 系统报告错误 { $number }
 system-silent = 系统没有说明原因
 error-typed-range = 应为 { $least } 到 { $most } 之间的数，但输入的是 { $typed }
 error-typed-place = 应为 { $count } 个数，例如 −1.5 或 1/4，但输入的是 { $typed }
+
+error-progress-broken = 这不是学习进度文件。
+error-progress-version = 这个文件由更新版本的 Clipscope 写成。

@@ -176,3 +176,14 @@ problem-flat-faces = { $count } 个三角形没有面积，第一个在此：看
 problem-no-faces = 文件中没有可以绘制的面。
 problem-too-many-faces = 该文件的三角形超过 { $limit } 个：太大，无法绘制。
 expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前的那一个。
+
+problem-nothing-asked = 此步骤停下之前，运行没有作出任何判断。
+expect-true-or-false = 应为：true 或 false。
+expect-decision = 应为：某个判断的时刻，或其后的时刻。
+problem-goal-missed = 应达成目标的场景不满足目标的第 { $count } 项。
+problem-goal-met = 步骤自己的场景已经满足目标。
+expect-reached = 应为：满足目标各项的场景的名称；步骤自己的场景不能已经满足全部各项。
+problem-goal-parts = 目标有 { $count } 项，最多 { $limit } 项。
+expect-goal = 应为：条件的列表，例如 ["output.visible = false", "events(cut) = 1"]。
+problem-goal-text = 步骤“{ $name }”有 { $count } 行目标，而 lesson.toml 中有 { $limit } 个条件。
+expect-goal-text = 应为：每个条件一行“- [ ] …”。

@@ -8,6 +8,7 @@ mod files;
 mod frames;
 mod free_scenes;
 mod frustum_menu;
+mod goals;
 mod hands;
 mod keys;
 mod labs;
@@ -79,6 +80,8 @@ impl Bench {
         let settings = Settings {
             lang,
             theme,
+            // What lessons ask has tests of its own.
+            asks: false,
             ..Settings::default()
         };
         Self::with(App::new(Course::embedded(), settings), size)

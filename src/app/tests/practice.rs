@@ -1,6 +1,7 @@
 //! Before every decision it is asked what comes.
 
 use super::*;
+use crate::lesson::Told;
 
 /// The steps of the run on stage that answer a question.
 fn decisions(bench: &Bench) -> Vec<usize> {
@@ -120,4 +121,115 @@ fn a_drag_asks_anew_and_no_answer_is_undone() {
     bench.command(Command::Undo);
     bench.frame(0.1, Vec::new());
     assert_eq!(bench.app.practice.told, [1, 1]);
+}
+
+/// A step of the course that asks, opened as a student opens it.
+fn asked_of(lesson: &str, step: &str) -> Bench {
+    let settings = Settings {
+        places: Places {
+            page: Some(Page::Step(lesson.to_owned(), step.to_owned())),
+            ..Places::default()
+        },
+        ..Settings::default()
+    };
+    let mut bench = Bench::with(App::new(Course::embedded(), settings), SIZE);
+    bench.ctx.enable_accesskit();
+    bench.frame(0.1, Vec::new());
+    bench
+}
+
+fn told(bench: &Bench) -> Told {
+    bench.app.told_of_step()
+}
+
+#[test]
+fn a_step_that_asks_waits_before_what_it_shows() {
+    let (lesson, step) = ("04-cutting-with-outcodes", "four-cuts");
+    let mut bench = asked_of(lesson, step);
+    let step = bench.app.bookmark.step().expect("it is there").clone();
+    assert!(step.asks && bench.app.practice.asks_for_a_step());
+    let (decision, choice) = bench
+        .app
+        .playback
+        .main()
+        .decision_by(step.position().unwrap())
+        .unwrap();
+    assert_eq!(bench.app.position(), decision - 1);
+    for key in [Key::ArrowRight, Key::End, Key::Space] {
+        bench.key(key);
+        assert_eq!(bench.app.position(), decision - 1, "{key:?}");
+    }
+    let claim = bench.app.bookmark.title(Lang::En, true).unwrap().to_owned();
+    let is_told = |bench: &Bench| bench.names.iter().any(|(name, _)| name.contains(&claim));
+    assert!(!is_told(&bench), "the claim waits");
+    bench.key(digit((choice.right + 1) % choice.options.len()));
+    assert_eq!(
+        (bench.app.position(), told(&bench)),
+        (decision, Told::Missed)
+    );
+    bench.key(Key::Enter);
+    assert_eq!(bench.app.position(), step.position().unwrap());
+    // Asked again, the numbers have been seen.
+    bench.command(Command::AskAgain);
+    assert_eq!(bench.app.position(), decision - 1);
+    bench.key(digit(choice.right));
+    assert_eq!(told(&bench), Told::AfterTheNumbers);
+    // It stays so over a restart.
+    let settings = bench.app.settings();
+    let written = settings.progress.written();
+    let read = crate::lesson::Progress::read(written.as_bytes()).expect("its own file");
+    assert_eq!(
+        read.mark(lesson, "four-cuts").map(|mark| mark.told),
+        Some(Told::AfterTheNumbers)
+    );
+}
+
+#[test]
+fn what_might_come_is_answered_on_the_picture_too() {
+    let bench = asked_of("04-cutting-with-outcodes", "four-cuts");
+    let open = bench.app.practice.open().expect("it asks");
+    let links: Vec<_> = open.choice.links.iter().flatten().copied().collect();
+    assert_eq!(links.len(), 4, "each side can be pointed at");
+    for (nth, link) in links.into_iter().enumerate() {
+        assert_eq!(bench.app.practice.option_of(link), Some(nth));
+    }
+}
+
+#[test]
+fn whoever_pages_on_is_shown_what_comes_and_gets_no_mark() {
+    let mut bench = asked_of("04-cutting-with-outcodes", "four-cuts");
+    let at = bench.app.bookmark.at;
+    bench.key(Key::PageDown);
+    assert_eq!(bench.app.bookmark.at, at);
+    assert!(!bench.app.practice.is_asking());
+    assert_eq!(told(&bench), Told::Open);
+    bench.command(Command::AskAgain);
+    bench.key(Key::Escape);
+    assert!(!bench.app.practice.is_asking());
+    bench.command(Command::AskInLessons(false));
+    bench.key(Key::PageDown);
+    assert!(!bench.app.practice.is_asking(), "nothing asks any more");
+}
+
+#[test]
+fn every_step_that_asks_has_something_to_ask() {
+    let course = Course::embedded();
+    let mut n_asked = 0;
+    for lesson in &course.lessons {
+        for step in lesson.steps.iter().filter(|step| step.asks) {
+            n_asked += 1;
+            let runs = step.scene.document().record();
+            let position = step.position().expect("its moment comes");
+            let decision = runs[0].decision_by(position);
+            let (at, choice) = decision.unwrap_or_else(|| panic!("{} {}", lesson.id, step.id));
+            assert!(choice.options.len() > 1, "{} {}", lesson.id, step.id);
+            assert!(
+                position - at <= 3,
+                "{} {}: {at} is long before {position}",
+                lesson.id,
+                step.id
+            );
+        }
+    }
+    assert!(n_asked >= 120, "{n_asked}");
 }

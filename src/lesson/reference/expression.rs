@@ -1,6 +1,6 @@
 //! What a reference says, before a run is asked for it.
 
-use crate::figure::Moment;
+use crate::figure::{Moment, Words};
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference {
@@ -17,10 +17,15 @@ pub struct Reference {
 #[derive(Clone, PartialEq, Debug)]
 pub enum Expression {
     Number(f64),
-    Path { root: Root, parts: Vec<Part> },
+    Path {
+        root: Root,
+        parts: Vec<Part>,
+    },
     Negated(Box<Self>),
     Joined(Operator, Box<[Self; 2]>),
     Call(Function, Vec<Self>),
+    /// How many events of the whole run have these words.
+    Events(Words),
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -10,16 +10,19 @@
 //!   {x₁ - 2 * (a + b)}      arithmetic; min, max, abs, sqrt, sin, cos, tan, acos, atan (in degrees); len, sum and count of a list
 //!   {r @ leave right}       at another moment of the run         {r of further}      in another scene of the lesson
 //!   {cost.div by brute-force @ end}     of a method that stands beside the first
+//!   {events(cut left)}      how many events of the whole run have these words
 //!   {d : 2}                 two decimals; also : fraction, : decimal, : grouped
 //! ```
 
 mod braces;
+mod condition;
 mod expression;
 mod parse;
 mod resolve;
 mod written;
 
 pub(super) use braces::Braces;
+pub(super) use condition::Condition;
 pub(super) use expression::{Expression, Form, Operator, Part, Reference, Root};
 pub(super) use resolve::{Runs, Scenes};
 pub(super) use written::{WrittenStep, WrittenText};

@@ -180,6 +180,11 @@ impl Reader<'_> {
             return self.path(Root::Name(name));
         }
         let name = self.while_next(is_of_name);
+        if name == "events" && self.take(&['(']).is_some() {
+            let words = self.while_next(|c| c != ')');
+            self.take(&[')'])?;
+            return Some(Expression::Events(words.split_whitespace().collect()));
+        }
         if self.take(&['(']).is_some() {
             let (_, function) = Function::ALL.into_iter().find(|(word, _)| *word == name)?;
             let arguments = self.closed(Self::arguments)?;

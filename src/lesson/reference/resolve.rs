@@ -5,10 +5,10 @@ use std::{cell::RefCell, collections::BTreeMap, fmt::Write as _, rc::Rc, sync::A
 use serde_json::Value as Json;
 
 use crate::{
-    figure::{Moment, Run},
+    figure::{Moment, Run, Words},
     labs::Scene,
     lesson::{LessonStep, SceneFormats, prelude::*, step::never_comes},
-    text::{Catalog, Formula, Token, Value},
+    text::{Catalog, Formula, Lang, Token, Value},
 };
 
 use super::{Expression, Operator, Part, Reference, Root, expression::Function, parse::unreadable};
@@ -32,7 +32,7 @@ struct Recorded {
 }
 
 /// A place in a run, which names are asked at.
-struct Place<'a> {
+pub struct Place<'a> {
     run: &'a dyn Run,
     step: usize,
     scene: &'a Scene,
@@ -61,22 +61,8 @@ impl<'a> Runs<'a> {
             })?,
         };
         let recorded = self.recorded(scene);
-        let run = match &reference.method {
-            None => recorded.runs.first(),
-            Some(id) => recorded.runs.iter().find(|(known, _)| known == id),
-        };
-        let (_, run) = run.ok_or_else(|| {
-            let known: Vec<&str> = recorded.runs.iter().map(|(id, _)| *id).collect();
-            let id = reference.method.as_deref().unwrap_or_default();
-            unknown("problem-unknown-method", id, &known)
-        })?;
-        let moment = reference.at.as_ref().unwrap_or(&step.moment);
-        let place = Place {
-            run: &**run,
-            step: place_of(moment, &**run)?,
-            scene: &recorded.scene,
-        };
-        place.value(&reference.value)
+        let runs = recorded.runs.iter().map(|(id, run)| (*id, &**run));
+        place(reference, &recorded.scene, runs, &step.moment)?.value(&reference.value)
     }
 
     /// What can be said at a step: each name with its value, and event, answer, cost and scene as they are.
@@ -123,6 +109,28 @@ impl<'a> Runs<'a> {
     }
 }
 
+/// Where a reference asks, of a scene and its runs: at its own moment, or else at this one.
+pub fn place<'r>(
+    reference: &Reference,
+    scene: &'r Scene,
+    mut runs: impl Iterator<Item = (&'static str, &'r dyn Run)> + Clone,
+    moment: &Moment,
+) -> Result<Place<'r>, Diagnostic> {
+    let known = runs.clone();
+    let run = match &reference.method {
+        None => runs.next(),
+        Some(id) => runs.find(|(known, _)| known == id),
+    };
+    let (_, run) = run.ok_or_else(|| {
+        let known: Vec<&str> = known.map(|(id, _)| id).collect();
+        let id = reference.method.as_deref().unwrap_or_default();
+        unknown("problem-unknown-method", id, &known)
+    })?;
+    let moment = reference.at.as_ref().unwrap_or(moment);
+    let step = place_of(moment, run)?;
+    Ok(Place { run, step, scene })
+}
+
 fn place_of(moment: &Moment, run: &dyn Run) -> Result<usize, Diagnostic> {
     run.find(moment).ok_or_else(|| never_comes(moment, run))
 }
@@ -140,7 +148,20 @@ fn no_value(name: &str) -> Diagnostic {
 }
 
 impl Place<'_> {
-    fn value(&self, expression: &Expression) -> Result<Value, Diagnostic> {
+    /// `true` and `false` of an answer, and its null, are words.
+    pub fn word(&self, expression: &Expression) -> Option<String> {
+        let Expression::Path { root, parts } = expression else {
+            return None;
+        };
+        match self.path(root, parts).ok()? {
+            Found::Json(Json::String(word)) => Some(word),
+            Found::Json(json @ (Json::Bool(_) | Json::Null)) => Some(json.to_string()),
+            Found::One(value) => Some(Catalog::of(Lang::En).value(&value)),
+            Found::Json(_) | Found::Many(_) => None,
+        }
+    }
+
+    pub fn value(&self, expression: &Expression) -> Result<Value, Diagnostic> {
         if let Expression::Path { root, parts } = expression {
             let name = spelt(root, parts);
             return self
@@ -156,7 +177,7 @@ impl Place<'_> {
         }
     }
 
-    fn number(&self, expression: &Expression) -> Result<f64, Diagnostic> {
+    pub fn number(&self, expression: &Expression) -> Result<f64, Diagnostic> {
         Ok(match expression {
             Expression::Number(x) => *x,
             Expression::Path { root, parts } => {
@@ -176,7 +197,17 @@ impl Place<'_> {
                 }
             }
             Expression::Call(function, of) => self.call(*function, of)?,
+            Expression::Events(wanted) => self.events(wanted) as f64,
         })
+    }
+
+    fn events(&self, wanted: &Words) -> usize {
+        let mut words = Words::default();
+        let fits = |step: &usize| {
+            self.run.read_words(*step, &mut words);
+            words.include(wanted)
+        };
+        (1..=self.run.n_steps()).filter(fits).count()
     }
 
     fn call(&self, function: Function, of: &[Expression]) -> Result<f64, Diagnostic> {

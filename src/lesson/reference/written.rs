@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::{
     lesson::{
-        Card, LessonStep,
+        Card, Goal, LessonStep,
         markdown::{Block, StepText},
         mentions,
         prelude::*,
@@ -82,6 +82,14 @@ impl WrittenStep {
             if let Err(what) = runs.resolve(reference, step) {
                 sink.error(span.clone(), what, []);
             }
+        }
+        let is_goal = |block: &&Block| matches!(block, Block::Goal { .. });
+        let count = self.text.body.iter().filter(is_goal).count();
+        let parts = step.goal.as_ref().map_or(0, Goal::n_parts);
+        if count != parts {
+            let message = Message::new("problem-goal-text").with("name", step.id.clone());
+            let message = message.with("count", count).with("limit", parts);
+            sink.error(0..0, message, [Message::new("expect-goal-text")]);
         }
     }
 
@@ -183,13 +191,16 @@ impl Filler {
         let mut blocks = blocks.to_vec();
         for block in &mut blocks {
             match block {
-                Block::Paragraph(text) | Block::ListItem { text, .. } | Block::Note(text) => {
+                Block::Paragraph(text)
+                | Block::ListItem { text, .. }
+                | Block::Goal { text, .. }
+                | Block::Note(text) => {
                     for part in text {
                         part.text = self.fill(&part.text);
                     }
                 }
                 Block::Answer(inner) => *inner = self.blocks(inner),
-                Block::Code(_) => {}
+                Block::Code(_) | Block::Wait => {}
             }
         }
         blocks

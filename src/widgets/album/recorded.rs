@@ -1,11 +1,8 @@
 //! What is recorded of a scene once, however many of its steps are drawn.
 
-use std::ops::ControlFlow;
-
 use crate::{
     figure::{
-        Caption, Choice, Comparison, Eyes, Frame, Need, Prospect, Run, Stand, View, needs, said,
-        sentences,
+        Caption, Comparison, Eyes, Frame, Need, Prospect, Run, Stand, View, needs, said, sentences,
     },
     labs::{Difference, MethodCard, Scene, comparison},
     text::{Catalog, Lang, Message, Notation},
@@ -84,7 +81,7 @@ impl Recorded {
                 0 => step_of_first,
                 _ => run.beside(&*self.runs[0], step_of_first),
             };
-            let asked = asked_in.and_then(|lang| Some((question(run, step)?, lang)));
+            let asked = asked_in.and_then(|lang| Some((run.decision_by(step)?, lang)));
             let Some(((step, choice), lang)) = asked else {
                 return Column::new(method, run, step);
             };
@@ -169,18 +166,6 @@ pub fn wanted<'r>(
     };
     let wanted = runs.map(|run| needs(run, bounds, &mut look)).collect();
     (wanted, notation)
-}
-
-/// The last step up to this one that answers a question, and what might have come there.
-fn question(run: &dyn Run, step: usize) -> Option<(usize, Choice)> {
-    (1..=step.min(run.n_steps())).rev().find_map(|step| {
-        let mut choice = None;
-        run.visit([step, step], &mut |_, shown| {
-            choice = shown.options();
-            ControlFlow::Break(())
-        });
-        Some((step, choice?))
-    })
 }
 
 pub struct Column {

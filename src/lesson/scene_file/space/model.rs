@@ -64,7 +64,7 @@ fn model(fields: &TomlFields<'_>) -> Option<Model> {
             None
         }
         (None, Some(node)) => {
-            let mesh = match node.as_str() {
+            let mesh = match node.value_of().as_str() {
                 Some(name) => mesh_beside(node, name),
                 None => mesh(node).map(Arc::new),
             };

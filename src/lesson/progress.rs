@@ -1,0 +1,275 @@
+//! What a student has seen of a course and told beforehand, as it is kept in a file.
+//!
+//! Marks only grow: two files of one student have one union, in whatever order they are put together. A new student begins afresh.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+use crate::text::{Diagnostic, Message};
+
+use super::course::{Course, Lesson};
+
+/// More than the marks of any course take.
+pub const MAX_PROGRESS_BYTES: u64 = 1 << 20;
+const VERSION: u64 = 1;
+
+/// Marks of steps, by `lesson/step`.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Progress {
+    /// When its student began, in seconds since 1970: of two students at one computer the later one is there.
+    pub begun: u64,
+    pub steps: BTreeMap<String, Mark>,
+}
+
+/// A step that was seen, and how its question was answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Mark {
+    pub told: Told,
+    /// Has its goal been reached?
+    pub reached: bool,
+}
+
+/// How a question was answered, the better the later.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Told {
+    /// Not at all.
+    #[default]
+    Open,
+    /// The numbers that decide have been seen.
+    Missed,
+    AfterTheNumbers,
+    Beforehand,
+}
+
+/// How many steps of some were seen, and how their questions were answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Tally {
+    pub seen: usize,
+    /// Steps that ask.
+    pub asked: usize,
+    pub beforehand: usize,
+    pub after: usize,
+    /// Steps with a goal, and those of them where it has been reached.
+    pub goals: usize,
+    pub reached: usize,
+}
+
+impl Told {
+    /// After this answer.
+    pub fn answered(self, is_right: bool) -> Self {
+        let now = match (is_right, self) {
+            (true, Self::Missed | Self::AfterTheNumbers) => Self::AfterTheNumbers,
+            (true, _) => Self::Beforehand,
+            (false, _) => Self::Missed,
+        };
+        self.max(now)
+    }
+}
+
+impl Tally {
+    pub const fn open(&self) -> usize {
+        self.asked - self.beforehand - self.after
+    }
+
+    /// What a platform is told: what was told beforehand and a goal that is reached count whole, what was told after the numbers
+    /// half. 1 where nothing is asked.
+    pub fn score(&self) -> f64 {
+        let all = self.asked + self.goals;
+        if all == 0 {
+            return 1.0;
+        }
+        let whole = self.beforehand + self.reached;
+        (whole as f64 + 0.5 * self.after as f64) / all as f64
+    }
+
+    fn add(&mut self, other: Self) {
+        self.seen += other.seen;
+        self.asked += other.asked;
+        self.beforehand += other.beforehand;
+        self.after += other.after;
+        self.goals += other.goals;
+        self.reached += other.reached;
+    }
+}
+
+impl Progress {
+    /// # Errors
+    /// Where the bytes are no file of progress, or one of a later version.
+    pub fn read(bytes: &[u8]) -> Result<Self, Diagnostic> {
+        let json: Option<serde_json::Value> = serde_json::from_slice(bytes).ok();
+        let version = json.as_ref().and_then(|json| json.get("version")?.as_u64());
+        match (json, version) {
+            (Some(json), Some(VERSION)) => serde_json::from_value(json)
+                .map_err(|_| Message::new("error-progress-broken").into()),
+            (_, Some(_)) => Err(Message::new("error-progress-version").into()),
+            _ => Err(Message::new("error-progress-broken").into()),
+        }
+    }
+
+    pub fn written(&self) -> String {
+        let json = json!({ "version": VERSION, "begun": self.begun, "steps": self.steps });
+        format!("{json:#}\n")
+    }
+
+    pub fn mark(&self, lesson: &str, step: &str) -> Option<Mark> {
+        self.steps.get(&name(lesson, step)).copied()
+    }
+
+    /// Something new?
+    pub fn see(&mut self, lesson: &str, step: &str) -> bool {
+        let n_steps = self.steps.len();
+        self.steps.entry(name(lesson, step)).or_default();
+        self.steps.len() > n_steps
+    }
+
+    pub fn answer(&mut self, lesson: &str, step: &str, is_right: bool) {
+        let mark = self.steps.entry(name(lesson, step)).or_default();
+        mark.told = mark.told.answered(is_right);
+    }
+
+    /// Something new?
+    pub fn reach(&mut self, lesson: &str, step: &str) -> bool {
+        let mark = self.steps.entry(name(lesson, step)).or_default();
+        !std::mem::replace(&mut mark.reached, true)
+    }
+
+    /// With what another file of the same student has.
+    pub fn merge(&mut self, other: &Self) {
+        for (name, mark) in &other.steps {
+            let own = self.steps.entry(name.clone()).or_default();
+            own.told = own.told.max(mark.told);
+            own.reached |= mark.reached;
+        }
+    }
+
+    /// Of two that were kept by windows of one computer: the union, where they are of one student, else the later student's.
+    #[must_use]
+    pub fn joined(mut self, other: &Self) -> Self {
+        match self.begun.cmp(&other.begun) {
+            std::cmp::Ordering::Less => other.clone(),
+            std::cmp::Ordering::Equal => {
+                self.merge(other);
+                self
+            }
+            std::cmp::Ordering::Greater => self,
+        }
+    }
+
+    pub fn of_lesson(&self, lesson: &Lesson) -> Tally {
+        let mut tally = Tally::default();
+        for step in &lesson.steps {
+            let mark = self.mark(&lesson.id, &step.id);
+            let told = mark.unwrap_or_default().told;
+            tally.add(Tally {
+                seen: usize::from(mark.is_some()),
+                asked: usize::from(step.asks),
+                beforehand: usize::from(step.asks && told == Told::Beforehand),
+                after: usize::from(step.asks && told == Told::AfterTheNumbers),
+                goals: usize::from(step.goal.is_some()),
+                reached: usize::from(step.goal.is_some() && mark.is_some_and(|it| it.reached)),
+            });
+        }
+        tally
+    }
+
+    pub fn of_course(&self, course: &Course) -> Tally {
+        let mut all = Tally::default();
+        for lesson in &course.lessons {
+            all.add(self.of_lesson(lesson));
+        }
+        all
+    }
+}
+
+fn name(lesson: &str, step: &str) -> String {
+    format!("{lesson}/{step}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with(begun: u64, marks: &[(&str, Told)]) -> Progress {
+        let mark = |&(name, told): &(&str, Told)| {
+            let reached = name.ends_with("goal");
+            (name.to_owned(), Mark { told, reached })
+        };
+        let steps = marks.iter().map(mark).collect();
+        Progress { begun, steps }
+    }
+
+    #[test]
+    fn an_answer_never_takes_a_mark_away() {
+        use Told::{AfterTheNumbers, Beforehand, Missed, Open};
+        for (before, is_right, after) in [
+            (Open, true, Beforehand),
+            (Open, false, Missed),
+            (Missed, false, Missed),
+            (Missed, true, AfterTheNumbers),
+            (AfterTheNumbers, false, AfterTheNumbers),
+            (AfterTheNumbers, true, AfterTheNumbers),
+            (Beforehand, false, Beforehand),
+            (Beforehand, true, Beforehand),
+        ] {
+            assert_eq!(before.answered(is_right), after, "{before:?} {is_right}");
+        }
+    }
+
+    #[test]
+    fn two_files_of_one_student_have_one_union() {
+        let one = with(7, &[("a/x", Told::Missed), ("a/y", Told::Beforehand)]);
+        let other = with(7, &[("a/x", Told::AfterTheNumbers), ("b/goal", Told::Open)]);
+        let both = one.clone().joined(&other);
+        assert_eq!(both, other.clone().joined(&one));
+        assert_eq!(both.steps.len(), 3);
+        assert!(both.mark("b", "goal").unwrap().reached);
+        assert_eq!(both.mark("a", "x").unwrap().told, Told::AfterTheNumbers);
+        let new = with(8, &[]);
+        assert_eq!(both.clone().joined(&new), new);
+        assert_eq!(new.clone().joined(&both), new);
+    }
+
+    #[test]
+    fn what_is_written_is_read_again_and_all_else_is_refused() {
+        let progress = with(9, &[("a/x", Told::Beforehand), ("b/z", Told::Open)]);
+        let written = progress.written();
+        assert_eq!(Progress::read(written.as_bytes()).unwrap(), progress);
+        for (bytes, key) in [
+            ("", "error-progress-broken"),
+            ("[]", "error-progress-broken"),
+            ("{}", "error-progress-broken"),
+            ("{\"version\": 1, \"steps\": 3}", "error-progress-broken"),
+            (
+                "{\"version\": 1, \"steps\": {\"a/x\": {\"told\": \"best\"}}}",
+                "error-progress-broken",
+            ),
+            ("{\"version\": 2}", "error-progress-version"),
+        ] {
+            let refused = Progress::read(bytes.as_bytes()).unwrap_err();
+            assert_eq!(refused.message.key, key, "{bytes}");
+        }
+    }
+
+    #[test]
+    fn half_is_scored_after_the_numbers() {
+        let tally = |beforehand, after, [reached, goals]: [usize; 2]| Tally {
+            seen: 9,
+            asked: 4,
+            beforehand,
+            after,
+            goals,
+            reached,
+        };
+        assert_eq!(tally(0, 0, [0, 0]).score(), 0.0);
+        assert_eq!(tally(2, 1, [0, 0]).score(), 0.625);
+        assert_eq!(tally(2, 1, [1, 1]).score(), 0.7);
+        assert_eq!(tally(4, 0, [0, 1]).score(), 0.8);
+        assert_eq!(tally(1, 1, [0, 0]).open(), 2);
+        assert_eq!(Tally::default().score(), 1.0);
+    }
+}
