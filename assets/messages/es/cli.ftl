@@ -99,8 +99,8 @@ case-point-outside = Fuera: al menos un plano deja el punto fuera.
 case-cull-inside = Dentro: ningún plano lo corta.
 case-cull-outside = Fuera: el plano { $plane } lo descarta, a una distancia de { $distance }.
 case-box-outside = Fuera: los ocho vértices están por fuera de un mismo plano.
-case-cull-straddles = Cruza el borde: al menos un plano lo corta y ninguno lo descarta.
-case-cull-in-vain = Según los planos cruza el borde y, sin embargo, ningún punto suyo está dentro: se conserva en vano.
+case-cull-straddles = Cruza algún plano: al menos uno lo corta y ninguno lo descarta.
+case-cull-in-vain = Según las pruebas cruza algún plano y, sin embargo, ningún punto suyo está dentro: se conserva en vano.
 case-front = Muestra su cara delantera: n·e = { $dot }.
 case-back = No muestra su cara delantera: n·e = { $dot }.
 case-polygons =
@@ -129,7 +129,7 @@ report-case = Caso { $number }
 report-case-id = Caso { $number } ({ $id })
 report-source = fuente
 report-symbols = símbolos
-case-symbols-weiler-atherton = a₁, a₂: distancias de los extremos de la arista que se recorta a la recta de la arista de recorte, por la longitud de esta; > 0 a su izquierda, que es dentro. t, u: dónde se encuentran las dos aristas, en la que se recorta y en la de recorte, de 0 en su inicio a 1 en su final.
+case-symbols-weiler-atherton = a₁, a₂: distancias de los extremos de la arista que se recorta a la recta de la arista de recorte, multiplicadas por la longitud de esta; > 0 a su izquierda, es decir, dentro. t, u: dónde se encuentran las dos aristas, en la que se recorta y en la de recorte, de 0 en su inicio a 1 en su final.
 report-step = paso
 report-what = qué ocurre
 report-formula = fórmula

@@ -28,8 +28,8 @@ gauges-sphere = Una esfera, { $planes ->
        *[other] { $planes } planos
     }
 gauges-faces = Caras: { $faces }, según n·e
-planes-from-matrix = Tomados de las filas de la matriz son los mismos, con { $decimals } decimales.
-plane-from-matrix = De las filas de la matriz: { $sum }. Dividido por la longitud de su normal, { $length }, es el plano { $plane }, con { $decimals } decimales.
+planes-from-matrix = Tomados de las filas de la matriz son los mismos, hasta { $decimals } decimales.
+plane-from-matrix = De las filas de la matriz: { $sum }. Dividido entre la longitud de su normal, { $length }, es el plano { $plane }, hasta { $decimals } decimales.
 column-plane = plano
 column-outside = fuera
 column-vertex = vértice
@@ -118,7 +118,7 @@ code-sphere-outside = si d < −r: descartar
 code-sphere-straddles = si d < r: cruza el plano
 code-sphere-done = dentro si no cruza ninguno
 words-sphere-distance = Calcula la distancia con signo del centro al plano.
-words-sphere-outside = El centro está más afuera que el radio: toda la esfera está por fuera.
+words-sphere-outside = El centro está fuera, a más distancia que el radio: toda la esfera está por fuera.
 words-sphere-straddles = El centro está más cerca que el radio: el plano corta la esfera.
 words-sphere-done = Si la esfera está por dentro de todos los planos, no hace falta ninguna prueba más.
 class-inside = dentro
@@ -142,11 +142,11 @@ box-outside = Los { $outside } vértices están por fuera del plano { $plane }: 
 box-meets = La caja cruza { $cut ->
         [one] { $cut } plano
        *[other] { $cut } planos
-    }, y una parte está dentro de todos.
+    }, y una parte queda por dentro de todos.
 box-in-vain = La caja cruza { $cut ->
         [one] { $cut } plano
        *[other] { $cut } planos
-    } y, sin embargo, ningún punto suyo está dentro de todos.
+    } y, sin embargo, ningún punto suyo queda por dentro de todos.
 box-done-inside = La caja está por dentro de { $planes ->
         [one] { $planes } plano.
        *[other] los { $planes } planos.
@@ -167,7 +167,7 @@ code-box-corners = contar vértices con n·p + D < 0
 code-box-outside = si los ocho: descartar
 code-box-meets = ¿hay un punto dentro de todos?
 code-box-done = conservar, o dibujar en vano
-words-box-corners = Solo cuentan los signos de los ocho vértices.
+words-box-corners = Solo cuentan los signos de las ocho distancias.
 words-box-outside = Si los ocho están por fuera de un mismo plano, no se puede ver nada del objeto.
 words-box-meets = Una segunda prueba halla las cajas que cruzan planos y aun así están fuera.
 words-box-done = Los planos nunca descartan lo visible; pueden conservar lo que no lo es.
@@ -178,7 +178,7 @@ face-of-object = { $face } del objeto { $object }
 face-opening = ¿Está la cara { $face } de frente a la cámara?
 face-normal = Vista desde fuera, la cara { $face } se recorre en sentido antihorario: su normal apunta hacia fuera.
 face-to-eye = El vector e va de V₀ de la cara { $face } a la cámara: e = ojo − V₀.
-face-to-direction = En proyección paralela, para la cara { $face } como para todas, e va en contra de la línea de visión.
+face-to-direction = En proyección paralela, para la cara { $face } como para todas, e apunta en sentido contrario a la línea de visión.
 face-products = Para la cara { $face }, el producto escalar y el determinante son el mismo número.
 face-front = La cara { $face } está de frente a la cámara: se dibuja.
 face-back = La cara { $face } está de espaldas a la cámara: se descarta.
@@ -274,7 +274,7 @@ code-funnel-draw = dibujar lo que queda
 words-funnel-each = Prueba primero objetos enteros: una prueba puede ahorrar todos sus triángulos.
 words-funnel-sphere = Su centro es la media de los vértices; llega hasta el más lejano.
 words-funnel-plane = Calcula la distancia del centro a los seis planos.
-words-funnel-cull = Si el centro está más afuera que el radio, deja fuera el objeto.
+words-funnel-cull = Si el centro está fuera, a más distancia que el radio, deja fuera el objeto.
 words-funnel-straddles = Solo lo que cruza algún plano pasa al nivel siguiente.
 words-funnel-triangle = Todos los vértices más allá de un mismo lado: descarta; ninguno fuera: conserva; si no, recorta.
 words-funnel-face = Los triángulos de espaldas a la cámara quedan tapados por los que están de frente.
@@ -339,12 +339,12 @@ street-make = Construir la calle
 ## El veredicto
 
 verdict-culled = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. Desplazado { $move } hacia dentro, no lo descartaría ningún plano.
-verdict-culled-for-good = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. Ningún desplazamiento por la normal de ese plano lo haría entrar.
+verdict-culled-for-good = El plano { $plane } descarta el objeto { $object }: d = { $distance } < −r, r = { $radius }. Ningún desplazamiento a lo largo de la normal de ese plano lo haría entrar.
 verdict-straddles = El objeto { $object } cruza algún plano: el que está más cerca es el plano { $plane }, d = { $distance } < r = { $radius }. Desplazado { $move } hacia fuera, se descartaría.
 verdict-inside = El objeto { $object } está dentro: lo que está más cerca es el plano { $plane }, d = { $distance } ≥ r = { $radius }. Desplazado { $move } hacia fuera, se descartaría.
-verdict-face-in = Desplazada { $move } por la normal del plano { $plane }, la cara ya no tendría todos sus vértices más allá de un mismo plano.
-verdict-face-never = Ningún desplazamiento por la normal del plano { $plane } lo cambiaría.
-verdict-face-cut = Ningún punto de la cara está dentro de todos los planos a la vez: desplazarla por la normal de uno solo no dice nada.
+verdict-face-in = Desplazada { $move } a lo largo de la normal del plano { $plane }, la cara ya no tendría todos sus vértices más allá de un mismo plano.
+verdict-face-never = Ningún desplazamiento a lo largo de la normal del plano { $plane } lo cambiaría.
+verdict-face-cut = Ningún punto de la cara está por dentro de todos los planos a la vez: desplazarla a lo largo de la normal de uno solo no dice nada.
 verdict-face-turn-to = Girada { $angle }° en torno a V₀, directamente hacia la cámara, empezaría a mostrar su cara delantera.
 verdict-face-turn-away = Girada { $angle }° en torno a V₀, alejándose de la cámara, quedaría de canto y se descartaría.
 verdict-face-no-normal = No tiene normal: ningún giro mostraría su cara delantera.

@@ -159,7 +159,7 @@ expect-heading = Se esperaba: un encabezado «## id: Título» para cada paso, c
 expect-section = Se esperaba: «## { $name }: Título» a continuación, con su texto debajo.
 expect-markdown = Se esperaba: párrafos, **negrita**, *cursiva*, `código`, listas, bloques de código y una cita para la respuesta.
 expect-emphasis = Se esperaba: **negrita**, sin espacios por dentro de los asteriscos; junto a un carácter chino, con la puntuación fuera.
-expect-note = Se esperaba: un párrafo propio, fuera de listas y respuestas, con “!> ” al principio de cada línea.
+expect-note = Se esperaba: un párrafo propio, fuera de listas y respuestas, con «!> » al principio de cada línea.
 
 ## What a value is
 

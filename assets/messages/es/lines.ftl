@@ -12,7 +12,7 @@ line-point = Se acepta: los dos extremos son el mismo punto { $at }, y está en 
 param-left = { $min } < { $max }: queda una parte.
 param-touch = { $min } = { $max }: queda un solo punto, y el borde cuenta como interior.
 param-empty = { $min } > { $max }: no queda nada.
-param-put-end = { $end } = { $at } ya estaba dentro y se queda.
+param-put-end = { $end } = { $at } ya estaba dentro: no cambia.
 watch-crossings = intersecciones
 watch-crossings-used = útiles
 table-edge = borde
@@ -29,13 +29,13 @@ bf-cut = { $end } está más allá de { $border }: pasa a { $to }.
 bf-option-none = Ninguna parte queda más allá del { $edge }.
 bf-option-one = Un extremo está más allá del { $edge }.
 bf-option-both = Los dos extremos están más allá del { $edge }.
-bf-note-tests = Un punto está dentro si cumple las cuatro condiciones.
+bf-note-tests = Un punto está dentro si supera las cuatro pruebas.
 bf-in-vain = no hacía falta
 bf-kept = { $part } es visible
 code-bf-each = para cada borde no paralelo a P₁P₂
 code-bf-intersect = X ← recta P₁P₂ ∩ recta del borde
-code-bf-reject = si ambos extremos están fuera: rechazar
-code-bf-cut = si un extremo está fuera: extremo ← X
+code-bf-reject = si ambos están más allá: rechazar
+code-bf-cut = si un extremo está más allá: extremo ← X
 code-bf-accept = aceptar P₁P₂
 words-bf-each = Toma los cuatro bordes, uno tras otro; salta los que sean paralelos al segmento.
 words-bf-intersect = Calcula dónde se cortan la recta del segmento y la del borde.
@@ -55,8 +55,8 @@ cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
 cs-option-inside = Los dos extremos están dentro.
 cs-option-not-inside = No todo está dentro.
-cs-option-undecided = Ningún lado deja fuera los dos extremos.
-cs-option-beyond = Los dos extremos están más allá de un mismo lado.
+cs-option-undecided = Ningún borde deja fuera los dos extremos.
+cs-option-beyond = Los dos extremos están más allá de un mismo borde.
 cs-note-code = Cada 1 indica un borde más allá del cual está el punto.
 cs-note-order = En el orden superior, inferior, derecho, izquierdo es { $other }.
 cs-note-or = OR pone un 1 donde lo tiene alguno de los dos.
@@ -177,9 +177,9 @@ watch-enters = entra por
 watch-leaves = sale por
 code-nln-regions = región de P₁, región de P₂
 code-nln-shared = si ambos más allá de un mismo borde: rechazar
-code-nln-enters = si P₁ en una esquina: su recta → entra por
+code-nln-enters = si P₁ en región de esquina: recta → entra por
 code-nln-meets = si pasa por fuera de la esquina: rechazar
-code-nln-leaves = si P₂ en una esquina: su recta → sale por
+code-nln-leaves = si P₂ en región de esquina: recta → sale por
 code-nln-cut = P₁, P₂ ← la intersección o las dos
 words-nln-regions = Averigua en qué región está cada extremo.
 words-nln-shared = Si los dos están más allá del mismo borde, no se ve nada.
@@ -228,7 +228,7 @@ measure-note = Por segmento, promedio de { $count }. El tiempo es el de la más 
 
 ## The verdict
 
-verdict-part-dropped = De { $from } a { $to }, este paso descarta el segmento.
+verdict-part-dropped = Este paso quita el segmento de { $from } a { $to }.
 verdict-line-between = La recta entra ({ $enters }) solo después de haber salido ({ $leaves }).
 verdict-line-in = Desplazado { $move } hacia dentro, en perpendicular al borde ({ $edge }), sería visible.
 verdict-line-back = Desplazado { $move } hacia fuera, en perpendicular al borde ({ $edge }), sería visible.

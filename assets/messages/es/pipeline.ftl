@@ -92,7 +92,7 @@ code-drawn-clip = recortar la línea a −w ≤ x, y, z ≤ w
 code-drawn-divide = S ← viewport(x / w, y / w)
 code-drawn-begin = a, b ← el mayor y el menor de |Δx|, |Δy|; e ← 2b − a
 code-drawn-put = poner el píxel; hasta el último:
-code-drawn-diagonal = si e > 0, o e = 0 y el paso lateral es menor:
+code-drawn-diagonal = si e > 0, o e = 0 y lateral da menor coordenada:
 code-drawn-across = un paso lateral; e ← e − 2a
 code-drawn-straight = un paso adelante; e ← e + 2b
 words-drawn-project = Proyecta: ambos extremos van al espacio de recorte; aún no se divide nada.

@@ -49,8 +49,8 @@ ip-plane = El plano { $plane } recibe una lista de { $n ->
         [one] { $n } vértice.
        *[other] { $n } vértices.
     }
-ip-first-inside = { $vertex } está dentro del plano { $plane }: se emite.
-ip-first-outside = { $vertex } está fuera del plano { $plane }: no se emite.
+ip-first-inside = { $vertex } está por dentro del plano { $plane }: se emite.
+ip-first-outside = { $vertex } está por fuera del plano { $plane }: no se emite.
 ip-touch = { $from } → { $to }: { $rule }. El extremo que está sobre el plano es la propia intersección.
 ip-in-out = { $from } → { $to }: dentro → fuera. Se emite la intersección { $cut }.
 ip-out-in = { $from } → { $to }: fuera → dentro. Se emiten la intersección { $cut } y después { $to }.
@@ -102,11 +102,11 @@ pat-plane =
         [one] El plano { $plane } recibe { $n } triángulo.
        *[other] El plano { $plane } recibe { $n } triángulos.
     }
-pat-three = { $triangle }: { $inside } vértices dentro del plano { $plane }. Se conserva entero.
-pat-two = { $triangle }: { $inside } vértices dentro del plano { $plane }. Queda un cuadrilátero: dos triángulos.
-pat-one = { $triangle }: { $inside } vértice dentro del plano { $plane }. Queda un triángulo.
-pat-on = { $triangle }: { $inside } de 3 vértices dentro del plano { $plane }. Sobre el plano: { $on }.
-pat-none = { $triangle }: { $inside } vértices dentro del plano { $plane }. Se descarta.
+pat-three = { $triangle }: { $inside } vértices por dentro del plano { $plane }. Se conserva entero.
+pat-two = { $triangle }: { $inside } vértices por dentro del plano { $plane }. Queda un cuadrilátero: dos triángulos.
+pat-one = { $triangle }: { $inside } vértice por dentro del plano { $plane }. Queda un triángulo.
+pat-on = { $triangle }: { $inside } de 3 vértices por dentro del plano { $plane }. Sobre el plano: { $on }.
+pat-none = { $triangle }: { $inside } vértices por dentro del plano { $plane }. Se descarta.
 pat-option-three = Los tres vértices de { $triangle } están dentro.
 pat-option-two = Dos vértices de { $triangle } están dentro.
 pat-option-one = Un vértice de { $triangle } está dentro.
@@ -162,8 +162,8 @@ ht-side = El lado { $side } recibe { $n ->
         [one] { $n } vértice:
        *[other] { $n } vértices:
     } basta el signo de una suma, sin división.
-ht-inside = { $vertex } está dentro del lado { $side }.
-ht-outside = { $vertex } está fuera del lado { $side }.
+ht-inside = { $vertex } está por dentro del lado { $side }.
+ht-outside = { $vertex } está por fuera del lado { $side }.
 ht-cross = { $from } → { $to } corta el lado { $side } en I.
 ht-pass = El lado { $side } ha terminado: { $before } → { $n }.
 ht-done = { $n ->
@@ -194,7 +194,7 @@ words-ht-fan = Lo que queda tiene w ≥ near > 0 y se puede dividir entre w.
 faulty-missed-edge-differs = El paso { $step } es el primero que difiere: con d₀ = 0 ningún producto es negativo, y el triángulo quedó entero.
 faulty-on-plane-differs = El paso { $step } es el primero que difiere: un vértice sobre el plano se tomó por exterior.
 faulty-kept-uv-differs = El paso { $step } es el primero que difiere: la intersección conservó el (u, v) del vértice exterior.
-faulty-edge-by-edge-differs = El paso { $step } es el primero que difiere: cada arista se recorta por su cuenta, no como anillo.
+faulty-edge-by-edge-differs = El paso { $step } es el primero que difiere: cada arista se recorta por su cuenta, no como parte del contorno.
 faulty-all-sides-differs = El paso { $step } es el primero que difiere: se prueba un lado que no tiene ningún 1, y que no corta nada.
 faulty-divided-triangle-differs = El paso { $step } es el primero que difiere: vértices con w < 0 se dividieron antes de recortar nada.
 code-faulty-missed-edge = si d₀·d₁ < 0 o d₀·d₂ < 0: cortar

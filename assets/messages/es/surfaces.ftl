@@ -9,9 +9,9 @@ alg-faulty-depth-straight = Búfer de profundidad, distancia lineal en pantalla
 ## Pseudocode
 
 code-depth-clear = imagen ← fondo, z ← ∞
-words-depth-clear = Pon la imagen al fondo y cada profundidad a infinito.
+words-depth-clear = Llena la imagen con el color de fondo y pon cada profundidad a infinito.
 code-depth-clear-reversed = imagen ← fondo, z ← −∞
-words-depth-clear-reversed = Pon la imagen al fondo y cada profundidad a menos infinito: nada está más lejos.
+words-depth-clear-reversed = Llena la imagen con el color de fondo y pon cada profundidad a menos infinito: nada está más lejos.
 code-depth-triangle = para cada triángulo T
 words-depth-triangle = Toma los triángulos, en cualquier orden.
 code-depth-fragment = para cada píxel de T: z_T ← profundidad de T ahí
@@ -95,8 +95,8 @@ asks-ray-casting = cada píxel: ¿qué triángulo?
 asks-depth-buffer = cada triángulo: ¿qué píxeles?
 asks-painter = cada par: ¿cuál va antes?
 raster-pairs = { $pairs ->
-    [one] { $pairs } prueba de una pareja
-   *[other] { $pairs } pruebas de parejas
+    [one] { $pairs } prueba de un par
+   *[other] { $pairs } pruebas de pares
   } de { $triangles ->
     [one] { $triangles } triángulo
    *[other] { $triangles } triángulos
@@ -147,9 +147,9 @@ story-nearer = más cerca
 story-stored = guardada
 story-fate = resultado
 story-kept = escrito
-story-lost = pierde
+story-lost = se pierde
 story-stays = escrito, queda
-story-tie = empate: pierde
+story-tie = empate: se pierde
 watch-triangle = triángulo
 watch-pixel = píxel
 watch-fragments = fragmentos
@@ -358,7 +358,7 @@ words-occlusion-others = Toma los demás objetos uno a uno. Si su caja llega al 
 code-occlusion-ask = n ← píxeles de caja(P) con z_caja ≤ z[píxel]
 words-occlusion-ask = Cuenta los píxeles en los que se vería su caja. No escribas nada.
 code-occlusion-skip = si n = 0: omitir P
-words-occlusion-skip = Si no hay ninguno, sáltate el objeto.
+words-occlusion-skip = Si no hay ninguno, omite el objeto.
 code-occlusion-draw = si no, dibujar P
 words-occlusion-draw = Si no, dibuja el objeto.
 occlusion-opening = { $objects ->
@@ -464,7 +464,7 @@ raster-steps-spans = una fila de un triángulo
 raster-steps-triangles = un triángulo
 raster-tones = Los tonos muestran
 raster-tones-triangles = qué triángulo
-raster-tones-counts = cuántas veces se calculan
+raster-tones-counts = cuántas veces se calcula el píxel
 raster-tones-brightness = el brillo
 raster-tones-stored = la profundidad guardada
 raster-tones-distance = la distancia

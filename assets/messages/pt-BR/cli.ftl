@@ -99,8 +99,8 @@ case-point-outside = Fora: pelo menos um plano deixa o ponto fora.
 case-cull-inside = Dentro: nenhum plano o corta.
 case-cull-outside = Fora: o plano { $plane } o descarta, a uma distância de { $distance }.
 case-box-outside = Fora: os oito vértices estão do lado de fora de um mesmo plano.
-case-cull-straddles = Cruza a borda: pelo menos um plano o corta e nenhum o descarta.
-case-cull-in-vain = Segundo os planos cruza a borda e, no entanto, nenhum ponto seu está dentro: é mantido em vão.
+case-cull-straddles = Cruza algum plano: pelo menos um o corta e nenhum o descarta.
+case-cull-in-vain = Pelo teste dos planos, cruza algum deles e, no entanto, nenhum ponto seu está dentro: é mantido em vão.
 case-front = Mostra a frente: n·e = { $dot }.
 case-back = Não mostra a frente: n·e = { $dot }.
 case-polygons =

@@ -228,7 +228,7 @@ measure-note = Por segmento, na média de { $count }. O tempo é o da mais rápi
 
 ## The verdict
 
-verdict-part-dropped = De { $from } a { $to }, este passo descarta o segmento.
+verdict-part-dropped = Este passo descarta a parte do segmento de { $from } a { $to }.
 verdict-line-between = A reta entra ({ $enters }) só depois de ter saído ({ $leaves }).
 verdict-line-in = Deslocado { $move } para dentro, na perpendicular à borda ({ $edge }), seria visível.
 verdict-line-back = Deslocado { $move } para fora, na perpendicular à borda ({ $edge }), seria visível.

@@ -92,13 +92,13 @@ code-drawn-clip = recorte a linha a −w ≤ x, y, z ≤ w
 code-drawn-divide = S ← viewport(x / w, y / w)
 code-drawn-begin = a, b ← o maior e o menor de |Δx|, |Δy|; e ← 2b − a
 code-drawn-put = ponha o pixel; até o último:
-code-drawn-diagonal = se e > 0, ou e = 0 e o passo ao lado é menor:
+code-drawn-diagonal = se e > 0, ou e = 0 e a coordenada ao lado é menor:
 code-drawn-across = um passo ao lado; e ← e − 2a
 code-drawn-straight = um passo adiante; e ← e + 2b
 words-drawn-project = Projete: os dois extremos vão ao espaço de recorte; nada é dividido ainda.
 words-drawn-clip = Recorte: tira-se o que a câmera não pode ver.
 words-drawn-divide = Divida por w e conte em pixels.
-words-drawn-begin = Cada extremo vai ao seu pixel; e diz de que lado do primeiro ponto médio a linha passa.
+words-drawn-begin = Cada extremo vai ao seu pixel; o termo de erro (e) diz de que lado do primeiro ponto médio a linha passa.
 words-drawn-put = Avance pixel a pixel ao longo do eixo maior.
 words-drawn-diagonal = A linha passa além do ponto médio? Se passa exatamente por ele, toma-se a coordenada menor.
 words-drawn-across = Então, dê também um passo pelo eixo menor.
@@ -111,7 +111,7 @@ drawn-line-clip-cut = A linha é recortada antes de dividir: o que sobra tem w >
 drawn-line-reject = Nada da linha está dentro: nenhum pixel é desenhado.
 drawn-line-divide = Divididos por w e escalados, os dois extremos são lugares na tela.
 drawn-line-round = Cada extremo vai ao pixel em que está; a linha vai agora de centro a centro.
-drawn-line-first = { $at } é o primeiro pixel. e diz de que lado do ponto médio seguinte a linha passa.
+drawn-line-first = { $at } é o primeiro pixel. O termo de erro (e) diz de que lado do ponto médio seguinte a linha passa.
 drawn-line-straight = e = { $e } < 0: a linha não chega ao ponto médio. Um passo reto, até { $at }.
 drawn-line-diagonal = e = { $e } > 0: a linha passa além do ponto médio. Um passo na diagonal, até { $at }.
 drawn-line-tie-straight = e = 0: exatamente entre dois pixels, e toma-se a coordenada menor: { $at }.

@@ -85,10 +85,10 @@ code-pl-enter = se d₁ < d₂: a_min ← max(a_min; d₁/(d₁ − d₂))
 code-pl-leave = se d₁ > d₂: a_max ← min(a_max; d₁/(d₁ − d₂))
 code-pl-empty = se a_min > a_max: rejeite
 code-pl-accept = aceite P(a_min) P(a_max)
-words-pl-start = Comece com o segmento inteiro, a de 0 a 1.
+words-pl-start = Comece com o segmento inteiro: a vai de 0 até 1.
 words-pl-each = Calcule, para cada plano, quanto os dois extremos estão para dentro.
-words-pl-enter = d cresce: a reta entra por aqui. Antes de a, nada pode ser visível.
-words-pl-leave = d diminui: a reta sai por aqui. Depois de a, nada pode ser visível.
+words-pl-enter = d cresce: a reta entra por aqui. Antes desse valor de a, nada pode ser visível.
+words-pl-leave = d diminui: a reta sai por aqui. Depois desse valor de a, nada pode ser visível.
 code-hl-start = se w₁ < 0 e w₂ < 0: rejeite
 code-hl-each = para cada lado x, y, z = ±w: d₁, d₂ ← w ± x, y, z
 code-hl-enter = se d₁ < d₂: t_min ← max(t_min; d₁/(d₁ − d₂))

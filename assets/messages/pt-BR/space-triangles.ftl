@@ -11,7 +11,7 @@ alg-faulty-on-plane = Errado: sobre o plano conta como fora
 alg-faulty-kept-uv = Errado: (u, v) não é interpolado
 alg-undivided-texture = Errado: uma textura sem a divisão
 alg-faulty-edge-by-edge = Errado: cada aresta como um segmento
-alg-faulty-all-sides = Errado: os seis lados, um após o outro
+alg-faulty-all-sides = Errado: todos os seis lados recortam
 alg-faulty-divided-triangle = Errado: o triângulo é dividido primeiro
 
 ## Vistas
@@ -49,8 +49,8 @@ ip-plane = O plano { $plane } recebe uma lista de { $n ->
         [1] { $n } vértice.
        *[other] { $n } vértices.
     }
-ip-first-inside = { $vertex } está dentro do plano { $plane }: é emitido.
-ip-first-outside = { $vertex } está fora do plano { $plane }: não é emitido.
+ip-first-inside = { $vertex } está do lado de dentro do plano { $plane }: é emitido.
+ip-first-outside = { $vertex } está do lado de fora do plano { $plane }: não é emitido.
 ip-touch = { $from } → { $to }: { $rule }. O extremo que está sobre o plano é a própria interseção.
 ip-in-out = { $from } → { $to }: dentro → fora. Emite-se a interseção { $cut }.
 ip-out-in = { $from } → { $to }: fora → dentro. Emitem-se a interseção { $cut } e depois { $to }.
@@ -102,11 +102,11 @@ pat-plane =
         [1] O plano { $plane } recebe { $n } triângulo.
        *[other] O plano { $plane } recebe { $n } triângulos.
     }
-pat-three = { $triangle }: { $inside } vértices dentro do plano { $plane }. É mantido inteiro.
-pat-two = { $triangle }: { $inside } vértices dentro do plano { $plane }. Sobra um quadrilátero: dois triângulos.
-pat-one = { $triangle }: { $inside } vértice dentro do plano { $plane }. Sobra um triângulo.
-pat-on = { $triangle }: { $inside } de 3 vértices dentro do plano { $plane }. Sobre o plano: { $on }.
-pat-none = { $triangle }: { $inside } vértices dentro do plano { $plane }. É descartado.
+pat-three = { $triangle }: { $inside } vértices do lado de dentro do plano { $plane }. É mantido inteiro.
+pat-two = { $triangle }: { $inside } vértices do lado de dentro do plano { $plane }. Sobra um quadrilátero: dois triângulos.
+pat-one = { $triangle }: { $inside } vértice do lado de dentro do plano { $plane }. Sobra um triângulo.
+pat-on = { $triangle }: { $inside } de 3 vértices do lado de dentro do plano { $plane }. Sobre o plano: { $on }.
+pat-none = { $triangle }: { $inside } vértices do lado de dentro do plano { $plane }. É descartado.
 pat-option-three = Os três vértices de { $triangle } estão dentro.
 pat-option-two = Dois vértices de { $triangle } estão dentro.
 pat-option-one = Um vértice de { $triangle } está dentro.
@@ -158,14 +158,14 @@ ht-codes-cut =
         [1] Só { $sides } dos seis lados tem algum bit 1: só esse recorta.
        *[other] Só { $sides } dos seis lados têm algum bit 1: só esses recortam.
     }
-ht-side = O lado { $side } recebe { $n ->
+ht-side = O plano { $side } recebe { $n ->
         [1] { $n } vértice:
        *[other] { $n } vértices:
     } basta o sinal de uma soma, sem divisão.
-ht-inside = { $vertex } está dentro do lado { $side }.
-ht-outside = { $vertex } está fora do lado { $side }.
-ht-cross = { $from } → { $to } corta o lado { $side } em I.
-ht-pass = O lado { $side } terminou: { $before } → { $n }.
+ht-inside = { $vertex } está do lado de dentro do plano { $side }.
+ht-outside = { $vertex } está do lado de fora do plano { $side }.
+ht-cross = { $from } → { $to } corta o plano { $side } em I.
+ht-pass = O plano { $side } terminou: { $before } → { $n }.
 ht-done = { $n ->
         [1] Sobra { $n } vértice
        *[other] Sobram { $n } vértices
@@ -194,7 +194,7 @@ words-ht-fan = O que sobra tem w ≥ near > 0 e pode ser dividido por w.
 faulty-missed-edge-differs = O passo { $step } é o primeiro que difere: com d₀ = 0 nenhum produto é negativo, e o triângulo ficou inteiro.
 faulty-on-plane-differs = O passo { $step } é o primeiro que difere: um vértice sobre o plano foi tomado por externo.
 faulty-kept-uv-differs = O passo { $step } é o primeiro que difere: a interseção manteve o (u, v) do vértice externo.
-faulty-edge-by-edge-differs = O passo { $step } é o primeiro que difere: cada aresta é recortada por si, não como anel.
+faulty-edge-by-edge-differs = O passo { $step } é o primeiro que difere: cada aresta é recortada por si, não como parte do contorno.
 faulty-all-sides-differs = O passo { $step } é o primeiro que difere: testa-se um lado que não tem nenhum bit 1, e que não corta nada.
 faulty-divided-triangle-differs = O passo { $step } é o primeiro que difere: vértices com w < 0 foram divididos antes de qualquer recorte.
 code-faulty-missed-edge = se d₀·d₁ < 0 ou d₀·d₂ < 0: corte

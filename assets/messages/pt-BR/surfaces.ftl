@@ -58,7 +58,7 @@ depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: { 
   } escrevem-se { $writes }.
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
 depth-fragment-kept = { $triangle } está mais próximo que { $other } no pixel { $at }: escreve-se.
-depth-fragment-lost = { $triangle } não está mais próximo que { $other } no pixel { $at }: { $other } não muda.
+depth-fragment-lost = { $triangle } não está mais próximo que { $other } no pixel { $at }: { $other } é mantido.
 depth-fragment-tie = { $triangle } está tão próximo quanto { $other } no pixel { $at }: { $other } chegou antes e é mantido.
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada
@@ -133,7 +133,7 @@ depth-done-nothing = Pronto: { $fragments ->
     [1] { $fragments } fragmento,
    *[other] { $fragments } fragmentos,
   } nenhum escrito.
-curve-whole = Profundidade pela distância
+curve-whole = Profundidade em função da distância
 curve-enlarged = Ampliado
 curve-forward = Sem inverter
 curve-reversed = Invertida
@@ -464,7 +464,7 @@ raster-steps-spans = uma linha de um triângulo
 raster-steps-triangles = um triângulo
 raster-tones = Os tons mostram
 raster-tones-triangles = qual triângulo
-raster-tones-counts = quantas vezes são calculados
+raster-tones-counts = quantas vezes cada pixel é calculado
 raster-tones-brightness = o brilho
 raster-tones-stored = a profundidade guardada
 raster-tones-distance = a distância
