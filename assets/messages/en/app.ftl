@@ -289,3 +289,6 @@ goal-part-met = holds
 goal-part-open = does not hold yet
 mark-reached = goal reached
 mark-goal = goal not reached yet
+action-smaller = A smaller scene with the same difference
+smaller-none = No smaller scene was found with the same difference.
+smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.

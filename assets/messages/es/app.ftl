@@ -289,3 +289,6 @@ goal-part-met = se cumple
 goal-part-open = aún no se cumple
 mark-reached = objetivo alcanzado
 mark-goal = objetivo aún no alcanzado
+action-smaller = Una escena más pequeña con la misma diferencia
+smaller-none = No se ha encontrado una escena más pequeña con la misma diferencia.
+smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.

@@ -265,3 +265,6 @@ goal-part-met = 已满足
 goal-part-open = 尚未满足
 mark-reached = 目标已达成
 mark-goal = 目标尚未达成
+action-smaller = 差别相同的更小场景
+smaller-none = 没有找到差别相同的更小场景。
+smaller-no-difference = 这里没有可以缩小的差别：正确方法旁要有一个有错误的方法，并且两者结果不同。
