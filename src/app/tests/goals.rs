@@ -77,10 +77,17 @@ fn a_difference_is_made_smaller_and_stays_the_same() {
     "#;
     let formats = crate::lesson::SceneFormats::standard();
     let mut n_differ = 0;
-    for card in (crate::labs::LABS[1].methods)().iter().filter(|card| card.is_faulty) {
+    for card in (crate::labs::LABS[1].methods)()
+        .iter()
+        .filter(|card| card.is_faulty)
+    {
         let text = text.replace("FAULTY", card.id);
-        let Ok(read) = formats.read("", text.as_bytes()) else { continue };
-        let Some(kind) = Difference::kind_in(&read.scene) else { continue };
+        let Ok(read) = formats.read("", text.as_bytes()) else {
+            continue;
+        };
+        let Some(kind) = Difference::kind_in(&read.scene) else {
+            continue;
+        };
         n_differ += 1;
         let mut n_runs = 0;
         let found = smaller(&read.scene, &mut |scene| {
@@ -89,7 +96,11 @@ fn a_difference_is_made_smaller_and_stays_the_same() {
         });
         let found = found.expect("eight vertices are not needed");
         assert_eq!(Difference::kind_in(&found), Some(kind), "{}", card.id);
-        assert!(found.document().size() < read.scene.document().size(), "{}", card.id);
+        assert!(
+            found.document().size() < read.scene.document().size(),
+            "{}",
+            card.id
+        );
         assert!(n_runs <= 3_000, "{}: {n_runs}", card.id);
     }
     assert!(n_differ > 1, "{n_differ}");
