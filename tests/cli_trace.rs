@@ -279,23 +279,43 @@ fn a_class_has_one_table_and_each_file_that_is_none_is_named() {
     };
     let steps = r#"{"04-cutting-with-outcodes/four-cuts": {"told": "beforehand"},
         "04-cutting-with-outcodes/a-new-code": {"told": "after-the-numbers"}, "gone/step": {}}"#;
-    let ana = file("ana.json", &format!(r#"{{"version": 1, "begun": 3, "steps": {steps}}}"#));
+    let ana = file(
+        "ana.json",
+        &format!(r#"{{"version": 1, "begun": 3, "steps": {steps}}}"#),
+    );
     let formula = file("=1+1.json", r#"{"version": 1}"#);
     let broken = file("broken.json", "{");
-    let output = clipscope(&["progress", &ana, &formula, &broken]).output().unwrap();
+    let output = clipscope(&["progress", &ana, &formula, &broken])
+        .output()
+        .unwrap();
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("broken.json"), "{said}");
     let table = String::from_utf8(output.stdout).unwrap();
-    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
     assert_eq!(rows.len(), 3);
     assert_eq!(rows[1][..4], ["ana", "2", "1", "1"]);
     assert_eq!(rows[2][0], "'=1+1", "no formula for a spreadsheet");
-    let lesson = rows[0].iter().position(|name| *name == "04-cutting-with-outcodes");
+    let lesson = rows[0]
+        .iter()
+        .position(|name| *name == "04-cutting-with-outcodes");
     assert!(rows[1][lesson.unwrap()].starts_with("2/"), "{table}");
     let markdown = ["progress", "--format", "markdown", &ana];
     let output = clipscope(&markdown).output().unwrap();
     let table = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success() && table.starts_with("| file | seen |"), "{table}");
-    assert_eq!(clipscope(&["progress", &broken]).output().unwrap().status.code(), Some(2));
+    assert!(
+        output.status.success() && table.starts_with("| file | seen |"),
+        "{table}"
+    );
+    assert_eq!(
+        clipscope(&["progress", &broken])
+            .output()
+            .unwrap()
+            .status
+            .code(),
+        Some(2)
+    );
 }

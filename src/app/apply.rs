@@ -142,6 +142,7 @@ impl App {
             }
             Command::AskAgain => self.ask_of_step(true),
             Command::Afresh => self.begin_afresh(),
+            Command::Smaller => self.make_smaller(now),
             Command::Board(board) => {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();

@@ -26,6 +26,8 @@ pub enum Command {
     AskAgain,
     /// Do steps of lessons ask?
     AskInLessons(bool),
+    /// A smaller scene with the same difference.
+    Smaller,
     /// Another student is here: no step has been seen.
     Afresh,
     Speed(f32),
@@ -188,7 +190,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 52] = [
+pub static BINDINGS: [Binding; 53] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -199,6 +201,7 @@ pub static BINDINGS: [Binding; 52] = [
     (NONE, Key::End, Command::LAST, "help-ends"),
     (NONE, Key::Space, Command::Play, "help-play"),
     (NONE, Key::Q, Command::Practise, "action-practise"),
+    (NONE, Key::M, Command::Smaller, "action-smaller"),
     (NONE, Key::R, Command::Reset, "help-reset"),
     (NONE, Key::PageUp, BACK, "help-lesson-step"),
     (NONE, Key::PageDown, ON, "help-lesson-step"),

@@ -134,7 +134,7 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let look = app.look();
     let has_source = !lesson.source.is_empty() && !app.is_low();
     let waits = app.practice.asks_for_a_step();
-    let asks = app.bookmark.step().is_some_and(|step| step.asks) && !waits;
+    let asks = app.bookmark.step().is_some_and(|step| step.asks.is_some()) && !waits;
     let has_answer = app.has_answer() && !waits;
     if !has_source && !has_answer && !asks {
         return;

@@ -1,8 +1,11 @@
 //! A step's goal, looked at whenever its scene has been run anew.
 
-use crate::widgets::TextTold;
+use crate::{
+    labs::{Difference, smaller},
+    widgets::TextTold,
+};
 
-use super::{App, desk::Page};
+use super::{App, desk::Page, prelude::*};
 
 #[derive(Default)]
 pub struct Goals {
@@ -29,6 +32,19 @@ impl App {
 
     pub(super) fn is_reached(&self) -> bool {
         !self.met().is_empty() && self.met().iter().all(|is_met| *is_met)
+    }
+
+    /// Makes the scene smaller in which a mistake differs from what is right, as long as it differs in the same kind of event.
+    pub(super) fn make_smaller(&mut self, now: f64) {
+        let Some(kind) = Difference::kind_in(self.history.now()) else {
+            self.tell(&Message::new("smaller-no-difference"), now);
+            return;
+        };
+        let mut holds = |scene: &Scene| Difference::kind_in(scene).as_ref() == Some(&kind);
+        match smaller(self.history.now(), &mut holds) {
+            Some(found) => self.edit(Edit::Replace(found), None, now),
+            None => self.tell(&Message::new("smaller-none"), now),
+        }
     }
 
     /// A goal that is reached stays so, whatever becomes of the scene.

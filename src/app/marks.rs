@@ -13,7 +13,7 @@ impl App {
     /// How a step's question was answered; none where it asks none.
     pub(super) fn told_of(&self, lesson: &Lesson, step: &LessonStep) -> Option<Told> {
         let mark = self.settings.progress.mark(&lesson.id, &step.id);
-        step.asks.then(|| mark.unwrap_or_default().told)
+        step.asks.map(|_| mark.unwrap_or_default().told)
     }
 
     /// Has the goal of a step been reached? None where it has none.

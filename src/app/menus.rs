@@ -161,6 +161,7 @@ fn changes(app: &App, ui: &mut Ui) {
     } else {
         "action-free"
     };
+    let differs = app.playback.difference.is_some_and(|it| it.step.is_some());
     let mut rows = vec![
         (
             "action-undo",
@@ -175,6 +176,7 @@ fn changes(app: &App, ui: &mut Ui) {
             Command::Redo,
         ),
         ("action-reset", "R", true, Command::Reset),
+        ("action-smaller", "M", differs, Command::Smaller),
         (free, "F8", true, Command::Free),
         ("action-reset-view", "0", true, Command::FitView),
     ];

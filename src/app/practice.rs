@@ -3,7 +3,7 @@
 
 use std::{collections::BTreeSet, ops::ControlFlow};
 
-use crate::figure::Choice;
+use crate::{figure::Choice, lesson::Asks};
 
 use super::{App, Command, desk::Page, prelude::*};
 
@@ -28,6 +28,9 @@ pub struct Practice {
     recording: u64,
     /// Answered right before anything was shown, and all that were answered.
     pub(super) told: [usize; 2],
+    /// The step of the course that asks its whole run, and whether an answer had to be shown.
+    of: Option<Page>,
+    is_helped: bool,
 }
 
 pub struct Asked {
@@ -58,7 +61,8 @@ impl Practice {
 
     /// Does the open step of the course wait for an answer, and its text with it?
     pub fn asks_for_a_step(&self) -> bool {
-        self.open().is_some_and(|asked| asked.of.is_some())
+        let is_of_step = |asked: &Asked| asked.of.is_some() || self.of.is_some();
+        self.open().is_some_and(is_of_step)
     }
 
     /// The option that is about this.
@@ -162,16 +166,29 @@ impl App {
     /// Where the open step of the course asks what comes, and that has not been told yet, or is to be asked `again`, the run
     /// waits before it.
     pub(super) fn ask_of_step(&mut self, again: bool) {
+        if self.practice.of.take().is_some() {
+            // Another page is open.
+            self.practice.is_on = false;
+        }
         if self.practice.is_on {
             return;
         }
         self.practice.asked = None;
         self.practice.recording = self.playback.recording;
         let page = self.bookmark.page();
-        let asks = self.bookmark.step().is_some_and(|step| step.asks);
+        let asks = self.bookmark.step().and_then(|step| step.asks);
         let is_told = || self.told_of_step() >= Told::AfterTheNumbers;
         let is_asked = again || (self.settings.asks && !is_told());
-        if !(asks && is_asked && self.is_untouched() && self.pending.is_none()) {
+        let Some(asks) = asks.filter(|_| is_asked && self.is_untouched()) else {
+            return;
+        };
+        if self.pending.is_some() {
+            return;
+        }
+        if asks == Asks::Run {
+            self.seek(0);
+            self.practise();
+            self.practice.of = page;
             return;
         }
         let Some((_, home)) = self.own() else { return };
@@ -216,6 +233,18 @@ impl App {
         }
         self.seek(asked.as_ref().map_or(to, |asked| asked.step - 1));
         self.practice.asked = asked;
+        if self.practice.asked.is_none() && to == self.playback.transport.n_steps() {
+            self.finish_run();
+        }
+    }
+
+    /// The whole run of a step has been asked.
+    fn finish_run(&mut self) {
+        let [right, all] = self.practice.told;
+        let is_whole = right == all && !self.practice.is_helped;
+        if let Some(Page::Step(lesson, step)) = self.practice.of.take() {
+            self.settings.progress.finish(&lesson, &step, is_whole);
+        }
     }
 
     /// Answers the open question, or has its answer shown; then the run shows what comes.
@@ -238,6 +267,7 @@ impl App {
                 progress.answer(lesson, step, chosen == right);
             }
         }
+        practice.is_helped |= nth.is_none();
         practice.done.insert(asked.step);
         let step = asked.step;
         self.seek(step);
@@ -250,6 +280,8 @@ impl App {
             return;
         }
         self.practice.recording = recording;
+        // Of a scene that was changed no answer is the step's.
+        self.practice.of = None;
         self.practice.done.clear();
         let was_asking = self.practice.is_asking();
         self.practice.asked = None;

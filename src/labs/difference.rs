@@ -1,11 +1,11 @@
 //! A method that is wrong on purpose beside a right one.
 
 use crate::{
-    figure::{Comparison, Run},
+    figure::{Comparison, Run, Words},
     text::{Message, Value},
 };
 
-use super::MethodCard;
+use super::{MethodCard, Scene};
 
 /// How methods stand beside each other: one that is wrong on purpose over the right one, where the answers differ.
 pub fn comparison(methods: &[&MethodCard], runs: &[&dyn Run]) -> Comparison {
@@ -39,6 +39,17 @@ impl Difference {
         }
         let step = runs.get(column)?.differs_at();
         Some(Self { column, step })
+    }
+
+    /// The kind of event of a scene's mistake at its first difference; none where there is no difference, or no mistake.
+    pub fn kind_in(scene: &Scene) -> Option<Words> {
+        let document = scene.document();
+        let recorded = document.record();
+        let runs: Vec<&dyn Run> = recorded.iter().map(|run| &**run).collect();
+        let Self { column, step } = Self::between(&document.methods(), &runs)?;
+        let mut words = Words::default();
+        runs[column].read_words(step?, &mut words);
+        Some(words.name())
     }
 
     /// "differs from step 7 on", for the title of that column.

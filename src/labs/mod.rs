@@ -18,6 +18,7 @@ mod registry;
 mod rings;
 mod segments;
 mod sketch;
+mod smaller;
 pub mod space;
 mod split_mix;
 pub mod surfaces;
@@ -37,6 +38,7 @@ pub use lab::{
 };
 pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
+pub use smaller::smaller;
 pub use telling::Answer;
 pub use typed::{not_read, typed_change, written};
 

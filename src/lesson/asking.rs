@@ -1,4 +1,4 @@
-//! What a step asks: `ask = true`, what comes, before it shows that; `goal = ["output.visible = false"]`, a scene of which all that
+//! What a step asks: `ask = true`, what comes, before it shows that, `ask = "run"` before every decision from the start on; `goal = ["output.visible = false"]`, a scene of which all that
 //! holds, with one that reaches it: `reached = "lower"`.
 
 use std::sync::Arc;
@@ -7,8 +7,10 @@ use toml::de::DeValue;
 
 use crate::{figure::Run, labs::Scene};
 
-use super::{prelude::*, reference::Condition, toml_fields::Node};
+use super::{prelude::*, reference::Condition, step::Asks, toml_fields::Node};
 
+/// In place of `true`: every decision is asked.
+const WHOLE_RUN: &str = "run";
 /// A goal of more parts is none that anybody keeps in mind.
 const MAX_PARTS: usize = 6;
 
@@ -55,19 +57,29 @@ impl Goal {
     }
 }
 
-/// Is it asked what comes? Where the run of its scene is known, it has a decision by the step's own position.
-pub(super) fn asks(node: Node<'_>, stands: Option<(&dyn Run, usize)>) -> bool {
-    let &DeValue::Boolean(is_asked) = node.value_of() else {
-        node.wrong_type("expect-true-or-false");
-        return false;
+/// What is asked. Where the run of its scene is known, it has a decision by the step's own position, or at all.
+pub(super) fn asks(node: Node<'_>, stands: Option<(&dyn Run, usize)>) -> Option<Asks> {
+    let asks = match node.value_of() {
+        DeValue::Boolean(false) => return None,
+        DeValue::Boolean(true) => Asks::Decision,
+        DeValue::String(word) if word == WHOLE_RUN => Asks::Run,
+        _ => {
+            node.wrong_type("expect-ask");
+            return None;
+        }
     };
-    if let Some((run, position)) = stands.filter(|_| is_asked)
+    let (run, position) = stands.unzip();
+    let position = match asks {
+        Asks::Decision => position,
+        Asks::Run => run.map(Run::n_steps),
+    };
+    if let Some((run, position)) = run.zip(position)
         && run.decision_by(position).is_none()
     {
         let expected = [Message::new("expect-decision")];
         node.error(Message::new("problem-nothing-asked"), expected);
     }
-    is_asked
+    Some(asks)
 }
 
 /// The parts of a goal; `None` where one cannot be read.

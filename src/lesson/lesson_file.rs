@@ -240,7 +240,7 @@ impl Steps {
         let drags = drags.map(|(node, stop)| drags_in(&stop.scene, node));
         let code = fields.get("code");
         let code = code.and_then(|node| node.value(CodeView::ALL, CodeView::id));
-        let asks = fields.get("ask").map(|node| {
+        let asks = fields.get("ask").and_then(|node| {
             let run = stop.as_ref().and_then(|_| self.run());
             let position = stop.as_ref().and_then(|stop| *stop.found.get()?);
             asking::asks(node, run.zip(position))
@@ -271,7 +271,7 @@ impl Steps {
             locks: locks.unwrap_or_default(),
             drags: drags.unwrap_or_default(),
             code: code.unwrap_or_default(),
-            asks: asks.unwrap_or_default(),
+            asks,
             goal,
         });
         (id, step)

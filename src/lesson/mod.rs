@@ -61,5 +61,5 @@ pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
-pub use step::{CodeView, LessonStep, Stop};
+pub use step::{Asks, CodeView, LessonStep, Stop};
 pub use translated::{TRANSLATED_FILE, translated};

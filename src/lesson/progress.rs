@@ -132,6 +132,17 @@ impl Progress {
         mark.told = mark.told.answered(is_right);
     }
 
+    /// Of a step that asks its whole run: were all its decisions told beforehand?
+    pub fn finish(&mut self, lesson: &str, step: &str, is_whole: bool) {
+        let mark = self.steps.entry(name(lesson, step)).or_default();
+        let told = if is_whole {
+            Told::Beforehand
+        } else {
+            Told::AfterTheNumbers
+        };
+        mark.told = mark.told.max(told);
+    }
+
     /// Something new?
     pub fn reach(&mut self, lesson: &str, step: &str) -> bool {
         let mark = self.steps.entry(name(lesson, step)).or_default();
@@ -167,9 +178,9 @@ impl Progress {
             let told = mark.unwrap_or_default().told;
             tally.add(Tally {
                 seen: usize::from(mark.is_some()),
-                asked: usize::from(step.asks),
-                beforehand: usize::from(step.asks && told == Told::Beforehand),
-                after: usize::from(step.asks && told == Told::AfterTheNumbers),
+                asked: usize::from(step.asks.is_some()),
+                beforehand: usize::from(step.asks.is_some() && told == Told::Beforehand),
+                after: usize::from(step.asks.is_some() && told == Told::AfterTheNumbers),
                 goals: usize::from(step.goal.is_some()),
                 reached: usize::from(step.goal.is_some() && mark.is_some_and(|it| it.reached)),
             });

@@ -29,10 +29,19 @@ pub struct LessonStep {
     /// The kinds of handles that its text asks for.
     pub drags: Vec<String>,
     pub code: CodeView,
-    /// Is it asked what comes, before the step shows that?
-    pub asks: bool,
+    /// What is asked before the step shows it.
+    pub asks: Option<Asks>,
     /// What the scene is to be changed to.
     pub goal: Option<Goal>,
+}
+
+/// What is asked of a run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Asks {
+    /// The last decision up to the step's moment.
+    Decision,
+    /// Every decision, from the start on.
+    Run,
 }
 
 /// A scene, and where in its run a step or its figure stops.

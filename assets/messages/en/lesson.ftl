@@ -193,7 +193,7 @@ problem-too-many-faces = The file has more than { $limit } triangles: it is too 
 expect-obj-index = Expected: 1 for the first vertex of the file, 2 for the next; −1 for the one before this line.
 
 problem-nothing-asked = The run of this step makes no decision before the step stops.
-expect-true-or-false = Expected: true or false.
+expect-ask = Expected: true, false or "run".
 expect-decision = Expected: a moment at a decision, or after one.
 problem-goal-missed = Part { $count } of the goal does not hold of the scene that is said to reach it.
 problem-goal-met = The goal holds of the step’s own scene.

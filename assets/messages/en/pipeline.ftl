@@ -92,7 +92,7 @@ code-drawn-clip = clip the line to −w ≤ x, y, z ≤ w
 code-drawn-divide = S ← viewport(x / w, y / w)
 code-drawn-begin = a, b ← longer, shorter of |Δx|, |Δy|; e ← 2b − a
 code-drawn-put = put the pixel; until the last one:
-code-drawn-diagonal = if e > 0, or e = 0 and across is smaller:
+code-drawn-diagonal = if e > 0, or e = 0 and across has the smaller coordinate:
 code-drawn-across = one across; e ← e − 2a
 code-drawn-straight = one along; e ← e + 2b
 words-drawn-project = Project: both ends go to clip space; nothing is divided yet.

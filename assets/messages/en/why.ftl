@@ -75,7 +75,7 @@ why-projection-row = Why: row 3 of the projection
 why-row-opening = Row 3 makes z′ = a · depth + b. Which a and b put the depths from { $near } to { $far } between −w and w?
 why-row-near = The near plane, at depth { $near }, has to lie on the lower border.
 why-row-far = The far plane, at depth { $far }, has to lie on the upper border.
-why-row-slope = Only one straight line passes through both points. It climbs { $climb } in { $way }: that is a.
+why-row-slope = Only one straight line passes through both points. From one to the other z′ grows by { $climb } and the depth by { $way }: a is the quotient.
 why-row-start = Continued back to depth 0, the line starts at b.
 why-row-point = P is { $depth } deep; the line gives its z′.
 why-row-divided = On a line from 0 the quotient z′ / w is the same everywhere: it is read on the ruler at the far plane.
@@ -93,23 +93,23 @@ why-words-divide = After the divide, depths near the far plane crowd together.
 
 ## n·e > 0
 
-why-view-bar = Every face edge-on, its normal upwards
+why-view-bar = Each face seen from the side, its normal upwards
 why-facing = Why: n·e > 0 faces the eye
-why-facing-opening = Face { $face } is laid on a bar, its normal upwards. Is the eye above the bar or below it?
+why-facing-opening = The bar is face { $face }, seen from the side, its normal upwards. Is the eye above the bar or below it?
 why-facing-product = n·e is the length of n times the shadow of e on n.
 why-facing-length = The length of n is positive, so it does not change the sign.
 why-facing-no-length = This face has no area, so it has no normal, and no side to show.
 why-facing-above = The shadow of e is the height of the eye above the plane of face { $face }: the eye sees its front.
 why-facing-below = The shadow of e points the other way: the eye is not above the plane of face { $face }, so it does not see its front.
-why-facing-other-above = Face { $face }, laid on the same bar, has the eye above it.
-why-facing-other-below = Face { $face }, laid on the same bar, does not have the eye above it.
-why-facing-fronts = Of { $faces } faces on the bar the eye is above { $fronts }: those show their front, and their n·e is positive.
+why-facing-other-above = For face { $face } the eye is above the bar.
+why-facing-other-below = For face { $face } the eye is not above the bar.
+why-facing-fronts = The eye is above the bar for { $fronts } of { $faces } faces: these show their front, and their n·e is positive.
 why-code-product = n·e = |n| · shadow of e on n
 why-words-product = A dot product is a length times a shadow.
 why-code-height = height ← n·e / |n|
 why-words-height = How high the eye is above the plane of the face.
 why-code-bar = for each other face: the same bar
-why-words-bar = Seen from its edge every face is a bar.
+why-words-bar = Seen from the side every face is a bar.
 why-code-front = front ⇔ height > 0 ⇔ n·e > 0
 why-words-front = The sign alone says on which side the eye is.
 why-depth = depth
@@ -195,7 +195,7 @@ why-words-own = Between two positive values there is no 0 on a straight line.
 why-code-other = d(R) < 0: d = 0 once
 why-words-other = A straight line meets a plane once.
 why-code-order = draw: far side, the triangle, the eye’s side
-why-words-order = Who is hidden is drawn first.
+why-words-order = What is hidden is drawn first.
 
 ## A bridge
 
@@ -204,16 +204,16 @@ why-edge = edge
 why-width = width
 why-height = height
 why-strip = strip
-why-bridge-opening = Each edge of the ring sweeps a strip from the left border to itself: added going up, taken away going down.
+why-bridge-opening = Each edge of the ring has a strip, from the left border to the edge: added if the edge goes up, taken away if it goes down.
 why-bridge-up = { $edge } goes up, so its strip is added.
 why-bridge-down = { $edge } goes down, so its strip is taken away.
-why-bridge-none = { $edge } sweeps no strip: it is level, or it lies where the strips begin.
+why-bridge-none = { $edge } has no strip: it is level, or it lies where the strips begin.
 why-bridge-back = { $edge } runs back over { $other }: a bridge. There the same strip is added once and taken away once.
 why-bridge-area = All strips together leave { $area }: the area of the ring, without any for the bridge.
 why-bridge-elsewhere = If the strips begin at the right border, every strip is another one, and their sum is the same.
 why-code-edges = for each edge of the ring:
 why-words-edges = Walk once round the ring.
-why-code-swept = strip ← width · height
+why-code-swept = strip ← mean width · height
 why-words-swept = An edge that goes down has a negative height.
 why-code-area = area ← sum of the strips
 why-words-area = What is walked there and back cancels.

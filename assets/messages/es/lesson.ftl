@@ -193,7 +193,7 @@ problem-too-many-faces = El archivo tiene más de { $limit } triángulos: es dem
 expect-obj-index = Se espera: 1 para el primer vértice del archivo, 2 para el siguiente; −1 para el anterior a esta línea.
 
 problem-nothing-asked = La ejecución de este paso no toma ninguna decisión antes de detenerse.
-expect-true-or-false = Se esperaba: true o false.
+expect-ask = Se esperaba: true, false o "run".
 expect-decision = Se esperaba: un momento en una decisión o posterior a una.
 problem-goal-missed = La parte { $count } del objetivo no se cumple en la escena que debe alcanzarlo.
 problem-goal-met = El objetivo ya se cumple en la escena del paso.

@@ -289,3 +289,6 @@ goal-part-met = vale
 goal-part-open = ainda não vale
 mark-reached = meta alcançada
 mark-goal = meta ainda não alcançada
+action-smaller = Uma cena menor com a mesma diferença
+smaller-none = Não foi encontrada uma cena menor com a mesma diferença.
+smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.

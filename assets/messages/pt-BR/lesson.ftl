@@ -193,7 +193,7 @@ problem-too-many-faces = O arquivo tem mais de { $limit } triângulos: é grande
 expect-obj-index = Espera-se: 1 para o primeiro vértice do arquivo, 2 para o seguinte; −1 para o anterior a esta linha.
 
 problem-nothing-asked = A execução deste passo não toma nenhuma decisão antes de parar.
-expect-true-or-false = Esperado: true ou false.
+expect-ask = Esperado: true, false ou "run".
 expect-decision = Esperado: um momento em uma decisão ou depois de uma.
 problem-goal-missed = A parte { $count } da meta não vale na cena que deveria alcançá-la.
 problem-goal-met = A meta já vale na cena do passo.

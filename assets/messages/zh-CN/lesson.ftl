@@ -178,7 +178,7 @@ problem-too-many-faces = 该文件的三角形超过 { $limit } 个：太大，�
 expect-obj-index = 应为：1 表示文件的第一个顶点，2 表示下一个；−1 表示本行之前的那一个。
 
 problem-nothing-asked = 此步骤停下之前，运行没有作出任何判断。
-expect-true-or-false = 应为：true 或 false。
+expect-ask = 应为：true、false 或 "run"。
 expect-decision = 应为：某个判断的时刻，或其后的时刻。
 problem-goal-missed = 应达成目标的场景不满足目标的第 { $count } 项。
 problem-goal-met = 步骤自己的场景已经满足目标。

@@ -63,3 +63,45 @@ fn a_goal_that_is_reached_is_marked_and_stays_so() {
         "a mark is not taken off"
     );
 }
+
+#[test]
+fn a_difference_is_made_smaller_and_stays_the_same() {
+    use crate::labs::{Difference, smaller};
+    let text = r#"
+        lab = "polygons"
+        [scene]
+        method = "sutherland-hodgman"
+        compare = "FAULTY"
+        window = [-4, -3, 4, 3]
+        polygon = [[-6.3, 0.2], [-5.1, -4.4], [0.7, -3.7], [5.2, -1.1], [4.9, 2.2], [1.3, 5.6], [-1.7, 3.9], [-2.2, 2.1]]
+    "#;
+    let formats = crate::lesson::SceneFormats::standard();
+    let mut n_differ = 0;
+    for card in (crate::labs::LABS[1].methods)()
+        .iter()
+        .filter(|card| card.is_faulty)
+    {
+        let text = text.replace("FAULTY", card.id);
+        let Ok(read) = formats.read("", text.as_bytes()) else {
+            continue;
+        };
+        let Some(kind) = Difference::kind_in(&read.scene) else {
+            continue;
+        };
+        n_differ += 1;
+        let mut n_runs = 0;
+        let found = smaller(&read.scene, &mut |scene| {
+            n_runs += 1;
+            Difference::kind_in(scene).as_ref() == Some(&kind)
+        });
+        let found = found.expect("eight vertices are not needed");
+        assert_eq!(Difference::kind_in(&found), Some(kind), "{}", card.id);
+        assert!(
+            found.document().size() < read.scene.document().size(),
+            "{}",
+            card.id
+        );
+        assert!(n_runs <= 3_000, "{}: {n_runs}", card.id);
+    }
+    assert!(n_differ > 1, "{n_differ}");
+}

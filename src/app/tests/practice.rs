@@ -1,7 +1,7 @@
 //! Before every decision it is asked what comes.
 
 use super::*;
-use crate::lesson::Told;
+use crate::lesson::{Asks, Told};
 
 /// The steps of the run on stage that answer a question.
 fn decisions(bench: &Bench) -> Vec<usize> {
@@ -147,7 +147,7 @@ fn a_step_that_asks_waits_before_what_it_shows() {
     let (lesson, step) = ("04-cutting-with-outcodes", "four-cuts");
     let mut bench = asked_of(lesson, step);
     let step = bench.app.bookmark.step().expect("it is there").clone();
-    assert!(step.asks && bench.app.practice.asks_for_a_step());
+    assert!(step.asks.is_some() && bench.app.practice.asks_for_a_step());
     let (decision, choice) = bench
         .app
         .playback
@@ -216,7 +216,8 @@ fn every_step_that_asks_has_something_to_ask() {
     let course = Course::embedded();
     let mut n_asked = 0;
     for lesson in &course.lessons {
-        for step in lesson.steps.iter().filter(|step| step.asks) {
+        let asks = |step: &&LessonStep| step.asks == Some(Asks::Decision);
+        for step in lesson.steps.iter().filter(asks) {
             n_asked += 1;
             let runs = step.scene.document().record();
             let position = step.position().expect("its moment comes");
@@ -232,4 +233,27 @@ fn every_step_that_asks_has_something_to_ask() {
         }
     }
     assert!(n_asked >= 120, "{n_asked}");
+}
+
+#[test]
+fn a_whole_run_is_asked_and_marked_at_its_end() {
+    let course = Course::embedded();
+    let all = course.lessons.iter().enumerate().flat_map(|(i, lesson)| {
+        let steps = lesson.steps.iter().enumerate();
+        let asked = steps.filter(|(_, step)| step.asks == Some(Asks::Run));
+        asked.map(move |(step, _)| [i, step])
+    });
+    let at = all.min().expect("a lesson has one");
+    let mut bench = asked_of("04-cutting-with-outcodes", "four-cuts");
+    bench.command(Command::Open(at));
+    assert!(bench.app.practice.asks_for_a_step());
+    let mut n_answers = 0;
+    while let Some(right) = bench.app.practice.open().map(|asked| asked.choice.right) {
+        bench.command(Command::Choose(right));
+        bench.command(Command::Play);
+        n_answers += 1;
+        assert!(n_answers < 1_000, "it ends");
+    }
+    assert!(n_answers > 1);
+    assert_eq!(told(&bench), Told::Beforehand);
 }

@@ -37,6 +37,8 @@ pub enum Root {
     Scene,
     /// How many steps the run has.
     Steps,
+    /// The first step at which a mistake does something else than it should; no value where it never does.
+    Differs,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -10,6 +10,7 @@
 //!   {x₁ - 2 * (a + b)}      arithmetic; min, max, abs, sqrt, sin, cos, tan, acos, atan (in degrees); len, sum and count of a list
 //!   {r @ leave right}       at another moment of the run         {r of further}      in another scene of the lesson
 //!   {cost.div by brute-force @ end}     of a method that stands beside the first
+//!   {differs by sh-corner}  the first step at which a mistake does something else than it should
 //!   {events(cut left)}      how many events of the whole run have these words
 //!   {d : 2}                 two decimals; also : fraction, : decimal, : grouped
 //! ```

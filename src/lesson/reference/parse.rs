@@ -197,6 +197,7 @@ impl Reader<'_> {
             "cost" => Root::Cost,
             "scene" => Root::Scene,
             "steps" => Root::Steps,
+            "differs" => Root::Differs,
             _ => Root::Name(name),
         })
     }

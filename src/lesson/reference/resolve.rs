@@ -254,6 +254,10 @@ impl Place<'_> {
             Root::Cost => Found::Json(json(&self.run.counts_at(self.step))),
             Root::Scene => Found::Json(of_scene(self.scene)),
             Root::Steps => Found::One(Value::Count(self.run.n_steps())),
+            Root::Differs => {
+                let first = self.run.differs_at();
+                Found::One(Value::Count(first.ok_or_else(|| no_value("differs"))?))
+            }
             Root::Name(name) => self.run.shown(self.step, |shown| {
                 if let Some(value) = shown.named(name) {
                     return Ok(Found::One(value));
@@ -298,6 +302,7 @@ fn spelt(root: &Root, parts: &[Part]) -> String {
         Root::Cost => "cost".to_owned(),
         Root::Scene => "scene".to_owned(),
         Root::Steps => "steps".to_owned(),
+        Root::Differs => "differs".to_owned(),
     };
     for part in parts {
         let _ = match part {
