@@ -10,7 +10,7 @@ use crate::{
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
-        height_for_all, picture_viewport, place_inset, projected, rect_of, title_ground,
+        height_for_all, picture_viewport, place_inset, projected, rect_of, spot_id, title_ground,
         title_of_space, under_title,
     },
 };
@@ -328,7 +328,7 @@ impl Column<'_> {
             title_of_space(ui, look, corner, space);
         }
         state.canvas_ids.push(id);
-        let ids = spots.iter().map(|spot| id.with(spot.index));
+        let ids = spots.iter().map(|spot| spot_id(id, spot.index));
         state.handle_ids.extend(ids);
         self.over_the_drawing(ui, state, &viewport, rect);
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);

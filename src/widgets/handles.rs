@@ -180,7 +180,7 @@ impl Handles<'_> {
     }
 
     pub fn id_of(&self, spot: usize) -> Id {
-        self.id.with(spot)
+        spot_id(self.id, spot)
     }
 
     /// Draws the handles that nobody has touched, fainter than what the step shows and under it.
@@ -286,6 +286,11 @@ pub(super) fn is_off_grid(ui: &Ui) -> bool {
 
 fn grip(ui: &Ui, id: Id) -> Option<Grip> {
     ui.data(|data| data.get_temp(id))
+}
+
+/// What a handle is to egui: not the canvas with a number, which a tooltip of the canvas is.
+pub fn spot_id(canvas: Id, spot: usize) -> Id {
+    canvas.with(("spot", spot))
 }
 
 pub fn gripped(ui: &Ui, id: Id) -> Option<usize> {

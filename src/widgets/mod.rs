@@ -31,7 +31,7 @@ pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};
 pub use composed::{Composition, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
-pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped};
+pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped, spot_id};
 pub use headings::{column_title, focus_ring, rule, section};
 pub use hit::link_at;
 pub use lesson_text::{TextTold, card, claimed, lesson_text, step_title};

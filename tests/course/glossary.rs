@@ -64,7 +64,7 @@ fn inlines(blocks: &[Block]) -> Vec<&Inline> {
         | &Block::Goal { ref text, .. }
         | &Block::Note(ref text) => text.iter().collect(),
         Block::Answer(inner) => inlines(inner),
-        Block::Code(_) => Vec::new(),
+        Block::Code(_) | Block::Wait => Vec::new(),
     };
     blocks.iter().flat_map(of_block).collect()
 }

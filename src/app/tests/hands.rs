@@ -245,3 +245,31 @@ fn a_plane_takes_one_number() {
     assert_eq!(bench.document().measure(near), Some(1.5));
     assert!(bench.app.stage.typing.is_none());
 }
+
+/// Egui takes a tooltip of the canvas for the canvas with a number: a handle's id is another.
+#[test]
+fn what_is_locked_says_so_where_it_is_pointed_at() {
+    let mut bench = Bench::course(SIZE);
+    let lesson = bench
+        .app
+        .bookmark
+        .course
+        .lesson_index("04-cutting-with-outcodes");
+    bench.command(Command::Open([lesson.expect("it is there"), 0]));
+    let handles = bench.document().handles();
+    let step = bench.app.bookmark.step().expect("it is open").clone();
+    let is_locked = |handle: &&Handle| Lock::any_holds(&step.locks, **handle);
+    let locked = handles.iter().find(is_locked).expect("the window is");
+    let [x, y, _] = bench.document().position(*locked).expect("it has a place");
+    let at = bench.app.on_screen([x, y]).expect("a frame was drawn");
+    bench.frame(0.1, vec![Event::PointerMoved(at)]);
+    for _ in 0..5 {
+        bench.frame(1.0, Vec::new());
+    }
+    assert_eq!(bench.cursor, CursorIcon::NotAllowed);
+    let texts = bench.texts();
+    assert!(
+        texts.iter().any(|(text, _)| text.contains("locked")),
+        "{texts:?}"
+    );
+}
