@@ -6,13 +6,15 @@ use crate::{lesson::Tally, text::Message};
 
 use super::{App, Command, Dialog, marks, prelude::*};
 
+/// As wide as the head of a dialog.
+const WIDTH: f32 = 528.0;
 /// What a step takes, to be pressed.
 const STEP: f32 = 20.0;
 
 pub fn show(app: &App, ui: &mut Ui, is_sure: bool) {
     let look = app.look();
     let screen = ui.ctx().content_rect().size();
-    ui.set_width((screen.x - 96.0).min(640.0 * look.theme.text_scale));
+    ui.set_width((screen.x - 96.0).min(WIDTH * look.theme.text_scale));
     let all = app.settings.progress.of_course(&app.bookmark.course);
     ui.add(Label::new(look.catalog.message(&counted(all))).wrap());
     legend(app, ui);
@@ -79,8 +81,10 @@ fn lesson_row(app: &App, ui: &mut Ui, lesson_idx: usize, lesson: &Lesson) {
     let title = format!("{number}\u{2002}{}", lesson.title(app.settings.lang));
     let row = ui.horizontal(|ui| {
         let half = 0.5 * ui.available_width();
-        let title = Label::new(title).truncate();
-        ui.add_sized(vec2(half, STEP), title);
+        ui.allocate_ui(vec2(half, STEP), |ui| {
+            ui.set_min_width(half);
+            ui.add(Label::new(title).truncate());
+        });
         ui.spacing_mut().item_spacing.x = 0.0;
         for step_idx in 0..lesson.steps.len() {
             step(app, ui, [lesson_idx, step_idx], lesson);

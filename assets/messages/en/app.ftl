@@ -276,7 +276,7 @@ progress-title = Progress
 progress-counts = { $seen ->
     [one] One step seen
    *[other] { $seen } steps seen
-} · { $beforehand } told beforehand · { $after } told after the numbers · { $open } open · { $reached } of { $goals } goals reached
+} · { $beforehand } told beforehand · { $after } told after the numbers · { $open } open · goals reached: { $reached } of { $goals }
 progress-hand-in = Hand in…
 progress-take-up = Take up a file…
 progress-afresh = Begin afresh

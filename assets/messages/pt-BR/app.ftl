@@ -276,7 +276,7 @@ progress-title = Progresso
 progress-counts = { $seen ->
     [one] Um passo visto
    *[other] { $seen } passos vistos
-} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · { $reached } de { $goals } metas alcançadas
+} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · metas alcançadas: { $reached } de { $goals }
 progress-hand-in = Entregar…
 progress-take-up = Carregar um arquivo…
 progress-afresh = Começar do zero
