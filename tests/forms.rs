@@ -12,8 +12,9 @@ use crate::messages::messages;
 /// Languages that tell one thing from several.
 const WITH_PLURALS: [Lang; 3] = [Lang::En, Lang::Es, Lang::PtBr];
 /// What is counted here is never one: limits, vertices of polygons, sides of a picture, planes of a volume.
-const NEVER_ONE: [&str; 64] = [
+const NEVER_ONE: [&str; 65] = [
     "why-fence-nothing",
+    "why-row-middle",
     "case-tints-length",
     "refused-too-many-faces",
     "box-done-in-vain",

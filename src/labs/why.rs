@@ -58,6 +58,11 @@ impl<'a, P: Proof> Picture<'a, P> {
         }
     }
 
+    /// In the drawing of the scene itself.
+    pub fn in_scene(self) -> View {
+        View::plane(self.marks)
+    }
+
     /// Under a title that says from where it is seen; the bounds are the same at every step.
     pub fn view(self, title: &'static str, bounds: [[f64; 2]; 2]) -> View {
         let drawings = vec![SmallDrawing::new(Value::Term(title), None, self.marks)];

@@ -57,5 +57,5 @@ fn a_proof_runs_on_its_labs_first_scene_and_decides_nothing() {
             n_proofs += 1;
         }
     }
-    assert_eq!(n_proofs, 10);
+    assert_eq!(n_proofs, 12);
 }

@@ -1,12 +1,15 @@
-//! Strips of a window, and the area of a ring.
+//! Strips of a window, the area of a ring, and a segment's crossing with an edge.
 
 use clipscope::{
     algo::{
-        line::{LiangBarsky, WindowInput},
-        why::{Bridge, BridgeFact, BridgeInput, Strips, StripsFact},
+        line::{BruteForce, BruteForceEvent, LiangBarsky, Turn, WindowInput},
+        why::{
+            Bridge, BridgeFact, BridgeInput, DoubleArea, DoubleAreaFact, DoubleAreaInput, Mean,
+            MeanFact, Strips, StripsFact,
+        },
     },
     geom::{Axis, Edge, Segment, Window},
-    trace::silent,
+    trace::{Recording, silent},
 };
 use proptest::prelude::*;
 
@@ -97,4 +100,79 @@ fn a_bridge_is_found_where_an_edge_runs_back_over_another() {
     let twins: Vec<_> = (0..6).map(|edge| input.twin(edge)).collect();
     assert_eq!(twins, [None, None, None, None, None, Some((2, 1.75))]);
     assert_eq!(shown::<Bridge>(&input)(BridgeFact::Area), Some(6.5));
+}
+
+proptest! {
+    /// The crossing lies on the segment and on the edge's line, it is the clipper's to the last bit, and the distances part the way.
+    #[test]
+    fn a_crossing_is_a_weighted_mean(
+        ends in prop::array::uniform4(whole(9)),
+        [x, y] in prop::array::uniform2(whole(4)),
+        [width, height] in prop::array::uniform2(1..6_u8),
+    ) {
+        let window = Window::new(x, y, x + f64::from(width), y + f64::from(height)).unwrap();
+        let segment = Segment::try_from(ends).unwrap();
+        let input = WindowInput { window, segment };
+        let number = shown::<Mean>(&input);
+        let distances = |edge: Edge| {
+            let axis = usize::from(edge.axis() == Axis::Y);
+            [ends[axis], ends[axis + 2]].map(|at| at - window.border(edge))
+        };
+        let between = Edge::ALL.into_iter().find(|&edge| distances(edge)[0] * distances(edge)[1] < 0.0);
+        prop_assert_eq!(Mean::edge(&input), between);
+        let Some(edge) = between else {
+            prop_assert!(number(MeanFact::Nothing).is_some());
+            return Ok(());
+        };
+        let run = Recording::<BruteForce>::new(input);
+        let crossing = run.events().iter().find_map(|event| match *event {
+            BruteForceEvent::Intersect { edge: of, at, .. } if of == edge => Some(at.to_array()),
+            _ => None,
+        });
+        let axis = usize::from(edge.axis() == Axis::Y);
+        let get = |fact| number(fact).expect("shown");
+        prop_assert_eq!([get(MeanFact::First), get(MeanFact::Second)], distances(edge).map(f64::abs));
+        prop_assert!(near(get(MeanFact::Given), window.border(edge)));
+        prop_assert!(near(get(MeanFact::Mean), ends[1 - axis] + get(MeanFact::Rise)));
+        if let Some(crossing) = crossing {
+            prop_assert_eq!(get(MeanFact::Mean), crossing[1 - axis]);
+        }
+        let reversed = WindowInput { segment: segment.reversed(), ..input };
+        prop_assert_eq!(shown::<Mean>(&reversed)(MeanFact::Mean), number(MeanFact::Mean));
+    }
+
+    /// The four rectangles are all, the triangle is half the difference of the two, and its sign is the algorithm's answer.
+    #[test]
+    fn products_differ_by_twice_the_triangle(
+        ends in prop::array::uniform4(whole(9)),
+        [x, y] in prop::array::uniform2(whole(4)),
+        [width, height] in prop::array::uniform2(1..6_u8),
+    ) {
+        let window = Window::new(x, y, x + f64::from(width), y + f64::from(height)).unwrap();
+        let segment = Segment::try_from(ends).unwrap();
+        let input = DoubleAreaInput::from(WindowInput { window, segment });
+        let number = shown::<DoubleArea>(&input);
+        let Some(line) = input.line() else {
+            prop_assert!(number(DoubleAreaFact::Nothing).is_some());
+            return Ok(());
+        };
+        let get = |fact| number(fact).expect("shown");
+        let [first, second] = [DoubleAreaFact::First, DoubleAreaFact::Second].map(get);
+        prop_assert_eq!(first + second + 2.0 * get(DoubleAreaFact::Ends), 2.0 * get(DoubleAreaFact::Half));
+        // Twice the area of P₁CP₂ by strips, which know nothing of the corner.
+        let [x1, y1, x2, y2] = ends;
+        let ring = [[x1, y1], line.corner.to_array(), [x2, y2]];
+        let strips = BridgeInput { ring: ring.to_vec(), begin: [0.0, 1.0] };
+        let area = shown::<Bridge>(&strips)(BridgeFact::Area).expect("shown");
+        prop_assert_eq!(get(DoubleAreaFact::Triangle), area);
+        prop_assert_eq!(get(DoubleAreaFact::Twice), 2.0 * area);
+        let [left, right] = if input.is_first_left() { [first, second] } else { [second, first] };
+        prop_assert_eq!(left - right, 2.0 * area);
+        let turn = match area {
+            area if area > 0.0 => Turn::Left,
+            area if area < 0.0 => Turn::Right,
+            _ => Turn::Through,
+        };
+        prop_assert_eq!(line.turn, turn);
+    }
 }

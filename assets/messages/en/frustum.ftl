@@ -28,8 +28,8 @@ gauges-sphere = One sphere, { $planes ->
        *[other] { $planes } planes
     }
 gauges-faces = Faces: { $faces }, by n·e
-planes-from-matrix = Taken from the rows of the matrix, the planes are the same, to { $decimals } decimals.
-plane-from-matrix = Rows of the matrix: { $sum }. Divided by the length of its normal, { $length }, the result is the { $plane } plane, to { $decimals } decimals.
+planes-from-matrix = Found without angles, the planes are the same, to { $decimals } decimals.
+plane-from-matrix = Without angles: { $sum }. Divided by the length of its normal, { $length }, the result is the { $plane } plane, to { $decimals } decimals.
 column-plane = plane
 column-outside = out
 column-vertex = vertex

@@ -79,7 +79,7 @@ why-row-slope = Only one straight line passes through both points. From one to t
 why-row-start = Continued back to depth 0, the line starts at b.
 why-row-point = P is { $depth } deep; the line gives its z′.
 why-row-divided = On a line from 0 the quotient z′ / w is the same everywhere: it is read on the ruler at the far plane.
-why-row-middle = The first half of the range, from −1 to 0, is used up by the depths from { $near } to { $middle }.
+why-row-middle = Each of { $steps } equal steps of depth is read on the ruler, on its own line from 0. The first half, from −1 to 0, is used up by the depths from { $near } to { $middle }.
 why-code-near-far = near ↦ z′ = −w;  far ↦ z′ = w
 why-words-near-far = Two conditions: each plane goes to its border.
 why-code-slope = a ← (w_far + w_near) / (far − near)
@@ -204,6 +204,7 @@ why-edge = edge
 why-width = width
 why-height = height
 why-strip = strip
+why-sum = sum
 why-bridge-opening = Each edge of the ring has a strip, from the left border to the edge: added if the edge goes up, taken away if it goes down.
 why-bridge-up = { $edge } goes up, so its strip is added.
 why-bridge-down = { $edge } goes down, so its strip is taken away.
@@ -217,3 +218,60 @@ why-code-swept = strip ← mean width · height
 why-words-swept = An edge that goes down has a negative height.
 why-code-area = area ← sum of the strips
 why-words-area = What is walked there and back cancels.
+
+## A crossing as a weighted mean
+
+why-mean = Why: a crossing is a weighted mean
+why-triangle = triangle
+why-across = across
+why-along = along
+why-mean-opening = A segment crosses the line of an edge. At which place along the edge?
+why-mean-nothing = No edge has its line between P₁ and P₂: there is no crossing to find.
+why-mean-first = P₁ is this far from the { $edge }, { $border }.
+why-mean-second = P₂ is this far from it, on the other side.
+why-mean-part = So the { $edge } is reached after this part of the way across.
+why-mean-rise = The triangle up to the edge has the angles of the whole segment’s triangle: it is the same triangle, t times as large. So t of the way along the edge is done, too.
+why-mean-level = The segment does not move along the edge: both triangles are flat.
+why-mean-mean = Put together: the { $along } of each end is weighted by the distance of the other end.
+why-mean-given = The same mean of the other coordinate, { $across }, gives the edge itself. So it is copied, not computed.
+why-code-weights = w₁, w₂ ← distances of P₁ and P₂ from the edge
+why-words-weights = Measure how far each end lies from the line of the edge.
+why-code-part = t ← w₁ / (w₁ + w₂)
+why-words-part = Of the way across, w₁ lies before the edge.
+why-code-rise = X ← P₁ + t · (P₂ − P₁)
+why-words-rise = In both directions the same part of the way is done.
+why-code-mean = X = (w₂ · P₁ + w₁ · P₂) / (w₁ + w₂)
+why-words-mean = The nearer end counts more.
+
+## Twice an area
+
+why-double-area = Why: a₁·b₂ < b₁·a₂ is “to the left”
+why-area = area
+why-left = left
+why-right = right
+why-rectangle = rectangle
+why-ends = + two halves
+why-half = − half of all
+why-more = more than half
+why-area-opening = On which side of the line from P₁ through a corner does P₂ lie? Measure both from that corner.
+why-area-nothing = Here the regions of P₁ and P₂ are enough: no corner is tested.
+why-area-first = The lines through { $corner } divide the rectangle from P₁ to P₂ into four parts. One of them is |a₁| wide and |b₂| high.
+why-area-second = The part across from it is |a₂| wide and |b₁| high.
+why-area-ends = Go from P₁ to P₂ over { $corner }: this way halves the other two parts.
+why-area-half = The straight way from P₁ to P₂ halves the whole rectangle.
+why-area-more = Left of the way over { $corner } there is more than half, by the triangle between both ways. Right of it there is as much less.
+why-area-less = Left of the way over { $corner } there is less than half, by the triangle between both ways. Right of it there is as much more.
+why-area-none = { $corner } lies on the straight way: there is no triangle, and each side is one half.
+why-area-left = Left minus right is twice the triangle, and positive: P₂ lies to the left of the line from P₁ through { $corner }.
+why-area-right = Left minus right is twice the triangle, and negative: P₂ lies to the right of the line from P₁ through { $corner }.
+why-area-through = Left minus right is 0: P₂ lies on the line from P₁ through { $corner }.
+why-code-rectangles = rectangles: |a₁·b₂| and |b₁·a₂|
+why-words-rectangles = These are the two parts that touch neither P₁ nor P₂.
+why-code-over = way over the corner: halves the other two
+why-words-over = A diagonal halves a rectangle.
+why-code-straight = straight way: halves all four
+why-words-straight = The whole rectangle has a diagonal, too.
+why-code-between = triangle ← left + two halves − half of all
+why-words-between = What lies between both ways is more on one side and less on the other.
+why-code-twice = b₁·a₂ − a₁·b₂ = left − right = 2 · triangle
+why-words-twice = The sign tells the side: positive is to the left.

@@ -79,7 +79,7 @@ why-row-slope = Solo una recta pasa por los dos puntos. De uno al otro, z′ aum
 why-row-start = Prolongada hacia atrás hasta la profundidad 0, la recta empieza en b.
 why-row-point = P está a profundidad { $depth }; la recta da su z′.
 why-row-divided = En una recta que parte de 0, el cociente z′ / w es igual en todos los puntos: se lee en la regla graduada del plano lejano.
-why-row-middle = La primera mitad del intervalo, de −1 a 0, la ocupan las profundidades de { $near } a { $middle }.
+why-row-middle = Cada uno de { $steps } pasos iguales de profundidad se lee en la regla, por su propia recta desde 0. La primera mitad, de −1 a 0, la ocupan las profundidades de { $near } a { $middle }.
 why-code-near-far = cercano ↦ z′ = −w;  lejano ↦ z′ = w
 why-words-near-far = Dos condiciones: cada plano va a su borde.
 why-code-slope = a ← (w_lejano + w_cercano) / (lejano − cercano)
@@ -189,6 +189,7 @@ why-edge = arista
 why-width = ancho
 why-height = alto
 why-strip = franja
+why-sum = suma
 why-bridge-opening = Cada arista del anillo tiene una franja, desde el borde izquierdo hasta la arista: se suma si la arista sube y se resta si baja.
 why-bridge-up = { $edge } sube, así que su franja se suma.
 why-bridge-down = { $edge } baja, así que su franja se resta.
@@ -202,3 +203,60 @@ why-code-swept = franja ← ancho medio · alto
 why-words-swept = Una arista que baja tiene alto negativo.
 why-code-area = área ← suma de las franjas
 why-words-area = Lo que se recorre de ida y vuelta se anula.
+
+## Una intersección como media ponderada
+
+why-mean = Por qué: una intersección es una media ponderada
+why-triangle = triángulo
+why-across = a través
+why-along = a lo largo
+why-mean-opening = Un segmento cruza la recta de un borde. ¿En qué lugar, a lo largo del borde?
+why-mean-nothing = Ningún borde tiene su recta entre P₁ y P₂: no hay ninguna intersección que hallar.
+why-mean-first = P₁ está a esta distancia del { $edge }, { $border }.
+why-mean-second = P₂ está a esta distancia de él, al otro lado.
+why-mean-part = Así que se llega al { $edge } tras esta parte del camino a través.
+why-mean-rise = El triángulo hasta el borde tiene los ángulos del triángulo del segmento entero: es el mismo, con t veces su tamaño. Así que también a lo largo del borde se ha hecho la parte t del camino.
+why-mean-level = El segmento no se mueve a lo largo del borde: los dos triángulos son planos.
+why-mean-mean = En conjunto, la { $along } de cada extremo lleva como peso la distancia del otro extremo.
+why-mean-given = La misma media de la otra coordenada, { $across }, da el propio borde. Por eso se copia y no se calcula.
+why-code-weights = w₁, w₂ ← distancias de P₁ y P₂ al borde
+why-words-weights = Mide a qué distancia de la recta del borde está cada extremo.
+why-code-part = t ← w₁ / (w₁ + w₂)
+why-words-part = Del camino a través, w₁ queda antes del borde.
+why-code-rise = X ← P₁ + t · (P₂ − P₁)
+why-words-rise = En las dos direcciones se ha hecho la misma parte del camino.
+why-code-mean = X = (w₂ · P₁ + w₁ · P₂) / (w₁ + w₂)
+why-words-mean = El extremo más cercano cuenta más.
+
+## El doble de un área
+
+why-double-area = Por qué: a₁·b₂ < b₁·a₂ es «a la izquierda»
+why-area = área
+why-left = izquierda
+why-right = derecha
+why-rectangle = rectángulo
+why-ends = + dos mitades
+why-half = − mitad del total
+why-more = más que la mitad
+why-area-opening = ¿De qué lado de la recta que va de P₁ a una esquina está P₂? Mide los dos puntos desde esa esquina.
+why-area-nothing = Aquí bastan las regiones de P₁ y P₂: no se prueba ninguna esquina.
+why-area-first = Las rectas que pasan por { $corner } dividen el rectángulo de P₁ a P₂ en cuatro partes. Una mide |a₁| de ancho y |b₂| de alto.
+why-area-second = La parte opuesta mide |a₂| de ancho y |b₁| de alto.
+why-area-ends = Ve de P₁ a P₂ pasando por { $corner }: este camino divide por la mitad las otras dos partes.
+why-area-half = El camino recto de P₁ a P₂ divide por la mitad el rectángulo entero.
+why-area-more = A la izquierda del camino por { $corner } hay más que la mitad: sobra el triángulo que queda entre los dos caminos. A la derecha falta lo mismo.
+why-area-less = A la izquierda del camino por { $corner } hay menos que la mitad: falta el triángulo que queda entre los dos caminos. A la derecha sobra lo mismo.
+why-area-none = { $corner } está en el camino recto: no hay triángulo, y cada lado es una mitad.
+why-area-left = Izquierda menos derecha es el doble del triángulo, con signo positivo: P₂ está a la izquierda de la recta que va de P₁ a { $corner }.
+why-area-right = Izquierda menos derecha es el doble del triángulo, con signo negativo: P₂ está a la derecha de la recta que va de P₁ a { $corner }.
+why-area-through = Izquierda menos derecha es 0: P₂ está en la recta que va de P₁ a { $corner }.
+why-code-rectangles = rectángulos: |a₁·b₂| y |b₁·a₂|
+why-words-rectangles = Son las dos partes que no tocan ni P₁ ni P₂.
+why-code-over = camino por la esquina: las otras dos, por la mitad
+why-words-over = Una diagonal divide un rectángulo por la mitad.
+why-code-straight = camino recto: las cuatro, por la mitad
+why-words-straight = También el rectángulo entero tiene una diagonal.
+why-code-between = triángulo ← izquierda + dos mitades − mitad del total
+why-words-between = Lo que queda entre los dos caminos sobra de un lado y falta del otro.
+why-code-twice = b₁·a₂ − a₁·b₂ = izquierda − derecha = 2 · triángulo
+why-words-twice = El signo dice el lado: positivo es a la izquierda.

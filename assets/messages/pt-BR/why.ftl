@@ -79,7 +79,7 @@ why-row-slope = Só uma reta passa pelos dois pontos. De um ao outro, z′ aumen
 why-row-start = Prolongada para trás até a profundidade 0, a reta começa em b.
 why-row-point = P está à profundidade { $depth }; a reta dá o seu z′.
 why-row-divided = Em uma reta que parte de 0, o quociente z′ / w é igual em todos os pontos: ele é lido na régua do plano distante.
-why-row-middle = A primeira metade do intervalo, de −1 a 0, é ocupada pelas profundidades de { $near } a { $middle }.
+why-row-middle = Cada um de { $steps } passos iguais de profundidade é lido na régua, por sua própria reta a partir de 0. A primeira metade, de −1 a 0, é ocupada pelas profundidades de { $near } a { $middle }.
 why-code-near-far = próximo ↦ z′ = −w;  distante ↦ z′ = w
 why-words-near-far = Duas condições: cada plano vai para a sua borda.
 why-code-slope = a ← (w_distante + w_próximo) / (distante − próximo)
@@ -189,6 +189,7 @@ why-edge = aresta
 why-width = largura
 why-height = altura
 why-strip = faixa
+why-sum = soma
 why-bridge-opening = Cada aresta do anel tem uma faixa, da borda esquerda até a aresta: ela é somada se a aresta sobe e tirada se desce.
 why-bridge-up = { $edge } sobe, então a sua faixa é somada.
 why-bridge-down = { $edge } desce, então a sua faixa é tirada.
@@ -202,3 +203,60 @@ why-code-swept = faixa ← largura média · altura
 why-words-swept = Uma aresta que desce tem altura negativa.
 why-code-area = área ← soma das faixas
 why-words-area = O que se percorre de ida e volta se anula.
+
+## Uma interseção como média ponderada
+
+why-mean = Por quê: uma interseção é uma média ponderada
+why-triangle = triângulo
+why-across = através
+why-along = ao longo
+why-mean-opening = Um segmento cruza a reta de uma borda. Em que lugar, ao longo da borda?
+why-mean-nothing = Nenhuma borda tem sua reta entre P₁ e P₂: não há interseção a encontrar.
+why-mean-first = P₁ está a esta distância da { $edge }, { $border }.
+why-mean-second = P₂ está a esta distância dela, do outro lado.
+why-mean-part = Então se chega à { $edge } depois desta parte do caminho através.
+why-mean-rise = O triângulo até a borda tem os ângulos do triângulo do segmento inteiro: é o mesmo, com t vezes o tamanho. Então também ao longo da borda se fez a parte t do caminho.
+why-mean-level = O segmento não se move ao longo da borda: os dois triângulos são planos.
+why-mean-mean = No conjunto, o { $along } de cada extremo tem como peso a distância do outro extremo.
+why-mean-given = A mesma média da outra coordenada, { $across }, dá a própria borda. Por isso ela é copiada, e não calculada.
+why-code-weights = w₁, w₂ ← distâncias de P₁ e P₂ à borda
+why-words-weights = Meça a que distância da reta da borda está cada extremo.
+why-code-part = t ← w₁ / (w₁ + w₂)
+why-words-part = Do caminho através, w₁ fica antes da borda.
+why-code-rise = X ← P₁ + t · (P₂ − P₁)
+why-words-rise = Nas duas direções se fez a mesma parte do caminho.
+why-code-mean = X = (w₂ · P₁ + w₁ · P₂) / (w₁ + w₂)
+why-words-mean = O extremo mais próximo conta mais.
+
+## O dobro de uma área
+
+why-double-area = Por quê: a₁·b₂ < b₁·a₂ é “à esquerda”
+why-area = área
+why-left = esquerda
+why-right = direita
+why-rectangle = retângulo
+why-ends = + duas metades
+why-half = − metade do total
+why-more = mais que a metade
+why-area-opening = De que lado da reta de P₁ a um canto está P₂? Meça os dois pontos a partir desse canto.
+why-area-nothing = Aqui bastam as regiões de P₁ e P₂: nenhum canto é testado.
+why-area-first = As retas que passam por { $corner } dividem o retângulo de P₁ a P₂ em quatro partes. Uma mede |a₁| de largura e |b₂| de altura.
+why-area-second = A parte oposta mede |a₂| de largura e |b₁| de altura.
+why-area-ends = Vá de P₁ a P₂ passando por { $corner }: este caminho divide ao meio as outras duas partes.
+why-area-half = O caminho reto de P₁ a P₂ divide ao meio o retângulo inteiro.
+why-area-more = À esquerda do caminho por { $corner } há mais que a metade: sobra o triângulo que fica entre os dois caminhos. À direita falta o mesmo tanto.
+why-area-less = À esquerda do caminho por { $corner } há menos que a metade: falta o triângulo que fica entre os dois caminhos. À direita sobra o mesmo tanto.
+why-area-none = { $corner } está no caminho reto: não há triângulo, e cada lado é uma metade.
+why-area-left = Esquerda menos direita é o dobro do triângulo, com sinal positivo: P₂ está à esquerda da reta de P₁ a { $corner }.
+why-area-right = Esquerda menos direita é o dobro do triângulo, com sinal negativo: P₂ está à direita da reta de P₁ a { $corner }.
+why-area-through = Esquerda menos direita é 0: P₂ está na reta de P₁ a { $corner }.
+why-code-rectangles = retângulos: |a₁·b₂| e |b₁·a₂|
+why-words-rectangles = São as duas partes que não tocam nem P₁ nem P₂.
+why-code-over = caminho pelo canto: as outras duas, ao meio
+why-words-over = Uma diagonal divide um retângulo ao meio.
+why-code-straight = caminho reto: as quatro, ao meio
+why-words-straight = O retângulo inteiro também tem uma diagonal.
+why-code-between = triângulo ← esquerda + duas metades − metade do total
+why-words-between = O que fica entre os dois caminhos sobra de um lado e falta do outro.
+why-code-twice = b₁·a₂ − a₁·b₂ = esquerda − direita = 2 · triângulo
+why-words-twice = O sinal diz o lado: positivo é à esquerda.

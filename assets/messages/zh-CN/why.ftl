@@ -79,7 +79,7 @@ why-row-slope = 经过这两点的直线只有一条。从一点到另一点，z
 why-row-start = 反向延长到深度 0，得到直线的起点 b。
 why-row-point = P 的深度是 { $depth }；直线给出它的 z′。
 why-row-divided = 在过原点的一条直线上，商 z′ / w 处处相同：在远平面处的标尺上读出它。
-why-row-middle = { $near } 到 { $middle } 的深度，用掉了从 −1 到 0 这前一半范围。
+why-row-middle = 把深度等分成 { $steps } 步，每一步沿自己从 0 出发的直线在标尺上读数。从 −1 到 0 这前一半，被 { $near } 到 { $middle } 的深度用掉了。
 why-code-near-far = 近 ↦ z′ = −w；远 ↦ z′ = w
 why-words-near-far = 两个条件：近、远平面各落在自己的边界上。
 why-code-slope = a ← (w_远 + w_近) / (远 − 近)
@@ -189,6 +189,7 @@ why-edge = 边
 why-width = 宽
 why-height = 高
 why-strip = 条带
+why-sum = 和
 why-bridge-opening = 环的每条边都有一条条带，从左边界到这条边：边向上就加，边向下就减。
 why-bridge-up = { $edge } 向上，所以加上它的条带。
 why-bridge-down = { $edge } 向下，所以减去它的条带。
@@ -202,3 +203,60 @@ why-code-swept = 条带 ← 平均宽度 · 高
 why-words-swept = 向下的边高为负。
 why-code-area = 面积 ← 条带之和
 why-words-area = 走过去又走回来的部分互相抵消。
+
+## 交点是加权平均
+
+why-mean = 为什么：交点是加权平均
+why-triangle = 三角形
+why-across = 垂直于边界
+why-along = 沿边界
+why-mean-opening = 线段穿过一条边界所在的直线。它在边界上的哪个位置穿过？
+why-mean-nothing = 没有哪条边界所在的直线从 P₁ 和 P₂ 之间经过：没有交点可求。
+why-mean-first = P₁ 离{ $edge }（{ $border }）这么远。
+why-mean-second = P₂ 在另一侧，离它这么远。
+why-mean-part = 所以在垂直于边界的方向上，走完全程的这一部分就到{ $edge }。
+why-mean-rise = 到边界为止的三角形与整条线段的三角形角都相等，只是大小为它的 t 倍。所以沿边界的方向，走的也是全程的 t。
+why-mean-level = 线段沿边界方向没有移动：两个三角形都没有高。
+why-mean-mean = 合起来：每个端点的 { $along } 以另一端点的距离为权。
+why-mean-given = 对另一个坐标 { $across } 求同样的平均，得到的正是边界。所以它直接取自边界，不必计算。
+why-code-weights = w₁, w₂ ← P₁、P₂ 到边界的距离
+why-words-weights = 量出每个端点离边界所在的直线多远。
+why-code-part = t ← w₁ / (w₁ + w₂)
+why-words-part = 垂直于边界的路程中，w₁ 在边界之前。
+why-code-rise = X ← P₁ + t · (P₂ − P₁)
+why-words-rise = 两个方向上走的是全程的同一部分。
+why-code-mean = X = (w₂ · P₁ + w₁ · P₂) / (w₁ + w₂)
+why-words-mean = 离得近的端点权大。
+
+## 面积的两倍
+
+why-double-area = 为什么：a₁·b₂ < b₁·a₂ 表示“在左侧”
+why-area = 面积
+why-left = 左侧
+why-right = 右侧
+why-rectangle = 矩形
+why-ends = + 两个半块
+why-half = − 总面积的一半
+why-more = 比一半多
+why-area-opening = P₂ 在从 P₁ 过一个角点的直线的哪一侧？两点的坐标都从这个角点量起。
+why-area-nothing = 这里知道 P₁ 和 P₂ 所在的区域就够了：不检验角点。
+why-area-first = 过 { $corner } 的两条线把从 P₁ 到 P₂ 的矩形分成四块，其中一块宽 |a₁|、高 |b₂|。
+why-area-second = 它对面的一块宽 |a₂|、高 |b₁|。
+why-area-ends = 从 P₁ 经 { $corner } 走到 P₂：这条折线平分另外两块。
+why-area-half = 从 P₁ 直接走到 P₂，平分整个矩形。
+why-area-more = 经 { $corner } 的折线左侧比一半多：多的是两条路线之间的三角形。右侧少的也是它。
+why-area-less = 经 { $corner } 的折线左侧比一半少：少的是两条路线之间的三角形。右侧多的也是它。
+why-area-none = { $corner } 就在 P₁ 到 P₂ 的线段上：没有三角形，两侧各是一半。
+why-area-left = 左减右是三角形面积的两倍，是正数：P₂ 在从 P₁ 过 { $corner } 的直线的左侧。
+why-area-right = 左减右是三角形面积的两倍，带负号：P₂ 在从 P₁ 过 { $corner } 的直线的右侧。
+why-area-through = 左减右等于 0：P₂ 就在从 P₁ 过 { $corner } 的直线上。
+why-code-rectangles = 两块矩形：|a₁·b₂| 和 |b₁·a₂|
+why-words-rectangles = 就是既不挨着 P₁ 也不挨着 P₂ 的两块。
+why-code-over = 经角点的折线：平分另外两块
+why-words-over = 对角线平分矩形。
+why-code-straight = 直接走的线段：平分四块的总和
+why-words-straight = 整个矩形也有对角线。
+why-code-between = 三角形 ← 左 + 两个半块 − 总面积的一半
+why-words-between = 两条路线之间的部分，一侧多出来，另一侧就缺少。
+why-code-twice = b₁·a₂ − a₁·b₂ = 左 − 右 = 2 · 三角形
+why-words-twice = 符号说明在哪一侧：正号是左侧。

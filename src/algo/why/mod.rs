@@ -12,9 +12,11 @@
 
 mod bridge;
 mod crosses_once;
+mod double_area;
 mod error_term;
 mod facing;
 mod fence;
+mod mean;
 mod projection_row;
 mod quarter_turn;
 mod shadow;
@@ -29,9 +31,11 @@ use crate::trace::{Method, Real, Tell, Told};
 
 pub use bridge::{Bridge, BridgeFact, BridgeInput};
 pub use crosses_once::{CrossesOnce, CrossesOnceFact, CrossesOnceInput};
+pub use double_area::{DoubleArea, DoubleAreaFact, DoubleAreaInput};
 pub use error_term::{ErrorTerm, ErrorTermFact, ErrorTermInput};
 pub use facing::{Facing, FacingFact, FacingInput};
 pub use fence::{Fence, FenceFact, FenceInput};
+pub use mean::{Mean, MeanFact};
 pub use projection_row::{ProjectionRow, ProjectionRowFact, ProjectionRowInput};
 pub use quarter_turn::{QuarterTurn, QuarterTurnFact, QuarterTurnInput};
 pub use shadow::{Shadow, ShadowFact, ShadowInput};

@@ -3,12 +3,14 @@
 
 use crate::{
     algo::{
-        line::{self, faulty::OutwardCyrusBeck},
-        why::{Strips, Why},
+        line::{self, WindowInput, faulty::OutwardCyrusBeck},
+        why::{DoubleArea, Mean, Strips, Why},
     },
     figure::Body,
     geom::Segment,
-    labs::{Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, window_handles},
+    labs::{
+        Lab, Listed, MethodCard, MethodEntry, recorded::Recorded, telling::Telling, window_handles,
+    },
     trace::{self, Counted, Counts, held_after, silent},
 };
 
@@ -61,13 +63,17 @@ where
 }
 
 /// The proof of a formula by which `Proved` clips: what is done to all other segments is done by that.
-const fn why<Proved: LineTelling>() -> MethodEntry<MethodInfo> {
+const fn why<M, Proved: LineTelling>() -> MethodEntry<MethodInfo>
+where
+    M: Telling<Scenery = (), Input: From<WindowInput>>,
+{
     let proved = info::<Proved>();
     MethodEntry {
-        card: MethodCard::of::<Why<Strips>>(),
+        card: MethodCard::of::<M>(),
         info: MethodInfo {
             record: |scene, segment| {
-                Box::new(Recorded::<Why<Strips>>::new(scene.with(segment), None))
+                let input = M::Input::from(scene.with(segment));
+                Box::new(Recorded::<M>::new(input, None))
             },
             ..proved.info
         },
@@ -84,13 +90,15 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
 }
 
 /// Every method, in the order in which they are taught; the mistake last.
-pub static METHODS: [MethodEntry<MethodInfo>; 7] = [
+pub static METHODS: [MethodEntry<MethodInfo>; 9] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
     info::<line::CyrusBeck>(),
     info::<line::NichollLeeNicholl>(),
-    why::<line::LiangBarsky>(),
+    why::<Why<Mean>, line::BruteForce>(),
+    why::<Why<Strips>, line::LiangBarsky>(),
+    why::<Why<DoubleArea>, line::NichollLeeNicholl>(),
     wrong::<OutwardCyrusBeck, line::CyrusBeck>(),
 ];
 

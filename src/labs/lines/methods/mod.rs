@@ -11,4 +11,4 @@ mod nicholl_lee_nicholl;
 mod prelude;
 mod sectors;
 mod shared;
-mod strips;
+mod why;

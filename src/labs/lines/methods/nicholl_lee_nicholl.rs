@@ -15,7 +15,8 @@ use super::{
     prelude::*,
     sectors::{self, turn_key},
     shared::{
-        border_mark, crossing_mark, end_now, ends, put_formulas, region_key, segment_marks, side,
+        border_mark, corner_formula, corner_name, crossing_mark, end_now, ends, put_formulas,
+        region_key, segment_marks, side,
     },
 };
 
@@ -314,22 +315,6 @@ fn marks(step: &Step<'_, NichollLeeNicholl>) -> Vec<Mark> {
         | None => {}
     }
     marks
-}
-
-/// `C₁`, `C₂`, …: the window's corners are numbered counter-clockwise from the lower left.
-fn corner_symbol(window: &Window, corner: Point) -> String {
-    let found = window.corners().iter().position(|&c| c == corner);
-    found.map_or_else(|| "C".to_owned(), |i| numbered('C', i))
-}
-
-fn corner_name(window: &Window, corner: Point) -> Value {
-    name(corner_symbol(window, corner))
-}
-
-/// `C₄ = (−1, 1)`, in a sentence.
-fn corner_formula(window: &Window, corner: Point) -> Formula {
-    let formula = sym(corner_symbol(window, corner));
-    formula.sym(" = ").point(corner.to_array())
 }
 
 fn key_of(region: WindowRegion) -> &'static str {

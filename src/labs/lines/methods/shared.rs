@@ -185,6 +185,22 @@ pub fn region_key(beyond: impl Fn(Edge) -> bool) -> &'static str {
     ][row][column]
 }
 
+/// `C₁`, `C₂`, …: the window's corners are numbered counter-clockwise from the lower left.
+fn corner_symbol(window: &Window, corner: Point) -> String {
+    let found = window.corners().iter().position(|&c| c == corner);
+    found.map_or_else(|| "C".to_owned(), |i| numbered('C', i))
+}
+
+pub fn corner_name(window: &Window, corner: Point) -> Value {
+    name(corner_symbol(window, corner))
+}
+
+/// `C₄ = (−1, 1)`, in a sentence.
+pub fn corner_formula(window: &Window, corner: Point) -> Formula {
+    let formula = sym(corner_symbol(window, corner));
+    formula.sym(" = ").point(corner.to_array())
+}
+
 pub struct SegmentInterval {
     pub shown: ShownInterval,
     pub crossing_symbol: &'static str,

@@ -171,7 +171,30 @@ fn strips(at: &At<'_, Why<Bridge>>) -> Table {
     let header = ["why-edge", "why-width", "why-height", "why-strip"];
     Table {
         header: header.map(|key| Formula::default().term(key)).to_vec(),
-        rows: (0..input.ring.len()).map(row).collect(),
+        rows: (0..input.ring.len()).map(row).chain([total(at)]).collect(),
         notes: Vec::new(),
+    }
+}
+
+/// What the strips so far add up to.
+fn total(at: &At<'_, Why<Bridge>>) -> TableRow {
+    let edges = 0..at.step.input.ring.len();
+    let so_far = edges
+        .filter_map(|edge| strip(at, edge))
+        .reduce(|sum, it| sum + it);
+    let is_current = matches!(
+        at.step.event(),
+        Some(Shown {
+            fact: Fact::Area,
+            ..
+        })
+    );
+    let role = if is_current { Role::Signal } else { Role::Ink };
+    let empty = || Cell::new(role, None::<Value>);
+    TableRow {
+        name: Value::Term("why-sum"),
+        cells: vec![empty(), empty(), Cell::new(role, so_far).strong()],
+        is_current,
+        link: None,
     }
 }

@@ -13,7 +13,7 @@ use crate::{
 /// How wide the depths from 0 to far are drawn, and how high −w to w at far.
 const SIZE: [f64; 2] = [2.0, 1.8];
 /// Equal steps of depth, from near to far.
-const STEPS: i32 = 8;
+const STEPS: u8 = 8;
 
 impl SpaceTelling for Why<ProjectionRow> {
     const SUBJECT: Subject = Subject::Vertex;
@@ -86,6 +86,7 @@ impl Telling for Why<ProjectionRow> {
         let ProjectionRowInput { volume, depth } = at.step.input;
         let number = |name: &str| fact(&at.step, &NAMES, name);
         Some(match name {
+            "steps" => Value::Count(STEPS.into()).into(),
             "near" => volume.near().into(),
             "far" => volume.far().into(),
             "depth" => (*depth).into(),

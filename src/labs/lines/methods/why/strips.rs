@@ -16,7 +16,7 @@ use crate::{
     labs::why::{Picture, mark, segment},
 };
 
-use super::{
+use super::super::{
     prelude::*,
     shared::{segment_marks, side, side_key},
 };
