@@ -68,8 +68,6 @@ fn a_goal_that_is_reached_is_marked_and_stays_so() {
 fn a_difference_is_made_smaller_and_stays_the_same() {
     use crate::labs::{Difference, smaller};
     let text = r#"
-        lab = "polygons"
-        [scene]
         method = "sutherland-hodgman"
         compare = "FAULTY"
         window = [-4, -3, 4, 3]

@@ -149,8 +149,6 @@ mod tests {
     #[test]
     fn a_condition_holds_of_the_run_that_it_names() {
         let text = r#"
-            lab = "lines"
-            [scene]
             method = "cohen-sutherland"
             compare = "liang-barsky"
             window = [-1, -1, 1, 1]
