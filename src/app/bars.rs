@@ -148,7 +148,7 @@ fn pickers(app: &App, ui: &mut Ui) {
     let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
     menus::compare_is_in_the_bar(ui.ctx(), has_room);
     if has_room {
-        let edit = compare_picker(ui, app.look(), app.scene());
+        let edit = compare_picker(ui, app.look(), app.scene(), app.hides_mistakes());
         app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     }
 }

@@ -97,7 +97,7 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     if !has_compare_in_the_bar(ui.ctx()) {
         menu_button(ui, look.say("cost-compare"), |ui| {
-            let edit = compare_choices(ui, look, app.scene());
+            let edit = compare_choices(ui, look, app.scene(), app.hides_mistakes());
             app.push_all(edit.map(|edit| Command::Edit(edit, None)));
         });
     }

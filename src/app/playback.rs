@@ -3,7 +3,7 @@
 use crate::{
     figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, notation},
     labs::{Difference, MethodCard, Scene, comparison},
-    text::Notation,
+    text::{Notation, Value},
     trace::{Counts, Transport},
     widgets::{Album, wanted},
 };
@@ -37,6 +37,8 @@ pub struct Playback {
     /// How they stand beside each other, from when these methods were opened: dragging does not change it. Others, which are
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
+    /// Would the name of a mistake answer what is asked?
+    hides_mistakes: bool,
     together: Option<Frame>,
     /// How numbers are written: those of the whole run, and those of the present step.
     notations: [Notation; 2],
@@ -84,6 +86,7 @@ impl Playback {
             needs: Vec::new(),
             wanted: found.wanted,
             comparison,
+            hides_mistakes: false,
             together: None,
             notations: [Notation::Own; 2],
             eyes: None,
@@ -171,6 +174,13 @@ impl Playback {
         }
     }
 
+    /// Would the name of a mistake answer what is asked?
+    pub fn hide_mistakes(&mut self, are_hidden: bool) {
+        if std::mem::replace(&mut self.hides_mistakes, are_hidden) != are_hidden {
+            self.framed_at = None;
+        }
+    }
+
     /// Makes the frames of the present step, unless they are there already, of which these bounds of the plane are to be seen;
     /// where the scene is in an `album`, as the others in that are seen.
     pub fn prepare(&mut self, bounds: [[f64; 2]; 2], album: Option<&Album>) {
@@ -221,7 +231,8 @@ impl Playback {
             eyes.turn(&mut frame.views);
         }
         self.eyes = Some(eyes);
-        let names: Vec<_> = methods.iter().map(|method| method.name()).collect();
+        let name = |method: &&MethodCard| Value::Term(method.name_asked(self.hides_mistakes));
+        let names: Vec<_> = methods.iter().map(name).collect();
         let at_end = self.steps().iter().all(|[step, n_steps]| step == n_steps);
         self.together = comparison.together(&self.frames, &names, at_end);
         self.notations[1] = notation(self.notations[0], self.on_stage());

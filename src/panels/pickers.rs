@@ -33,20 +33,21 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     asked
 }
 
-pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+/// Where `asks` first, the faulty one that stands beside is not told.
+pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
     let beside = scene.document().methods().into_iter().skip(1);
-    let names: Vec<String> = beside.map(|card| look.say(card.name_key)).collect();
+    let names: Vec<String> = beside.map(|card| look.say(card.name_asked(asks))).collect();
     let shown = if names.is_empty() {
         look.say("cost-compare")
     } else {
         names.join(" + ")
     };
-    let combo = list("compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene));
+    let combo = list("compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene, asks));
     combo.response.on_hover_text(look.say("cost-compare"));
     combo.inner.flatten()
 }
 
-pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edit> {
+pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
     let mut asked = None;
     let methods = scene.document().methods();
     let (main, beside) = methods.split_first()?;
@@ -65,6 +66,7 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<Edi
             section(ui, look, &look.say("faulty-title"));
         }
         let chosen = beside.iter().any(|beside| beside.id == card.id);
+        let chosen = chosen && !(asks && card.is_faulty);
         let name = look.say(card.name_key);
         if ui.selectable_label(chosen, name).clicked() {
             asked = Some(Edit::Compare(Some(card.id)));
