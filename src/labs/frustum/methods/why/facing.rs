@@ -218,7 +218,7 @@ fn bar(at: &At<'_, Why<Facing>>) -> View {
             let sight = segment(role, [0.0, 0.0], eye);
             let drop = segment(Role::Faint, eye, [eye[0], 0.0]);
             let angle = mark(role, Shape::Angle([[0.0, 0.0], tip, eye]));
-            let degrees = sym(format!("{:.1}°", self::angle(input, face)));
+            let degrees = Formula::decimals().num(self::angle(input, face)).sym("°");
             let angle = is_first.then(|| angle.labelled(degrees));
             [sight, drop, disc.strong().linked(face_link(face))]
                 .into_iter()

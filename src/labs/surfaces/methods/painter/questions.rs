@@ -48,7 +48,7 @@ pub fn questions<L: Variant>(at: &At<'_, Painter<L>>) -> Option<Table> {
     };
     Some(Table {
         header: vec![
-            at.formula("{triangle} → {other}?")?,
+            at.formula("{triangle} → {other}")?,
             Formula::default(),
             Formula::default(),
         ],
