@@ -101,7 +101,7 @@ impl Telling for Why<Facing> {
             "faces" => (input.others.len() + 1).into(),
             "fronts" => Value::Count(fact(&at.step, &NAMES, name)? as usize).into(),
             "dot" => dot_formula(n, e, fact(&at.step, &NAMES, "n·e")?).into(),
-            "angle" => sym(format!("{:.1}", angle(input, face))).into(),
+            "angle" => Formula::decimals().num(angle(input, face)).into(),
             "n·e of it" => dot.into(),
             "|n| of it" => input.length(face).into(),
             "number" => at.step.event()?.number.into(),
