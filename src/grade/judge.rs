@@ -96,6 +96,8 @@ impl Judge {
                 said: output(),
                 code: *code,
             }),
+            // With its steps it is refused.
+            (Ok(right), true) if right.steps(self.solvers).is_none() => None,
             (Ok(right), true) => Some(Fault::Refuses {
                 truth: right.output.clone(),
             }),

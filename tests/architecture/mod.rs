@@ -201,7 +201,10 @@ fn what_is_wrong_on_purpose_stays_in_its_room() {
             mistakes.extend(structs.map(|w| w[2].clone()));
         }
         assert!(!mistakes.is_empty(), "{} is empty", room.display());
-        for file in others.iter().filter(|file| !file.starts_with(&lab) && !file.starts_with(&cases)) {
+        for file in others
+            .iter()
+            .filter(|file| !file.starts_with(&lab) && !file.starts_with(&cases))
+        {
             // Nobody reaches them but through that word: they are not passed on.
             let words = words(file);
             let named = words.iter().find(|word| mistakes.contains(word));
