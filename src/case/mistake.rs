@@ -24,12 +24,15 @@ pub struct Mistaken {
     pub events: Vec<Json>,
 }
 
+/// An `output`, and the steps that led to it.
+type Answered = Option<(Json, Vec<Json>)>;
+
 /// What is known to be got wrong in an algorithm, whose type is erased.
 #[derive(Debug)]
 pub struct Mistake {
     id: &'static str,
     name_key: &'static str,
-    answered: fn(&dyn Any) -> Option<(Json, Vec<Json>)>,
+    answered: fn(&dyn Any) -> Answered,
 }
 
 impl Mistake {
@@ -66,7 +69,7 @@ impl Mistake {
     }
 }
 
-fn answered<A, W>(input: &A::Input) -> Option<(Json, Vec<Json>)>
+fn answered<A, W>(input: &A::Input) -> Answered
 where
     A: Solve,
     W: Method<Input = A::Input, Output = A::Output, Event: Serialize>,

@@ -79,17 +79,23 @@ impl Page<'_> {
     fn show(&self, ui: &mut Ui) {
         let theme = self.look.theme;
         let at = pos2(MARGIN, 26.0);
-        self.text(ui, &self.title, FontId::new(19.5, semibold()), theme.ink)
-            .paint(ui.painter(), at, Align2::LEFT_TOP);
+        set(ui, &self.title, FontId::new(19.5, semibold()), theme.ink).paint(
+            ui.painter(),
+            at,
+            Align2::LEFT_TOP,
+        );
         let corner = pos2(PAGE.x - MARGIN, 34.0);
-        self.text(ui, &self.which(), FontId::proportional(11.5), theme.soft)
-            .paint(ui.painter(), corner, Align2::RIGHT_TOP);
+        set(ui, &self.which(), FontId::proportional(11.5), theme.soft).paint(
+            ui.painter(),
+            corner,
+            Align2::RIGHT_TOP,
+        );
         let stage = Rect::from_min_max(pos2(MARGIN, TOP), pos2(MARGIN + LEFT_WIDTH, BOTTOM - 20.0));
         match self.wrong.scenery() {
             Some(scenery) => self.stage(ui, stage, &scenery),
             None => {
                 let plain = self.look.say("grade-figure-plain");
-                let plain = self.text(ui, &plain, FontId::proportional(13.0), theme.soft);
+                let plain = set(ui, &plain, FontId::proportional(13.0), theme.soft);
                 plain.paint(ui.painter(), stage.left_top(), Align2::LEFT_TOP);
             }
         }
@@ -116,10 +122,6 @@ impl Page<'_> {
         parts.join("  ·  ")
     }
 
-    fn text(&self, ui: &Ui, text: &str, font: FontId, colour: Color32) -> Typeset {
-        Typeset::text(ui.painter(), text, font, colour)
-    }
-
     fn stage(&self, ui: &Ui, rect: Rect, scenery: &Scenery) {
         let viewport = Viewport::fit(rect, scenery.bounds);
         let painter = ui.painter().with_clip_rect(rect);
@@ -132,8 +134,7 @@ impl Page<'_> {
         let (theme, painter) = (self.look.theme, ui.painter());
         let name = self.look.say(key);
         let font = FontId::new(12.0, semibold());
-        self.text(ui, &name, font, text)
-            .paint(painter, pos2(RIGHT, y), Align2::LEFT_TOP);
+        set(ui, &name, font, text).paint(painter, pos2(RIGHT, y), Align2::LEFT_TOP);
         let shown = match json {
             Json::Null => self.look.say("grade-figure-nothing"),
             json => cut(&json.to_string()),
@@ -156,7 +157,7 @@ impl Page<'_> {
         let (theme, painter) = (self.look.theme, ui.painter());
         let y = BOTTOM - 36.0;
         let label = self.look.say("grade-figure-cases");
-        let label = self.text(ui, &label, FontId::proportional(11.0), theme.soft);
+        let label = set(ui, &label, FontId::proportional(11.0), theme.soft);
         label.paint(painter, pos2(RIGHT, y - 24.0), Align2::LEFT_TOP);
         for number in 1..=names.len() {
             let at = pos2(RIGHT + 8.0 + 12.0 * (number - 1) as f32, y + 4.0);
@@ -193,7 +194,7 @@ impl Page<'_> {
         let said = Typeset::wrapped(painter, &spans, width);
         let rect = said.paint(painter, pos2(MARGIN, BOTTOM + 14.0), Align2::LEFT_TOP);
         let score = score(self.report, self.look.catalog);
-        let score = self.text(ui, &score, FontId::proportional(11.0), theme.soft);
+        let score = set(ui, &score, FontId::proportional(11.0), theme.soft);
         score.paint(painter, pos2(MARGIN, rect.bottom() + 8.0), Align2::LEFT_TOP);
     }
 }
@@ -205,4 +206,8 @@ fn cut(text: &str) -> String {
     } else {
         head
     }
+}
+
+fn set(ui: &Ui, text: &str, font: FontId, colour: Color32) -> Typeset {
+    Typeset::text(ui.painter(), text, font, colour)
 }
