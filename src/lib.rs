@@ -67,6 +67,8 @@ pub mod lesson;
 
 pub mod case;
 
+pub mod grade;
+
 #[cfg(feature = "gui")]
 pub mod paint;
 

@@ -138,6 +138,7 @@ fn every_command_has_help_with_an_example() {
         &["open", "--help"],
         &["export", "--help"],
         &["trace", "--help"],
+        &["grade", "--help"],
         &["check", "--help"],
         &["list", "--help"],
     ] {

@@ -16,6 +16,7 @@ mod course;
 mod diagnostics;
 mod ear_clipping;
 mod forms;
+mod grade;
 mod line_exactness;
 mod messages;
 mod moments;
@@ -30,6 +31,8 @@ mod surface_exactness;
 mod weiler_atherton;
 mod why;
 
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+mod cli_grade;
 #[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
 mod cli_trace;
 #[cfg(feature = "gui")]

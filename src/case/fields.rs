@@ -24,15 +24,15 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Refuses fields that are not among those that the algorithm of this name `takes`, then missing ones. `id` and
-    /// `algorithm` are left out.
+    /// Refuses fields that are not among those that the algorithm of this name `takes`, then missing ones. `id`,
+    /// `submission` and `algorithm` are left out.
     pub(super) fn check(
         name_key: &'static str,
         takes: &'static [Field],
         pairs: &Pairs<'a>,
         detail: Detail,
     ) -> Result<Self, Refusal> {
-        let is_own = |name: &str| !matches!(name, "id" | "algorithm");
+        let is_own = |name: &str| !matches!(name, "id" | "submission" | "algorithm");
         let pairs = pairs.0.iter().filter(|(name, _)| is_own(name));
         Self::checked(None, (name_key, takes), pairs, detail)
     }

@@ -1,23 +1,41 @@
 //! The lines lab's cases: a segment against a window, or against a convex polygon.
 
 use crate::{
-    algo::line::{BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl},
+    algo::line::{
+        BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl,
+        faulty::{
+            FaultyCohenSutherland, LooksOnce, OutwardCyrusBeck, RejectsTwoOutside, TurnsSlope,
+        },
+    },
     geom::{ConvexPolygon, GeomError, Segment, Window},
     input::{BIT_ORDER, CONVEX_CLIP, WINDOW},
     labs::lines::{LineTelling, Method, Scene},
 };
 
 use super::{
-    Solve, Solver,
+    Mistake, Solve, Solver,
     prelude::*,
     solver::{Reading, Verdict},
 };
 
 pub(super) static SOLVERS: [Solver; 5] = [
     Solver::of::<BruteForce>(),
-    Solver::of::<CohenSutherland>(),
+    Solver::of::<CohenSutherland>().knowing(&[
+        Mistake::called::<CohenSutherland, FaultyCohenSutherland<TurnsSlope>>(
+            "slope-turned-over",
+            "mistake-slope-turned-over",
+        ),
+        Mistake::called::<CohenSutherland, FaultyCohenSutherland<LooksOnce>>(
+            "looks-once",
+            "mistake-looks-once",
+        ),
+        Mistake::called::<CohenSutherland, FaultyCohenSutherland<RejectsTwoOutside>>(
+            "rejects-two-outside",
+            "mistake-rejects-two-outside",
+        ),
+    ]),
     Solver::of::<LiangBarsky>(),
-    Solver::of::<CyrusBeck>(),
+    Solver::of::<CyrusBeck>().knowing(&[Mistake::of::<CyrusBeck, OutwardCyrusBeck>()]),
     Solver::of::<NichollLeeNicholl>(),
 ];
 

@@ -5,6 +5,7 @@ use crate::{
         ClipRegion, ClippedRing, EarClipping, Pipeline, RingOutcome, SutherlandHodgman,
         SutherlandHodgmanInput, Textured, TriangulateAndClip, TriangulateAndClipInput,
         Triangulation, Vertex,
+        faulty::{CutsTwice, DropsOnBorder, EndFirst, Faulty, LeavesOpen, WalksClockwise},
         weiler_atherton::{
             Relation, WeilerAtherton, WeilerAthertonEvent, WeilerAthertonInput,
             WeilerAthertonOutput,
@@ -16,7 +17,7 @@ use crate::{
 };
 
 use super::{
-    Fields, Solvable, Solve, Solver,
+    Fields, Mistake, Solvable, Solve, Solver,
     prelude::*,
     solver::{Reading, Verdict, read_problem},
 };
@@ -25,7 +26,13 @@ use super::{
 pub(super) static SOLVERS: [Solver; 5] = [
     Solver {
         read: read_sutherland_hodgman,
-        ..Solver::of::<SutherlandHodgman>()
+        ..Solver::of::<SutherlandHodgman>().knowing(&[
+            Mistake::of::<SutherlandHodgman, Faulty<DropsOnBorder>>(),
+            Mistake::of::<SutherlandHodgman, Faulty<LeavesOpen>>(),
+            Mistake::of::<SutherlandHodgman, Faulty<WalksClockwise>>(),
+            Mistake::of::<SutherlandHodgman, Faulty<CutsTwice>>(),
+            Mistake::of::<SutherlandHodgman, Faulty<EndFirst>>(),
+        ])
     },
     Solver::of::<Pipeline>(),
     Solver::of::<WeilerAtherton>(),

@@ -200,7 +200,7 @@ impl<'a> Pairs<'a> {
 }
 
 /// What a case calls itself: any JSON value, echoed digit for digit, without spaces.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Id(String);
 
 impl Default for Id {
@@ -210,12 +210,18 @@ impl Default for Id {
 }
 
 impl Id {
-    pub(super) fn read(raw: &RawValue) -> Result<Self, Refusal> {
+    pub(crate) fn read(name: &str, raw: &RawValue) -> Result<Self, Refusal> {
         let mut text = String::new();
         let problem = Message::new("case-bad-id");
         compact(raw.get(), 0, &mut text)
             .map(|()| Self(text))
-            .ok_or_else(|| Refusal::at(Code::BadJson, &Path::Field("id"), problem))
+            .ok_or_else(|| Refusal::at(Code::BadJson, &Path::Field(name), problem))
+    }
+
+    /// Is it none?
+    #[must_use]
+    pub fn is_null(&self) -> bool {
+        self.0 == "null"
     }
 
     /// As JSON.

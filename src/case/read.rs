@@ -13,10 +13,19 @@ use super::{
     raw::{Node, Pairs, not_a},
 };
 
+/// What a case, or an answer, is called.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Heading {
+    /// What it calls itself; null where it does not.
+    pub id: Id,
+    /// Of many that are in one stream the one that it belongs to; null where it says none.
+    pub submission: Id,
+}
+
 /// A case that can be solved.
 pub struct Case {
-    /// What it calls itself.
-    pub id: Id,
+    /// What it calls itself, and whose it is.
+    pub heading: Heading,
     /// By which algorithm.
     pub solver: &'static Solver,
     /// What to solve.
@@ -26,8 +35,8 @@ pub struct Case {
 /// A case that cannot.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Refused {
-    /// Null where it could not be read.
-    pub id: Id,
+    /// Null where they could not be read.
+    pub heading: Heading,
     /// Why.
     pub refusal: Refusal,
 }
@@ -37,14 +46,14 @@ pub struct Refused {
 /// # Errors
 /// The first mistake, in the order that the [module](super) states.
 pub fn read(solvers: Solvers, line: CaseLine<'_>, detail: Detail) -> Result<Case, Refused> {
-    let mut id = Id::default();
-    match read_into(solvers, line, detail, &mut id) {
+    let mut heading = Heading::default();
+    match read_into(solvers, line, detail, &mut heading) {
         Ok((solver, problem)) => Ok(Case {
-            id,
+            heading,
             solver,
             problem,
         }),
-        Err(refusal) => Err(Refused { id, refusal }),
+        Err(refusal) => Err(Refused { heading, refusal }),
     }
 }
 
@@ -52,17 +61,43 @@ fn read_into(
     solvers: Solvers,
     line: CaseLine<'_>,
     detail: Detail,
-    id: &mut Id,
+    heading: &mut Heading,
 ) -> Result<(&'static Solver, Box<dyn Solvable>), Refusal> {
     let pairs = pairs(text(line)?)?;
-    let read_id = pairs.get("id").map_or_else(|| Ok(Id::default()), Id::read);
-    if let Ok(read) = &read_id {
-        id.clone_from(read);
+    let mut unread = Ok(());
+    let Heading { id, submission } = heading;
+    for (name, own) in [("id", id), ("submission", submission)] {
+        match pairs.get(name).map(|raw| Id::read(name, raw)) {
+            Some(Ok(read)) => *own = read,
+            Some(Err(refusal)) => unread = unread.and(Err(refusal)),
+            None => {}
+        }
     }
     pairs.check_once(Path::Field)?;
-    read_id?;
+    unread?;
     let (solver, fields) = fields(solvers, &pairs, detail)?;
     Ok((solver, (solver.read)(&fields)?))
+}
+
+/// What a case is called, and what else it says: two cases that say the same have the same answer. `None` where it is no
+/// object.
+#[must_use]
+pub fn heading(line: CaseLine<'_>) -> Option<(Heading, String)> {
+    let pairs = text(line).and_then(pairs).ok()?;
+    let (mut heading, mut rest) = (Heading::default(), String::new());
+    for (name, raw) in &pairs.0 {
+        match name.as_str() {
+            "id" => heading.id = Id::read(name, raw).ok()?,
+            "submission" => heading.submission = Id::read(name, raw).ok()?,
+            _ => {
+                for part in [name, "\0", raw.get(), "\0"] {
+                    rest.push_str(part);
+                }
+            }
+        }
+    }
+    let is_repeated = pairs.check_once(Path::Field).is_err();
+    (!is_repeated).then_some((heading, rest))
 }
 
 /// What a case gives, for people; nothing of one that is refused.
@@ -132,6 +167,8 @@ fn algorithm(solvers: Solvers, raw: Option<&RawValue>) -> Result<&'static Solver
 #[derive(Serialize)]
 struct RefusedAnswer<'a> {
     id: &'a Id,
+    #[serde(skip_serializing_if = "Id::is_null")]
+    submission: &'a Id,
     /// Of the input, counted from 1.
     line: usize,
     error: Json,
@@ -140,8 +177,12 @@ struct RefusedAnswer<'a> {
 impl Case {
     /// Its answer, without a line break. A raster is written as it is read off, and so are steps: neither is held as text.
     pub(super) fn write_json(&self, detail: Detail, out: &mut impl Write) -> io::Result<()> {
-        let (id, algorithm) = (self.id.json(), self.solver.card.id);
-        write!(out, r#"{{"id":{id},"algorithm":"{algorithm}","output":"#)?;
+        let (id, algorithm) = (self.heading.id.json(), self.solver.card.id);
+        write!(out, r#"{{"id":{id},"#)?;
+        if !self.heading.submission.is_null() {
+            write!(out, r#""submission":{},"#, self.heading.submission.json())?;
+        }
+        write!(out, r#""algorithm":"{algorithm}","output":"#)?;
         self.problem.write_output(out)?;
         out.write_all(br#","counts":"#)?;
         serde_json::to_writer(&mut *out, &self.problem.counts())?;
@@ -160,7 +201,13 @@ impl Refused {
     pub(super) fn write_json(&self, line: usize, out: impl Write) -> serde_json::Result<()> {
         let Refusal { code, field, .. } = &self.refusal;
         let error = json!({ "code": code.id(), "field": field, "message": self.refusal.message() });
-        let id = &self.id;
-        serde_json::to_writer(out, &RefusedAnswer { id, line, error })
+        let Heading { id, submission } = &self.heading;
+        let answer = RefusedAnswer {
+            id,
+            submission,
+            line,
+            error,
+        };
+        serde_json::to_writer(out, &answer)
     }
 }

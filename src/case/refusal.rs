@@ -149,7 +149,7 @@ impl Refusal {
 }
 
 /// What came from outside, cut to a length that a sentence can hold, on one line.
-pub(super) fn short(text: &str) -> String {
+pub(crate) fn short(text: &str) -> String {
     const MAX_CHARS: usize = 60;
     let mut chars = text
         .chars()

@@ -31,24 +31,22 @@ impl Solvers {
         let line = json!({ "type": "integer", "minimum": 1 });
         let refused = [
             ("id", json!({})),
+            ("submission", json!({})),
             ("line", line),
-            ("error", of_object(error, None)),
+            ("error", of_object(error, &[])),
         ];
         json!({
             "version": VERSION,
             "algorithms": algorithms,
-            "refused": of_object(refused, None),
+            "refused": of_object(refused, &["submission"]),
         })
     }
 }
 
-/// An object of these properties and no others, of which all but one must be there.
-fn of_object<const N: usize>(
-    properties: [(&'static str, Json); N],
-    optional: Option<&str>,
-) -> Json {
+/// An object of these properties and no others, of which all but some must be there.
+fn of_object<const N: usize>(properties: [(&'static str, Json); N], optional: &[&str]) -> Json {
     let names = properties.iter().map(|(name, _)| *name);
-    let required: Vec<&str> = names.filter(|name| Some(*name) != optional).collect();
+    let required: Vec<&str> = names.filter(|name| !optional.contains(name)).collect();
     let properties = properties.map(|(name, schema)| (name.to_owned(), schema));
     json!({
         "type": "object",
@@ -62,6 +60,7 @@ fn of_cases(solver: &Solver) -> Json {
     let mut schema = of_fields(solver.fields);
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     schema["properties"]["id"] = json!({});
+    schema["properties"]["submission"] = json!({});
     schema["properties"]["algorithm"] = json!({ "const": solver.card.id });
     if let Some(required) = schema["required"].as_array_mut() {
         required.push("algorithm".into());
@@ -84,10 +83,11 @@ fn of_answers(solver: &Solver) -> Json {
     });
     let properties = [
         ("id", json!({})),
+        ("submission", json!({})),
         ("algorithm", json!({ "const": solver.card.id })),
         ("output", of_fields(solver.output)),
         ("counts", of_fields(&COUNTS)),
         ("events", json!({ "type": "array", "items": event })),
     ];
-    of_object(properties, Some("events"))
+    of_object(properties, &["submission", "events"])
 }

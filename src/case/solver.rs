@@ -1,6 +1,6 @@
 //! How an algorithm joins, and what it makes of a case.
 
-use std::io;
+use std::{any::Any, io};
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    Fields,
+    Fields, Mistake,
     budget::{Meter, OverBudget},
     finite::Numbers,
     prelude::*,
@@ -61,6 +61,11 @@ pub trait Solve: Telling {
         Told::Continue(Self::output(held))
     }
 
+    /// Is another value of a field of `output` as right as this one? Only where more than one is.
+    fn admits(_input: &Self::Input, _output: &Self::Output, _field: &str, _said: &Json) -> bool {
+        false
+    }
+
     /// The answer's `output`, from that of its run.
     fn told(_input: &Self::Input, output: &Self::Output) -> impl Serialize {
         output.told()
@@ -81,6 +86,8 @@ pub struct Solver {
     pub budget: u64,
     /// [`Solve::NUMBERS`].
     pub numbers: Numbers,
+    /// What is known to be got wrong in it.
+    pub mistakes: &'static [Mistake],
     pub(super) read: ReadProblem,
 }
 
@@ -97,8 +104,13 @@ impl Solver {
             symbols_key: A::SYMBOLS_KEY,
             budget: A::BUDGET,
             numbers: A::NUMBERS,
+            mistakes: &[],
             read: read_problem::<A>,
         }
+    }
+
+    pub(super) const fn knowing(self, mistakes: &'static [Mistake]) -> Self {
+        Self { mistakes, ..self }
     }
 }
 
@@ -140,6 +152,10 @@ pub trait Solvable {
     fn run(&self) -> Box<dyn Run>;
     /// The answer in one sentence.
     fn verdict(&self) -> Message;
+    /// Is another value of a field of `output` as right as this one, though not the same?
+    fn admits(&self, field: &str, said: &Json) -> bool;
+    /// What is solved, as the algorithm reads it.
+    fn input(&self) -> &dyn Any;
 }
 
 pub(super) fn read_problem<A: Solve>(fields: &Fields<'_>) -> Result<Box<dyn Solvable>, Refusal> {
@@ -240,5 +256,13 @@ impl<A: Solve> Solvable for Solved<A> {
 
     fn verdict(&self) -> Message {
         A::VERDICT(&self.output)
+    }
+
+    fn admits(&self, field: &str, said: &Json) -> bool {
+        A::admits(&self.input, &self.output, field, said)
+    }
+
+    fn input(&self) -> &dyn Any {
+        &self.input
     }
 }

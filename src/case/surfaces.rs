@@ -5,8 +5,12 @@ use serde::Serialize;
 use crate::{
     algo::surface::{
         Bsp, BspChoice, BspEvent, BspInput, BspTooLarge, DepthBuffer, DepthBufferInput, Hierarchy,
-        Occlusion, OcclusionEvent, OcclusionInput, Painter, PainterAnswer, PainterEvent, Picture,
-        RayCasting, RayCastingInput, Surfaces, Tint, Viewport,
+        Occlusion, OcclusionEvent, OcclusionInput, Painter, PainterAnswer, PainterEvent,
+        PainterOutput, Picture, RayCasting, RayCastingInput, Surfaces, Tint, Viewport,
+        faulty::{
+            ClearsToNear, KeysOnly, NearestKeys, StraightDistance, TurnsComparison, WritesAlways,
+        },
+        is_order,
     },
     geom::ViewVolume,
     input::{At, CULL, FRUSTUM, SIZE},
@@ -15,19 +19,30 @@ use crate::{
 };
 
 use super::{
-    Fields, Meter, Numbers, OverBudget, Solve, Solver,
+    Fields, Meter, Mistake, Numbers, OverBudget, Solve, Solver,
     prelude::*,
     solver::{Reading, Verdict},
 };
 
 /// The lab's methods, those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 5] = [
-    Solver::of::<DepthBuffer>(),
+    Solver::of::<DepthBuffer>().knowing(&[
+        Mistake::of::<DepthBuffer, DepthBuffer<ClearsToNear>>(),
+        Mistake::of::<DepthBuffer, DepthBuffer<TurnsComparison>>(),
+        Mistake::of::<DepthBuffer, DepthBuffer<WritesAlways>>(),
+        Mistake::of::<DepthBuffer, DepthBuffer<StraightDistance>>(),
+    ]),
     Solver::of::<RayCasting>(),
-    Solver::of::<Painter>(),
+    Solver::of::<Painter>().knowing(&[
+        Mistake::of::<Painter, Painter<NearestKeys>>(),
+        Mistake::of::<Painter, Painter<KeysOnly>>(),
+    ]),
     Solver::of::<Bsp>(),
     Solver::of::<Occlusion>(),
 ];
+
+/// Of a longer order only the taught one is taken: each pair of it would be asked about.
+const MOST_ORDERED: usize = 2_000;
 
 type Triangle = [[f64; 3]; 3];
 
@@ -201,6 +216,23 @@ impl Solve for Painter {
             Message::new("case-painter-cycle").with("ids", listed(cycle))
         }
     };
+
+    /// Any order in which nothing is painted before what it hides.
+    fn admits(surfaces: &Surfaces, output: &PainterOutput, field: &str, said: &Json) -> bool {
+        let PainterAnswer::Order { order, .. } = &output.answer else {
+            return false;
+        };
+        let said = serde_json::from_value::<Vec<u32>>(said.clone());
+        let Some(said) = said.ok().filter(|_| field == "order") else {
+            return false;
+        };
+        let sorted = |ids: &[u32]| {
+            let mut ids = ids.to_vec();
+            ids.sort_unstable();
+            ids
+        };
+        said.len() <= MOST_ORDERED && sorted(&said) == sorted(order) && is_order(surfaces, &said)
+    }
 
     fn cost(surfaces: &Self::Input, _: &Self::Held, event: &Self::Event) -> u64 {
         match *event {

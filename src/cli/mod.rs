@@ -4,10 +4,12 @@
 //! refused (each refusal named), 2 wrong usage or nothing could be read.
 
 mod export;
+mod grade;
 mod lessons;
 mod list;
 mod progress;
 mod say;
+mod source;
 mod trace;
 mod usage;
 
@@ -67,6 +69,8 @@ enum Command {
     Export(export::Args),
     /// Run algorithms on cases, one JSON object a line, and print every step
     Trace(trace::Args),
+    /// Compare a program's answers with the true ones
+    Grade(grade::Args),
     /// Validate lesson files: every mistake with file, line and column
     Check(lessons::Args),
     /// List lessons with their steps and figures, and the algorithms that `trace` knows
@@ -88,6 +92,7 @@ pub fn run() -> ExitCode {
         Some(Command::Open { path }) => open_app(Some(path)),
         Some(Command::Export(args)) => export::export(&args).into(),
         Some(Command::Trace(args)) => trace::trace(&args).into(),
+        Some(Command::Grade(args)) => grade::grade(&args),
         Some(Command::Check(args)) => lessons::check(&args).into(),
         Some(Command::List(args)) => list::list(&args).into(),
         Some(Command::Progress(args)) => progress::progress(&args).into(),

@@ -2,6 +2,7 @@
 
 use std::{
     io::{self, Write},
+    path::Path,
     process::ExitCode,
     time::{Duration, Instant},
 };
@@ -45,6 +46,15 @@ pub(super) fn print(text: &str, lang: Lang) -> Outcome {
         Ok(()) => Outcome::Done,
         Err(error) => not_written(error, lang),
     }
+}
+
+/// A path that cannot be read, and why.
+pub(super) fn unreadable(path: &Path, error: io::Error, lang: Lang) -> Outcome {
+    let message = Message::new("cli-unreadable")
+        .with("path", path.display().to_string())
+        .with("reason", Diagnostic::from(error));
+    say(lang, &message);
+    Outcome::Unusable
 }
 
 /// Where standard output failed: quietly where its reader has gone.

@@ -1,21 +1,21 @@
 //! `clipscope trace`: answers to cases.
 
 use std::{
-    fs::File,
-    io::{self, IsTerminal, Read},
-    path::{Path, PathBuf},
+    io::{self, IsTerminal},
+    path::PathBuf,
 };
 
 use clap::{ArgAction, ValueEnum};
 
 use crate::{
     case::{self, Detail, Refusing, Solvers, Style, Tally, TraceError},
-    text::{Catalog, Diagnostic, Lang, Message},
+    text::{Catalog, Lang, Message},
 };
 
 use super::{
-    Outcome, Progress, lang_parser, say,
-    say::{not_written, print, say_text},
+    Outcome, lang_parser, say,
+    say::{not_written, print, say_text, unreadable},
+    source::Source,
 };
 
 const EXAMPLES: &str = r#"Examples:
@@ -74,13 +74,7 @@ pub(super) fn trace(args: &Args) -> Outcome {
         let schema = Solvers::standard().schema();
         return print(&format!("{schema:#}\n"), lang);
     }
-    let unreadable = |error: io::Error| {
-        let message = Message::new("cli-unreadable")
-            .with("path", args.file.display().to_string())
-            .with("reason", Diagnostic::from(error));
-        say(lang, &message);
-        Outcome::Unusable
-    };
+    let unreadable = |error: io::Error| unreadable(&args.file, error, lang);
     let source = match Source::open(&args.file, lang) {
         Ok(source) => source,
         Err(error) => return unreadable(error),
@@ -146,43 +140,5 @@ fn style(args: &Args) -> Style {
             Detail::Answers
         },
         lang: args.lang,
-    }
-}
-
-/// Where cases come from, with a progress bar where their size is known.
-struct Source {
-    reader: Box<dyn Read>,
-    progress: Option<Progress>,
-}
-
-impl Source {
-    fn open(path: &Path, lang: Lang) -> io::Result<Self> {
-        if path == Path::new("-") {
-            if io::stdin().is_terminal() {
-                say(lang, &Message::new("trace-from-terminal"));
-            }
-            return Ok(Self {
-                reader: Box::new(io::stdin()),
-                progress: None,
-            });
-        }
-        let file = File::open(path)?;
-        let metadata = file.metadata()?;
-        // Answers on the same terminal show by themselves how far the work has come.
-        let silent = metadata.is_file() && !io::stdout().is_terminal();
-        Ok(Self {
-            reader: Box::new(file),
-            progress: silent.then(|| Progress::new(metadata.len())),
-        })
-    }
-}
-
-impl Read for Source {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let n = self.reader.read(buffer)?;
-        if let Some(progress) = &mut self.progress {
-            progress.advance(n as u64);
-        }
-        Ok(n)
     }
 }

@@ -3,8 +3,10 @@
 
 mod figure;
 mod files;
+mod graded;
 mod jobs;
 
 pub use figure::{Options, Picture, Steps, Studio};
 pub use files::write_whole;
+pub use graded::{Drawn, draw_graded};
 pub use jobs::{Content, Failure, Job, Source, jobs, jobs_of, run};

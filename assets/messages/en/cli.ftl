@@ -152,6 +152,55 @@ list-algorithms = Algorithms that cases can name
 list-lessons = Lessons
 list-figure = figure { $name }
 cli-no-lesson = There is no lesson “{ $name }”: neither a path nor a lesson of the course. See clipscope list.
+grade-score = { $right } of { $cases } { $cases ->
+        [one] case is
+       *[other] cases are
+    } answered correctly.
+grade-case = case { $number }
+grade-case-named = case { $number } ({ $name })
+grade-no-case = no case
+grade-unlisted = { $count ->
+        [one] One more difference is counted, not listed.
+       *[other] { $count } more differences are counted, not listed.
+    }
+grade-output = { $place } is { $truth }; the program says { $said }.
+grade-output-missing = The answer lacks { $place }, which is { $truth }.
+grade-output-spare = The answer has { $place } = { $said }, and the true one has not.
+grade-field = { $place } is { $said }, and { $truth } is true.
+grade-field-missing = { $place } is missing, and { $truth } is true.
+grade-field-spare = { $place } is { $said }, and such an event has no { $place }.
+grade-step-differs = Step { $step }, “{ $said }”, is the first that differs: { $what }
+grade-step-other = Step { $step } is the first that differs: the program does “{ $said }”, and “{ $truth }” is true.
+grade-step-missing = The program stops after step { $step }: “{ $truth }” comes next.
+grade-step-extra = Step { $step }, “{ $said }”, is one too many: nothing is left to do.
+grade-steps-swapped = Steps { $step } and { $next } change places: “{ $truth }” comes before “{ $said }”.
+grade-step-unreadable = Step { $step } is no event: an object with the text “event” is expected.
+grade-missing = The program gives no answer to this case.
+grade-extra = Line { $line } of the answers belongs to no case: its id is unknown, or the case has an answer already.
+grade-bad-json = Line { $line } of the answers cannot be read. { $problem }
+grade-no-object = This is valid JSON, but not an object.
+grade-refuses = The program refuses this case, which has an answer.
+grade-refusable = The program answers this case, which is refused ({ $code }).
+grade-mistake = Exactly this comes out with a known mistake: “{ $mistake }”.
+mistake-slope-turned-over = the slope is turned over, Δx/Δy in place of Δy/Δx
+mistake-looks-once = the codes are looked at once, not again after each cut
+mistake-rejects-two-outside = two ends outside are rejected, though no border has both beyond it
+grade-both-stdin = Cases and answers cannot both come from standard input.
+grade-one-at-a-time = This report is about one submission, and the answers are of several: --report json or text has a report for each.
+grade-not-written = { $path } could not be written: { $reason }
+grade-no-report = { $path }, line { $line }: this is no report of “clipscope grade --report json”.
+usage-expected-tolerance = Expected: a number that is not negative, such as 1e-9.
+grade-mark-true = true: { $at }
+grade-mark-said = the program’s: { $at }
+grade-title-event = First wrong step: { $event }
+grade-title-output = The first answer that differs
+grade-title-none = The first case without a right answer
+grade-title-extra = An answer to no case
+grade-figure-said = The program said
+grade-figure-true = True is
+grade-figure-nothing = nothing
+grade-figure-cases = all cases in their order
+grade-figure-plain = This case is drawn in numbers only.
 
 table-file = file
 table-score = score

@@ -148,6 +148,55 @@ list-algorithms = Algoritmos que admiten los casos
 list-lessons = Lecciones
 list-figure = figura { $name }
 cli-no-lesson = No hay ninguna lección «{ $name }»: no es una ruta ni una lección del curso. Véase clipscope list.
+grade-score = { $right } de { $cases } { $cases ->
+        [one] caso está respondido
+       *[other] casos están respondidos
+    } correctamente.
+grade-case = caso { $number }
+grade-case-named = caso { $number } ({ $name })
+grade-no-case = ningún caso
+grade-unlisted = { $count ->
+        [one] Se cuenta una diferencia más, que no está en la lista.
+       *[other] Se cuentan { $count } diferencias más, que no están en la lista.
+    }
+grade-output = { $place } es { $truth }; el programa dice { $said }.
+grade-output-missing = A la respuesta le falta { $place }, que es { $truth }.
+grade-output-spare = La respuesta tiene { $place } = { $said }, y la verdadera no.
+grade-field = { $place } es { $said }, y lo verdadero es { $truth }.
+grade-field-missing = Falta { $place }, y lo verdadero es { $truth }.
+grade-field-spare = { $place } es { $said }, y un evento así no tiene { $place }.
+grade-step-differs = El paso { $step }, «{ $said }», es el primero que difiere: { $what }
+grade-step-other = El paso { $step } es el primero que difiere: el programa hace «{ $said }», y lo verdadero es «{ $truth }».
+grade-step-missing = El programa se detiene tras el paso { $step }: después viene «{ $truth }».
+grade-step-extra = El paso { $step }, «{ $said }», sobra: no queda nada por hacer.
+grade-steps-swapped = Los pasos { $step } y { $next } están intercambiados: «{ $truth }» va antes de «{ $said }».
+grade-step-unreadable = El paso { $step } no es un evento: se espera un objeto con el texto “event”.
+grade-missing = El programa no da respuesta a este caso.
+grade-extra = La línea { $line } de las respuestas no es de ningún caso: su id es desconocido, o el caso ya tiene una respuesta.
+grade-bad-json = No se puede leer la línea { $line } de las respuestas. { $problem }
+grade-no-object = Es JSON válido, pero no un objeto.
+grade-refuses = El programa rechaza este caso, que tiene una respuesta.
+grade-refusable = El programa responde a este caso, que se rechaza ({ $code }).
+grade-mistake = Exactamente esto sale con un error conocido: «{ $mistake }».
+mistake-slope-turned-over = la pendiente está al revés, Δx/Δy en lugar de Δy/Δx
+mistake-looks-once = los códigos se miran una vez, y no de nuevo tras cada corte
+mistake-rejects-two-outside = se rechazan dos extremos de fuera, aunque ningún borde tenga ambos más allá
+grade-both-stdin = Los casos y las respuestas no pueden venir ambos de la entrada estándar.
+grade-one-at-a-time = Este informe trata de una sola entrega, y las respuestas son de varias: --report json o text tiene un informe para cada una.
+grade-not-written = No se pudo escribir { $path }: { $reason }
+grade-no-report = { $path }, línea { $line }: esto no es un informe de «clipscope grade --report json».
+usage-expected-tolerance = Se espera un número que no sea negativo, como 1e-9.
+grade-mark-true = verdadero: { $at }
+grade-mark-said = el del programa: { $at }
+grade-title-event = El primer paso erróneo: { $event }
+grade-title-output = La primera respuesta que difiere
+grade-title-none = El primer caso sin una respuesta correcta
+grade-title-extra = Una respuesta a ningún caso
+grade-figure-said = El programa dijo
+grade-figure-true = Lo verdadero es
+grade-figure-nothing = nada
+grade-figure-cases = todos los casos en su orden
+grade-figure-plain = Este caso se muestra solo en números.
 
 table-file = archivo
 table-score = puntuación

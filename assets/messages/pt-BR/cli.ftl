@@ -148,6 +148,55 @@ list-algorithms = Algoritmos que os casos aceitam
 list-lessons = Lições
 list-figure = figura { $name }
 cli-no-lesson = Não há nenhuma lição “{ $name }”: não é um caminho nem uma lição do curso. Veja clipscope list.
+grade-score = { $right } de { $cases } { $cases ->
+        [one] caso está respondido
+       *[other] casos estão respondidos
+    } corretamente.
+grade-case = caso { $number }
+grade-case-named = caso { $number } ({ $name })
+grade-no-case = nenhum caso
+grade-unlisted = { $count ->
+        [one] Mais uma diferença é contada, e não está na lista.
+       *[other] Mais { $count } diferenças são contadas, e não estão na lista.
+    }
+grade-output = { $place } é { $truth }; o programa diz { $said }.
+grade-output-missing = Falta { $place } na resposta, que é { $truth }.
+grade-output-spare = A resposta tem { $place } = { $said }, e a verdadeira não tem.
+grade-field = { $place } é { $said }, e o verdadeiro é { $truth }.
+grade-field-missing = Falta { $place }, e o verdadeiro é { $truth }.
+grade-field-spare = { $place } é { $said }, e um evento assim não tem { $place }.
+grade-step-differs = O passo { $step }, “{ $said }”, é o primeiro que difere: { $what }
+grade-step-other = O passo { $step } é o primeiro que difere: o programa faz “{ $said }”, e o verdadeiro é “{ $truth }”.
+grade-step-missing = O programa para depois do passo { $step }: em seguida vem “{ $truth }”.
+grade-step-extra = O passo { $step }, “{ $said }”, sobra: não há mais nada a fazer.
+grade-steps-swapped = Os passos { $step } e { $next } estão trocados: “{ $truth }” vem antes de “{ $said }”.
+grade-step-unreadable = O passo { $step } não é um evento: espera-se um objeto com o texto “event”.
+grade-missing = O programa não dá resposta a este caso.
+grade-extra = A linha { $line } das respostas não é de nenhum caso: o id é desconhecido, ou o caso já tem uma resposta.
+grade-bad-json = Não é possível ler a linha { $line } das respostas. { $problem }
+grade-no-object = É JSON válido, mas não um objeto.
+grade-refuses = O programa recusa este caso, que tem uma resposta.
+grade-refusable = O programa responde a este caso, que é recusado ({ $code }).
+grade-mistake = É exatamente o que resulta de um erro conhecido: “{ $mistake }”.
+mistake-slope-turned-over = a inclinação está invertida, Δx/Δy em lugar de Δy/Δx
+mistake-looks-once = os códigos são vistos uma vez, e não de novo após cada corte
+mistake-rejects-two-outside = dois extremos de fora são rejeitados, embora nenhuma borda tenha ambos além dela
+grade-both-stdin = Os casos e as respostas não podem vir ambos da entrada padrão.
+grade-one-at-a-time = Este relatório trata de uma só entrega, e as respostas são de várias: --report json ou text tem um relatório para cada uma.
+grade-not-written = Não foi possível gravar { $path }: { $reason }
+grade-no-report = { $path }, linha { $line }: isto não é um relatório de “clipscope grade --report json”.
+usage-expected-tolerance = Espera-se um número que não seja negativo, como 1e-9.
+grade-mark-true = verdadeiro: { $at }
+grade-mark-said = o do programa: { $at }
+grade-title-event = O primeiro passo errado: { $event }
+grade-title-output = A primeira resposta que difere
+grade-title-none = O primeiro caso sem uma resposta correta
+grade-title-extra = Uma resposta a nenhum caso
+grade-figure-said = O programa disse
+grade-figure-true = O verdadeiro é
+grade-figure-nothing = nada
+grade-figure-cases = todos os casos na sua ordem
+grade-figure-plain = Este caso é mostrado apenas em números.
 
 table-file = arquivo
 table-score = pontuação

@@ -14,7 +14,10 @@ use std::{
 use serde::{Serialize, Serializer};
 
 use crate::{
-    algo::parameter::{End, Ratio},
+    algo::{
+        parameter::{End, Ratio},
+        ring::Right,
+    },
     trace::{Method, Real, Tell, Told},
 };
 
@@ -56,9 +59,25 @@ pub trait Coded<const N: usize>: Clone + Send + 'static {
     fn crossing<R: Real>(&self, side: Self::Side, left: &Ends<N>) -> ([f64; N], Ratio);
 }
 
-/// The algorithm on inputs of the kind `I`; see the module.
+/// What is easily got wrong. What is given here is right; [`crate::algo::line::faulty`] has the others.
+pub trait CodeRules<const N: usize, I: Coded<N>>: Copy + 'static {
+    /// Is what is left after the first cut taken for visible?
+    const CUTS_ONCE: bool = false;
+    /// Is nothing visible where both ends are outside?
+    const REJECTS_TWO_OUTSIDE: bool = false;
+
+    /// Where the segment crosses a side.
+    #[inline]
+    fn crossing<R: Real>(input: &I, side: I::Side, left: &Ends<N>) -> ([f64; N], Ratio) {
+        input.crossing::<R>(side, left)
+    }
+}
+
+impl<const N: usize, I: Coded<N>> CodeRules<N, I> for Right {}
+
+/// The algorithm on inputs of the kind `I`, by the rules of `L`; see the module.
 #[derive(Clone, Copy, Debug)]
-pub struct CodeClip<const N: usize, I>(PhantomData<I>);
+pub struct CodeClip<const N: usize, I, L = Right>(PhantomData<(I, L)>);
 
 /// What happens, in order; `C` are codes, `S` sides.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -153,7 +172,7 @@ pub struct CodeHeld<const N: usize> {
     pub visible: VisibleLine<N>,
 }
 
-impl<const N: usize, I: Coded<N>> Method for CodeClip<N, I> {
+impl<const N: usize, I: Coded<N>, L: CodeRules<N, I>> Method for CodeClip<N, I, L> {
     type Input = I;
     type Held = CodeHeld<N>;
     type Output = I::Output;
@@ -175,25 +194,28 @@ impl<const N: usize, I: Coded<N>> Method for CodeClip<N, I> {
     ) -> Told<T::Stop> {
         let mut codes = [I::Code::default(); 2];
         for end in End::BOTH {
-            codes[end.idx()] = code::<N, I, R, T>(end, input, held, tell)?;
+            codes[end.idx()] = code::<N, I, R, L, T>(end, input, held, tell)?;
         }
+        let none = I::Code::default();
+        let mut is_cut = false;
         loop {
             let or = codes[0] | codes[1];
             tell.tell(held, CodeEvent::Or { or })?;
-            let Some(side) = input.lowest(or) else {
+            let Some(side) = input.lowest(or).filter(|_| !(L::CUTS_ONCE && is_cut)) else {
                 let ends = held.ends;
                 held.visible = Some(ends);
                 return tell.tell(held, CodeEvent::Accept { ends });
             };
             let and = codes[0] & codes[1];
             tell.tell(held, CodeEvent::And { and })?;
-            if and != I::Code::default() {
+            let two_outside = L::REJECTS_TWO_OUTSIDE && codes.iter().all(|&code| code != none);
+            if and != none || two_outside {
                 return tell.tell(held, CodeEvent::Reject { and });
             }
             let is_first = input.has(codes[0], side);
             let end = if is_first { End::P1 } else { End::P2 };
             tell.tell(held, CodeEvent::Choose { end, side })?;
-            let (to, u) = input.crossing::<R>(side, &held.ends);
+            let (to, u) = L::crossing::<R>(input, side, &held.ends);
             let from = std::mem::replace(&mut held.ends[end.idx()], to);
             let cut = CodeEvent::Cut {
                 end,
@@ -203,7 +225,8 @@ impl<const N: usize, I: Coded<N>> Method for CodeClip<N, I> {
                 to,
             };
             tell.tell(held, cut)?;
-            codes[end.idx()] = code::<N, I, R, T>(end, input, held, tell)?;
+            codes[end.idx()] = code::<N, I, R, L, T>(end, input, held, tell)?;
+            is_cut = true;
         }
     }
 
@@ -219,7 +242,7 @@ impl<const N: usize, I: Coded<N>> Method for CodeClip<N, I> {
 }
 
 #[inline]
-fn code<const N: usize, I: Coded<N>, R: Real, T: Tell<CodeClip<N, I>>>(
+fn code<const N: usize, I: Coded<N>, R: Real, L: CodeRules<N, I>, T: Tell<CodeClip<N, I, L>>>(
     end: End,
     input: &I,
     held: &CodeHeld<N>,

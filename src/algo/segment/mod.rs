@@ -8,7 +8,7 @@ mod line_clip;
 mod line_event;
 
 pub use code::Code;
-pub use code_clip::{CodeClip, CodeEvent, Coded};
+pub use code_clip::{CodeClip, CodeEvent, CodeRules, Coded};
 pub(super) use fields::Fields;
 pub use line_clip::{Bounds, EventOf, Given, LineClip, LineInput, LineRules};
 pub use line_event::{Ends, LineAnswer, LineEvent, PlaneRow, RowNumbers, Spelling, VisibleLine};

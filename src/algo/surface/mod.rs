@@ -50,7 +50,7 @@ pub use occlusion::{
     QueryResult,
 };
 pub use painter::{Painter, PainterAnswer, PainterEvent, PainterHeld, PainterOutput, PairTally};
-pub use precedence::{Occupant, PairTest};
+pub use precedence::{Occupant, PairTest, is_order};
 pub use ray_casting::{
     RayCasting, RayCastingEvent, RayCastingHeld, RayCastingInput, RayCastingOutput,
 };

@@ -60,6 +60,23 @@ impl PairTest {
     ];
 }
 
+/// May these surfaces be painted in this order? Each pair is asked about.
+#[must_use]
+pub fn is_order(surfaces: &Surfaces, order: &[u32]) -> bool {
+    let occupant = |&id: &u32| {
+        let corners = surfaces.triangles().get(id as usize)?;
+        Some(Occupant::new::<f64>(surfaces, id, *corners))
+    };
+    let Some(all) = order.iter().map(occupant).collect::<Option<Vec<_>>>() else {
+        return false;
+    };
+    let may_go_first = |(i, one): (usize, &Occupant)| {
+        let mut later = all[i + 1..].iter();
+        later.all(|other| one.may_precede::<f64>(other, surfaces).0)
+    };
+    all.iter().enumerate().all(may_go_first)
+}
+
 /// A triangle as pairs are asked about.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Occupant {

@@ -13,10 +13,15 @@ use crate::{
             BresenhamInput, LineToPixels, LineToPixelsInput, PipelineSpace, ViewingPipeline,
             ViewingPipelineInput,
         },
+        ring::Right,
         volume::{
             ClipSpace, ClipVertex, CohenSutherland3d, HomogeneousLine, HomogeneousTriangle,
             IntersectionPolygon, LiangBarsky3d, LineInput, PlaneAtATime, PlaneLine, SpaceVertex,
             TrianglePlanes, VisibleLine,
+            faulty::{
+                AllSides, DividedLine, DividesFirst, DropsOnPlane, EdgeByEdge, KeepsPlaceInTexture,
+                MissesEdge,
+            },
         },
     },
     geom::{AlignedBox, Matrix, Plane},
@@ -26,7 +31,7 @@ use crate::{
 };
 
 use super::{
-    Code, Fields, Refusal, Solve, Solver,
+    Code, Fields, Mistake, Refusal, Solve, Solver,
     solver::{Reading, Verdict},
 };
 
@@ -34,6 +39,9 @@ use parts::{
     BOX, CLIP_SEGMENT, CLIP_TRIANGLE, EYE, FROM, MODEL, PLANES, POINT, SEGMENT, SOLID_BOX, SPHERE,
     TO, TRIANGLE, UV, VIEW_DIR,
 };
+
+/// With texture coordinates, where they are given.
+type Triangle<L = Right> = HomogeneousTriangle<Option<[f64; 2]>, L>;
 
 /// The lab's methods that have one case each; the funnel and those that are wrong on purpose left out.
 pub(super) static SOLVERS: [Solver; 13] = [
@@ -44,10 +52,18 @@ pub(super) static SOLVERS: [Solver; 13] = [
     Solver::of::<CohenSutherland3d>(),
     Solver::of::<LiangBarsky3d>(),
     Solver::of::<PlaneLine>(),
-    Solver::of::<HomogeneousLine>(),
-    Solver::of::<PlaneAtATime>(),
-    Solver::of::<IntersectionPolygon>(),
-    Solver::of::<HomogeneousTriangle<Option<[f64; 2]>>>(),
+    Solver::of::<HomogeneousLine>().knowing(&[Mistake::of::<HomogeneousLine, DividedLine>()]),
+    Solver::of::<PlaneAtATime>()
+        .knowing(&[Mistake::of::<PlaneAtATime, PlaneAtATime<MissesEdge>>()]),
+    Solver::of::<IntersectionPolygon>().knowing(&[
+        Mistake::of::<IntersectionPolygon, IntersectionPolygon<DropsOnPlane>>(),
+        Mistake::of::<IntersectionPolygon, IntersectionPolygon<KeepsPlaceInTexture>>(),
+        Mistake::of::<IntersectionPolygon, IntersectionPolygon<EdgeByEdge>>(),
+    ]),
+    Solver::of::<Triangle>().knowing(&[
+        Mistake::of::<Triangle, Triangle<AllSides>>(),
+        Mistake::of::<Triangle, Triangle<DividesFirst>>(),
+    ]),
     Solver::of::<ViewingPipeline>(),
     Solver::of::<LineToPixels>(),
 ];
@@ -261,7 +277,7 @@ impl Solve for IntersectionPolygon {
     const VERDICT: Verdict<Self> = |output| left(output.triangles.len());
 }
 
-impl Solve for HomogeneousTriangle<Option<[f64; 2]>> {
+impl Solve for Triangle {
     const FIELDS: &'static [Field] = &[CLIP_TRIANGLE.required(), UV.optional];
     const OUTPUT: &'static [Field] = &[
         Field::required("triangles", &Shape::List(CLIP_TRIANGLE.optional.shape)),

@@ -84,7 +84,7 @@ impl Report {
         Self {
             catalog,
             sheet,
-            name: case_name(number, &case.id, catalog),
+            name: case_name(number, &case.heading.id, catalog),
             algorithm: catalog.term(solver.card.name_key),
             source: solver.card.source,
             given: given.chain(symbols).collect(),
@@ -110,7 +110,7 @@ impl Refusing<'_> {
     /// Where it stands, which it is, and why it is refused, for people.
     #[must_use]
     pub fn sentence(&self, catalog: &Catalog) -> String {
-        let case = case_name(self.number, &self.refused.id, catalog);
+        let case = case_name(self.number, &self.refused.heading.id, catalog);
         let message = Message::new("trace-refused-at")
             .with("line", self.line)
             .with("case", case.to_lowercase())
