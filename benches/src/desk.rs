@@ -98,13 +98,15 @@ impl Desk {
         }
     }
 
-    /// Draws until a scene that takes long to record is on the stage.
-    pub fn recorded(&mut self) {
-        self.frame(Vec::new());
+    /// Draws until a scene that takes long to record is on the stage, and comes to rest there; what each frame took.
+    pub fn recorded(&mut self) -> Vec<Took> {
+        let mut took = vec![self.frame(Vec::new())];
         while self.app.is_recording() {
             std::thread::sleep(std::time::Duration::from_millis(1));
-            self.frame(Vec::new());
+            took.push(self.frame(Vec::new()));
         }
+        took.extend([(); 3].map(|()| self.frame(Vec::new())));
+        took
     }
 
     /// One frame with these events.

@@ -20,20 +20,7 @@ impl App {
         let Some(command) = self.practised(command) else {
             return;
         };
-        let transport = &mut self.playback.transport;
         match command {
-            Command::Step(by) => transport.step(by),
-            Command::Seek(step) => transport.seek(step),
-            Command::Phase(by) => {
-                let step = self.playback.phase(by);
-                self.playback.transport.seek(step);
-            }
-            Command::Play => transport.toggle(),
-            Command::Practise => self.practise(),
-            Command::Speed(speed) => {
-                transport.set_speed(speed);
-                self.settings.speed = speed;
-            }
             Command::Edit(edit, gesture) => self.edit(edit, gesture, now),
             Command::Add => self.edit(Edit::Add(self.stage.chosen()), None, now),
             Command::Remove => {
@@ -77,6 +64,26 @@ impl App {
             Command::Turn(id, eye) => self.stage.turn(id, eye),
             Command::FitView => self.fit(),
             Command::Zoom(factor) => self.stage.zoom(ctx, factor),
+            command => self.apply_to_run(ctx, command, now),
+        }
+    }
+
+    /// Where the run stands on the stage, and how fast it goes.
+    fn apply_to_run(&mut self, ctx: &Context, command: Command, now: f64) {
+        let transport = &mut self.playback.transport;
+        match command {
+            Command::Step(by) => transport.step(by),
+            Command::Seek(step) => transport.seek(step),
+            Command::Phase(by) => {
+                let step = self.playback.phase(by);
+                self.playback.transport.seek(step);
+            }
+            Command::Play => transport.toggle(),
+            Command::Practise => self.practise(),
+            Command::Speed(speed) => {
+                transport.set_speed(speed);
+                self.settings.speed = speed;
+            }
             command => self.apply_to_window(ctx, command, now),
         }
     }
@@ -84,8 +91,7 @@ impl App {
     /// What is about pages, files and the window, and not about the scene on stage.
     fn apply_to_window(&mut self, ctx: &Context, command: Command, now: f64) {
         self.shown.size = ctx.content_rect().size();
-        let (is_narrow, has_strip) = (self.is_narrow(), self.has_strip());
-        let (shown, settings) = (&mut self.shown, &mut self.settings);
+        let shown = &mut self.shown;
         match command {
             Command::Lesson { forward } => self.turn_page(forward),
             Command::Lab(lab) => self.open_lab(lab),
@@ -122,6 +128,20 @@ impl App {
             Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,
             Command::Projector => self.toggle_projector(),
             Command::Cancel => self.cancel(ctx),
+            Command::Code(code) => shown.code = code,
+            Command::Section(id) => self.open_section(id),
+            Command::Control(id) => self.lead_to(id, now),
+            Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
+            Command::Dismiss => self.notices.clear(),
+            command => self.apply_to_settings(command),
+        }
+    }
+
+    /// How the window looks from now on.
+    fn apply_to_settings(&mut self, command: Command) {
+        let (is_narrow, has_strip) = (self.is_narrow(), self.has_strip());
+        let (shown, settings) = (&mut self.shown, &mut self.settings);
+        match command {
             Command::Course if is_narrow => shown.room = shown.room.toggled(Room::Course),
             Command::Inspector if is_narrow => shown.room = shown.room.toggled(Room::Inspector),
             Command::Course if settings.course && has_strip => shown.unfolded ^= true,
@@ -132,9 +152,6 @@ impl App {
             Command::TextSize(text) => settings.text = text,
             Command::TextStep(0) => settings.text = 1.0,
             Command::TextStep(by) => settings.text = theme::text_size(settings.text, by),
-            Command::Code(code) => shown.code = code,
-            Command::Section(id) => self.open_section(id),
-            Command::Control(id) => self.lead_to(id, now),
             Command::Snap(snap) => settings.snap = snap,
             Command::AskInLessons(asks) => {
                 settings.asks = asks;
@@ -148,8 +165,6 @@ impl App {
                 *settings = std::mem::take(settings).in_range();
             }
             Command::Picture => settings.picture_beside ^= true,
-            Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
-            Command::Dismiss => self.notices.clear(),
             _ => {}
         }
     }

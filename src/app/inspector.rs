@@ -32,8 +32,8 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
 
 /// What the panel is about: the method that was clicked last, where two stand side by side.
 struct Inspected<'a> {
-    /// The column and its run.
-    of: (usize, &'a dyn Run),
+    /// Which of the runs.
+    column: usize,
     frame: &'a Frame,
     moment: usize,
 }
@@ -43,7 +43,7 @@ impl<'a> Inspected<'a> {
         let frames = &app.playback.frames;
         let column = clicked.min(frames.len().saturating_sub(1));
         Some(Self {
-            of: (column, app.playback.runs().nth(column)?),
+            column,
             frame: frames.get(column)?,
             moment: app.playback.steps().get(column)?[0],
         })
@@ -59,7 +59,7 @@ pub fn content(
     let Some(inspected) = Inspected::of(app, state.inspected) else {
         return;
     };
-    let (column, _) = inspected.of;
+    let column = inspected.column;
     let look = app.look();
     let top = ui.cursor().top();
     if app.playback.frames.len() > 1 {
@@ -67,7 +67,7 @@ pub fn content(
     }
     code_heading(app, ui);
     let scalars = unseen(&inspected.frame.watch);
-    let rows = state.watch.of(app.on_stage(), ui, inspected.of, &scalars);
+    let rows = state.watch.of(app.on_stage(), ui, column, &scalars);
     let table = rows.height;
     let lines = lines(app, column);
     let code = Pseudocode::new(ui, look, (&lines, app.shown.code), CODE_PART * room);
@@ -105,10 +105,10 @@ fn pseudocode(
     (code, most): (&Pseudocode<'_>, f32),
     inspected: &Inspected<'_>,
 ) -> Option<Link> {
-    let (of, frame, moment) = (inspected.of, inspected.frame, inspected.moment);
+    let (column, frame, moment) = (inspected.column, inspected.frame, inspected.moment);
     let is_now = |link| frame.focus().any(|about| about == link);
     let mut lit = match state.lit {
-        Some(link) => code_links(app, ui, state, of).lines(link),
+        Some(link) => code_links(app, ui, state, column).lines(link),
         None => Vec::new(),
     };
     lit.extend(frame.code_line.filter(|_| state.lit.is_some_and(is_now)));
@@ -126,7 +126,7 @@ fn pseudocode(
     if let Some(link) = now.filter(|_| frame.code_line == Some(line)) {
         return Some(link);
     }
-    let links = code_links(app, ui, state, of);
+    let links = code_links(app, ui, state, column);
     links.of_line(line, moment)
 }
 
@@ -137,9 +137,9 @@ fn watched(
     (scalars, most): (&Watch, f32),
     inspected: &Inspected<'_>,
 ) -> Option<Link> {
-    let (of, frame, moment) = (inspected.of, inspected.frame, inspected.moment);
+    let (column, frame, moment) = (inspected.column, inspected.frame, inspected.moment);
     let (look, lit) = (app.look_at_step(), state.lit);
-    let room = state.watch.of(app.on_stage(), ui, of, scalars);
+    let room = state.watch.of(app.on_stage(), ui, column, scalars);
     if room.height <= 0.0 {
         return None;
     }
@@ -301,11 +301,7 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
     ui.scope(|ui| cost(ui, look, &shown));
 }
 
-fn code_links<'a>(
-    app: &App,
-    ui: &Ui,
-    state: &'a mut StageState,
-    (column, run): (usize, &dyn Run),
-) -> &'a CodeLinks {
-    state.code_links[column].get(app.on_stage(), ui, 0.0, || CodeLinks::of(run))
+fn code_links<'a>(app: &App, ui: &Ui, state: &'a mut StageState, column: usize) -> &'a CodeLinks {
+    let found = || app.playback.code_links(column);
+    state.code_links[column].get(app.on_stage(), ui, 0.0, found)
 }

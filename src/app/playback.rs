@@ -1,14 +1,17 @@
 //! The recorded runs on stage, and the cursor that walks them together.
 
 use crate::{
-    figure::{Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, notation},
+    figure::{
+        Caption, CodeLinks, Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, Watch,
+        notation, sentences, watches,
+    },
     labs::{Difference, MethodCard, Scene, comparison},
     text::{Notation, Value},
     trace::{Counts, Transport},
     widgets::{Album, wanted},
 };
 
-use super::found::{Found, Wanted};
+use super::found::{Found, Told, Wanted};
 
 /// One run, or several side by side; with the frames of the present step.
 pub struct Playback {
@@ -34,6 +37,7 @@ pub struct Playback {
     pub needs: Vec<Vec<Need>>,
     /// The same, where it has been found with the runs.
     wanted: Option<Wanted>,
+    told: Vec<Told>,
     /// How they stand beside each other, from when these methods were opened: dragging does not change it. Others, which are
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
@@ -85,6 +89,7 @@ impl Playback {
             reached: 0,
             needs: Vec::new(),
             wanted: found.wanted,
+            told: found.told,
             comparison,
             hides_mistakes: false,
             together: None,
@@ -123,7 +128,7 @@ impl Playback {
         self.recording += 1;
         self.framed_at = None;
         self.needs.clear();
-        self.wanted = found.wanted;
+        (self.wanted, self.told) = (found.wanted, found.told);
     }
 
     /// The scene is the recorded one again.
@@ -156,6 +161,26 @@ impl Playback {
 
     pub fn runs(&self) -> impl Iterator<Item = &dyn Run> {
         self.runs.iter().map(|run| &**run)
+    }
+
+    /// What the runs say at their steps.
+    pub fn sentences(&self) -> Vec<Caption> {
+        if self.told.is_empty() {
+            return self.runs().flat_map(sentences).collect();
+        }
+        let told = self.told.iter().flat_map(|told| &told.sentences);
+        told.cloned().collect()
+    }
+
+    /// The tables of a run at its steps.
+    pub fn watches(&self, run: usize) -> Vec<Watch> {
+        let told = self.told.get(run).map(|told| told.watches.clone());
+        told.unwrap_or_else(|| watches(&*self.runs[run]))
+    }
+
+    pub fn code_links(&self, run: usize) -> CodeLinks {
+        let told = self.told.get(run).map(|told| told.code_links.clone());
+        told.unwrap_or_else(|| CodeLinks::of(&*self.runs[run]))
     }
 
     /// The next step, in this direction, at which a phase begins; the end where there is none.

@@ -6,7 +6,7 @@ pub(super) use egui::{
 };
 
 pub(super) use crate::{
-    figure::{Lens, Link, Moment, Run, ViewId, Watch},
+    figure::{Lens, Link, Moment, ViewId, Watch},
     geom::Orbit,
     labs::{Click, Edit, Handle, Lab, Lock, MethodCard, Motion, Scene, Sketch},
     lesson::{CodeView, Course, Lesson, LessonStep, Problem, SceneFile, Told},

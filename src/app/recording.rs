@@ -14,6 +14,7 @@ use super::{
     prelude::*,
     stage_state::StageState,
 };
+use crate::widgets::keep_ahead;
 
 /// A scene of at most this size is recorded within a frame.
 const LONG: usize = 10_000;
@@ -164,7 +165,14 @@ impl App {
                 return;
             }
             let (scene, bounds) = (self.history.now().clone(), self.bounds_when(pending.seen));
-            let record = move || Found::of(&scene).with_wanted(bounds);
+            let (known, [step, of]) = (pending.position, self.playback.steps()[0]);
+            let first = move |n_steps| known.unwrap_or(step * n_steps / of.max(1));
+            let is_kept = !matches!(pending.seen, Seen::Fitted | Seen::Anew);
+            let eyes = self.playback.eyes.clone().filter(|_| is_kept);
+            let record = move || {
+                let found = Found::of(&scene).with_wanted(bounds);
+                found.with_pictures(first, eyes)
+            };
             let errand = Some(Errand::start(ctx, record));
             if let Some(pending) = &mut self.pending {
                 pending.errand = errand;
@@ -173,7 +181,10 @@ impl App {
         }
         let errand = self.pending.as_mut().and_then(|it| it.errand.as_mut());
         match errand.map(|errand| errand.answer(within)) {
-            Some(Ok(Some(found))) => self.show_recorded(found, within == AT_ONCE),
+            Some(Ok(Some(mut found))) => {
+                keep_ahead(ctx, std::mem::take(&mut found.ahead));
+                self.show_recorded(found, within == AT_ONCE);
+            }
             Some(Err(Lost)) => self.stop_recording(),
             Some(Ok(None)) | None => {}
         }

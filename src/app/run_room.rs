@@ -1,7 +1,7 @@
 //! What is found once for a run and kept until another run asks for more, such as the room of its captions and of its watch
 //! tables, and why what was clicked was kept or dropped.
 
-use crate::{figure::watches, labs::Verdict, widgets::WatchRoom};
+use crate::{labs::Verdict, widgets::WatchRoom};
 
 use super::{playback::Playback, prelude::*};
 
@@ -60,17 +60,11 @@ pub struct WatchRooms([RunRoom<WatchRoom>; 2]);
 impl WatchRooms {
     /// The room for the table of the method in this column at all steps, `now` among them: while a handle is dragged it
     /// grows.
-    pub fn of(
-        &mut self,
-        on_stage: OnStage<'_>,
-        ui: &Ui,
-        (column, run): (usize, &dyn Run),
-        now: &Watch,
-    ) -> &WatchRoom {
+    pub fn of(&mut self, on_stage: OnStage<'_>, ui: &Ui, column: usize, now: &Watch) -> &WatchRoom {
         // What a table wants does not depend on the width that it has.
         let room = self.0[column].get(on_stage, ui, 0.0, || {
             let mut room = WatchRoom::default();
-            for watch in watches(run) {
+            for watch in on_stage.0.watches(column) {
                 room.widen(ui, on_stage.1, &watch);
             }
             room

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::InputState;
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Raster, Seer, Spacing, sentences},
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Raster, Seer, Spacing},
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
@@ -101,18 +101,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
                 None => clicks::ask(app, ui, &shown, column.drawing, (&handles, locks), state),
             }
         });
-        if let Some(between) = places.boundary() {
-            let id = Id::unique(("boundary", i));
-            let moved = boundary(ui, app.look(), id, &between).map(|moved| match moved {
-                BoundaryMoved::Times(by) => layout.board * by,
-                BoundaryMoved::Home => 1.0,
-            });
-            app.push_all(moved.map(Command::Board));
-        }
-        if i > 0 {
-            let line = Stroke::new(1.0, app.look().theme.hairline);
-            ui.painter().vline(whole.left(), whole.y_range(), line);
-        }
+        column.show_ends(ui, whole, layout.board);
     }
 }
 
@@ -125,8 +114,7 @@ fn lay_out(
     let width = composition.column_width(rect);
     let look = composition.look;
     let own = *state.captions.get(app.on_stage(), ui, width, || {
-        let said = app.playback.runs().flat_map(sentences);
-        height_for_all(ui.painter(), look, said, width)
+        height_for_all(ui.painter(), look, app.playback.sentences(), width)
     });
     // Two methods leave no room for sentences that are not shown.
     let album = app
@@ -254,7 +242,29 @@ impl Column<'_> {
         })
     }
 
+    /// What divides it from its own board, and from the column before it.
+    fn show_ends(&self, ui: &mut Ui, whole: Rect, board: f32) {
+        let (app, look) = (self.app, self.app.look());
+        if let Some(between) = self.places.boundary() {
+            let id = Id::unique(("boundary", self.index));
+            let moved = boundary(ui, look, id, &between).map(|moved| match moved {
+                BoundaryMoved::Times(by) => board * by,
+                BoundaryMoved::Home => 1.0,
+            });
+            app.push_all(moved.map(Command::Board));
+        }
+        if self.index > 0 {
+            let line = Stroke::new(1.0, look.theme.hairline);
+            ui.painter().vline(whole.left(), whole.y_range(), line);
+        }
+    }
+
+    /// A space of each object's own has no handles.
     fn spots(&self, ui: &Ui, state: &StageState, id: Id, viewport: &Viewport) -> Vec<Spot> {
+        let space = self.frame.space();
+        if space.is_some_and(|space| matches!(space.seer, Seer::Apart(_))) {
+            return Vec::new();
+        }
         let reach = Reach {
             viewport,
             lens: self.drawing.1,
@@ -283,14 +293,8 @@ impl Column<'_> {
         let viewport = state.viewport(drawing, seen_in);
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
-        let is_flat = drawing.1 == Lens::Plane;
         let is_drawing = state.sketch.is_some();
-        let is_world = !space.is_some_and(|space| matches!(space.seer, Seer::Apart(_)));
-        let spots = if is_world {
-            self.spots(ui, state, id, &viewport)
-        } else {
-            Vec::new()
-        };
+        let spots = self.spots(ui, state, id, &viewport);
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),
@@ -315,7 +319,7 @@ impl Column<'_> {
             spots: &spots,
             seized: &|link| clicks::seized(app, (self.handles, self.locks), link),
             snap: app.settings.snap,
-            has_grid: is_flat,
+            has_grid: drawing.1 == Lens::Plane,
             reads_pointer: !app.has_hidden_pointer(ui.ctx()),
             pointed: pointed.flatten(),
             marks: &marks,

@@ -12,7 +12,7 @@ use crate::{
         },
         is_order,
     },
-    geom::ViewVolume,
+    geom::{ViewVolume, is_part},
     input::{At, CULL, FRUSTUM, SIZE},
     labs::{surfaces::with_occluders, telling::Each},
     trace::{Real, Told},
@@ -76,9 +76,7 @@ fn triangles_told(name_key: &'static str, triangles: &[Triangle]) -> Given {
 /// How each triangle looks, its opacity and its brightness: then the picture is also told in brightness.
 const TINTS: Part<Vec<Tint>> = Part::new("tints", &Shape::POINTS, |got| {
     let tint = |(i, &[opacity, brightness]): (usize, &[f64; 2])| {
-        let value = [opacity, brightness]
-            .into_iter()
-            .find(|x| !(0.0..=1.0).contains(x));
+        let value = [opacity, brightness].into_iter().find(|&x| !is_part(x));
         let problem = Message::new("problem-out-of-range");
         let problem = problem.with("value", Formula::decimals().num(value.unwrap_or_default()));
         let fault = Fault::new("degenerate", problem).at(At::Entry(i));

@@ -80,8 +80,26 @@ impl Comparison {
         }
     }
 
-    /// What is drawn live, from what each of these runs wants.
+    /// What is drawn live, from what each of these runs wants: of runs that stand apart a small picture is large where nothing
+    /// but it differs in the end.
     pub fn needs(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
+        let mut needs = self.joined_needs(needs, runs);
+        if needs.len() < 2 {
+            return needs;
+        }
+        let ends = ends(runs);
+        for needs in &mut needs {
+            let mut drawings = needs.iter().filter(|need| need.stand == Stand::Drawing);
+            if !drawings.any(|need| differs(&ends, need)) {
+                let insets = needs.iter_mut().filter(|need| differs(&ends, need));
+                insets.for_each(|need| *need = need.enlarged());
+            }
+        }
+        needs
+    }
+
+    /// Of methods that are one drawing, what that wants.
+    fn joined_needs(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
         match (self, needs) {
             (Self::Same, [first, others @ ..]) => {
                 let drawings = first.iter().filter(|need| need.is_drawing());
@@ -126,16 +144,12 @@ impl Comparison {
     /// What is drawn on a page, whose drawings nobody turns: of runs that stand apart what differs in the end, and of
     /// several such drawings the last one, which is what the methods make.
     pub fn needs_of_page(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
-        let needs = self.needs(needs, runs);
+        let needs = self.joined_needs(needs, runs);
         if needs.len() < 2 {
             return needs;
         }
         let ends = ends(runs);
-        let differs = |need: &Need| {
-            let mut bodies = ends.iter().map(|end| end.body(need.id));
-            let first = bodies.next().flatten();
-            bodies.any(|body| body != first)
-        };
+        let differs = |need: &Need| differs(&ends, need);
         let different = |needs: &Vec<Need>| {
             let drawings = || needs.iter().filter(|need| need.is_drawing());
             let drawn = drawings().rfind(|need| need.stand == Stand::Drawing && differs(need));
@@ -199,6 +213,12 @@ impl Comparison {
         }
         Some(frame)
     }
+}
+
+fn differs(ends: &[Frame], need: &Need) -> bool {
+    let mut bodies = ends.iter().map(|end| end.body(need.id));
+    let first = bodies.next().flatten();
+    bodies.any(|body| body != first)
 }
 
 fn ends(runs: &[&dyn Run]) -> Vec<Frame> {

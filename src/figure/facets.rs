@@ -1,67 +1,51 @@
 //! The facets of all solids, and how they look now: of very many a step changes the looks alone.
 
-use std::{ops::Deref, sync::Arc};
+use std::{
+    ops::Deref,
+    sync::{Arc, OnceLock},
+};
 
-use glam::DVec3;
-
-use crate::geom::Texture;
-
-use super::role::{Link, Role};
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct Facet {
-    /// Three or more, counter-clockwise as seen from outside.
-    pub corners: Vec<[f64; 3]>,
-    pub role: Role,
-    pub link: Option<Link>,
-    pub skin: Option<Skin>,
-    pub edging: Edging,
-    /// How much of what is behind it hides, from 0 to 1.
-    pub opacity: f32,
-}
-
-/// How the edges of a facet's solid are drawn.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Edging {
-    /// One by one: they are the space's.
-    #[default]
-    Lines,
-    /// They are too many: outlines are found between the samples of the picture. Has the solid an edge that bounds only one facet?
-    Samples { is_open: bool },
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub struct Skin {
-    pub texture: Texture,
-    pub uvs: [[f32; 2]; 3],
-}
+use super::{facet::Facet, role::Role, solid_mesh::SolidMesh};
 
 /// Shared, so that a step that changes none copies none.
 #[derive(Clone, Default, Debug)]
 pub struct Facets {
-    all: Arc<[Facet]>,
+    all: Arc<All>,
     /// In place of their own roles; none of a facet that is not there.
     looks: Option<Arc<[Option<Role>]>>,
 }
 
+#[derive(Default, Debug)]
+struct All {
+    facets: Box<[Facet]>,
+    mesh: OnceLock<SolidMesh>,
+}
+
 impl Facets {
     /// The same facets with other roles; those without one are not there.
-    pub fn looking(all: Arc<[Facet]>, looks: Vec<Option<Role>>) -> Self {
-        let looks = Some(looks.into());
-        Self { all, looks }
+    pub fn looking(&self, looks: Vec<Option<Role>>) -> Self {
+        Self {
+            all: self.all.clone(),
+            looks: Some(looks.into()),
+        }
+    }
+
+    /// What is drawn of them wherever they are seen from: found once.
+    pub fn mesh(&self) -> &SolidMesh {
+        self.all.mesh.get_or_init(|| SolidMesh::of(self))
     }
 
     /// What a facet looks like; none where it is not there.
     pub fn role(&self, idx: usize) -> Option<Role> {
         match &self.looks {
             Some(looks) => *looks.get(idx)?,
-            None => Some(self.all.get(idx)?.role),
+            None => Some(self.get(idx)?.role),
         }
     }
 
     /// Those that are there, with their roles.
     pub fn shown(&self) -> impl Iterator<Item = (&Facet, Role)> {
-        let all = self.all.iter().enumerate();
+        let all = self.iter().enumerate();
         all.filter_map(|(idx, facet)| Some((facet, self.role(idx)?)))
     }
 
@@ -80,74 +64,25 @@ impl Deref for Facets {
     type Target = [Facet];
 
     fn deref(&self) -> &[Facet] {
-        &self.all
+        &self.all.facets
     }
 }
 
 impl From<Vec<Facet>> for Facets {
-    fn from(all: Vec<Facet>) -> Self {
-        Arc::<[Facet]>::from(all).into()
-    }
-}
-
-impl From<Arc<[Facet]>> for Facets {
-    fn from(all: Arc<[Facet]>) -> Self {
-        Self { all, looks: None }
+    fn from(facets: Vec<Facet>) -> Self {
+        let all = All {
+            facets: facets.into(),
+            mesh: OnceLock::new(),
+        };
+        Self {
+            all: Arc::new(all),
+            looks: None,
+        }
     }
 }
 
 impl PartialEq for Facets {
     fn eq(&self, other: &Self) -> bool {
-        self.looks == other.looks && (self.are_shared_with(other) || self.all == other.all)
+        self.looks == other.looks && (self.are_shared_with(other) || **self == **other)
     }
-}
-
-impl Facet {
-    pub fn uv_at(&self, at: [f64; 3]) -> [f32; 2] {
-        let (Some(skin), [a, b, c, ..]) = (&self.skin, &self.corners[..]) else {
-            return [0.0; 2];
-        };
-        let [a, b, c, at] = [*a, *b, *c, at].map(DVec3::from);
-        let (along, aside) = (b - a, c - a);
-        let normal = along.cross(aside);
-        let area = normal.length_squared();
-        if area == 0.0 {
-            return skin.uvs[0];
-        }
-        let share = |of: DVec3| (of.dot(normal) / area) as f32;
-        let (second, third) = (share((at - a).cross(aside)), share(along.cross(at - a)));
-        let [first, uv_b, uv_c] = skin.uvs;
-        std::array::from_fn(|i| {
-            first[i] + second * (uv_b[i] - first[i]) + third * (uv_c[i] - first[i])
-        })
-    }
-
-    pub fn part(&self, corners: Vec<[f64; 3]>) -> Self {
-        let skin = self.skin.as_ref().filter(|_| corners.len() >= 3);
-        let skin = skin.map(|skin| Skin {
-            texture: skin.texture.clone(),
-            uvs: [0, 1, 2].map(|i| self.uv_at(corners[i])),
-        });
-        Self {
-            corners,
-            skin,
-            role: self.role,
-            link: self.link,
-            edging: self.edging,
-            opacity: self.opacity,
-        }
-    }
-
-    /// Away from the solid, of length 1; zero of a facet without an area.
-    pub fn normal(&self) -> DVec3 {
-        let corners = self.corners.iter().copied().map(DVec3::from);
-        normal(&corners.collect::<Vec<_>>()).normalize_or_zero()
-    }
-}
-
-/// Of a flat polygon, away from the side on which its corners go clockwise; as long as twice its area.
-pub fn normal(corners: &[DVec3]) -> DVec3 {
-    let from_first = |i: usize| corners[i] - corners[0];
-    let fan = 2..corners.len();
-    fan.map(|i| from_first(i - 1).cross(from_first(i))).sum()
 }

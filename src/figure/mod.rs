@@ -4,6 +4,7 @@ mod code_links;
 mod comparison;
 mod extent;
 mod eye;
+mod facet;
 mod facets;
 mod frame;
 mod graph;
@@ -17,6 +18,7 @@ mod role;
 mod run;
 mod said;
 mod small_pictures;
+mod solid_mesh;
 mod solids;
 mod space;
 mod values;
@@ -30,7 +32,8 @@ pub use extent::{Need, Stand, needs, sentences, watches};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use eye::judged;
 pub use eye::{Eyes, Prospect};
-pub use facets::{Edging, Facet, Facets, Skin};
+pub use facet::{Edging, Facet, Skin};
+pub use facets::Facets;
 pub use frame::{Caption, Choice, Decides, Frame, Shown};
 pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
@@ -49,7 +52,8 @@ pub use small_pictures::{
     CellStage, Multiples, Pixel, Raster, RasterMark, RasterShape, Ribbon, RibbonStage,
     SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate, Tiles,
 };
-pub use solids::{SolidMesh, SolidPicture, Solids};
+pub use solid_mesh::SolidMesh;
+pub use solids::{SolidPicture, Solids};
 pub use space::{Edge3, Mark3, Seer, Shape3, Space};
 pub use values::{
     BitRow, Bits, Cell, Costs, Gauge, Gauges, ItemMarker, ListColumn, ListLink, ListRow, Lists,

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use super::{
     extent::Stand,
-    facets::Facet,
+    facet::Facet,
     frame::{Caption, Frame},
     mark::{Mark, Shape},
     role::{Label, Role},

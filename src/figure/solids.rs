@@ -3,17 +3,18 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use rustc_hash::FxHashMap;
 
 use crate::{
-    algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble, draw_rows},
-    geom::{Matrix, Texture},
+    algo::surface::{ScreenTriangle, Viewport, draw_rows},
+    geom::Texture,
 };
 
 use super::{
-    facets::{Edging, Facet, Facets, normal},
+    facet::{Facet, normal},
+    facets::Facets,
     lens::{Lens, Optics},
     role::{Link, Role},
+    solid_mesh::SolidMesh,
 };
 
 #[derive(Clone, PartialEq, Debug)]
@@ -65,82 +66,8 @@ fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
     is_met.then_some(depth)
 }
 
-#[derive(Clone, PartialEq, Debug)]
-pub struct SolidMesh {
-    positions: Vec<[f32; 3]>,
-    /// Of each vertex, where any facet has a texture.
-    uvs: Vec<[f32; 2]>,
-    triangles: Vec<[u32; 3]>,
-    facets: Vec<u32>,
-    textures: Vec<Option<Texture>>,
-    /// Of each facet; empty where all hide what is behind them.
-    opacities: Vec<f32>,
-}
-
 /// In which order the samples of two rows and two columns are taken by what can be seen through: as many as it hides.
 const RANKS: [[u8; 2]; 2] = [[0, 2], [3, 1]];
-
-impl SolidMesh {
-    pub fn of(facets: &[Facet]) -> Self {
-        let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
-        let mut mesh = Self {
-            positions: Vec::new(),
-            uvs: Vec::new(),
-            textures: Vec::new(),
-            opacities: opacities(facets),
-            triangles: Vec::with_capacity(n_corners),
-            facets: Vec::with_capacity(n_corners),
-        };
-        let mut vertices: FxHashMap<[u32; 5], u32> = FxHashMap::default();
-        vertices.reserve(facets.len());
-        let has_skin = facets.iter().any(|facet| facet.skin.is_some());
-        if has_skin {
-            let texture = |facet: &Facet| Some(facet.skin.as_ref()?.texture.clone());
-            mesh.textures = facets.iter().map(texture).collect();
-        }
-        let mut corners = Vec::new();
-        for (idx, facet) in (0..).zip(facets) {
-            corners.clear();
-            for &at in &facet.corners {
-                let uv = facet.uv_at(at);
-                let [x, y, z] = at.map(|x| x as f32 + 0.0);
-                let key = [x, y, z, uv[0], uv[1]].map(f32::to_bits);
-                let next = mesh.positions.len() as u32;
-                let vertex = *vertices.entry(key).or_insert(next);
-                if vertex == next {
-                    mesh.positions.push([x, y, z]);
-                    if has_skin {
-                        mesh.uvs.push(uv);
-                    }
-                }
-                corners.push(vertex);
-            }
-            for pair in corners.windows(2).skip(1) {
-                mesh.triangles.push([corners[0], pair[0], pair[1]]);
-                mesh.facets.push(idx);
-            }
-        }
-        mesh
-    }
-
-    /// What is cut open shows its inner side.
-    fn on_screen<const N: usize>(
-        &self,
-        attributes: &[[f32; N]],
-        clip_from_world: &Matrix,
-        viewport: &Viewport,
-    ) -> Vec<ScreenTriangle<N>> {
-        let mesh = MeshRef {
-            positions: &self.positions,
-            attributes,
-            faces: &self.triangles,
-            first_id: 0,
-        };
-        let mut seen = Vec::with_capacity(self.triangles.len());
-        assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
-        seen
-    }
-}
 
 pub struct SolidPicture<'a> {
     mesh: &'a SolidMesh,
@@ -338,18 +265,6 @@ impl Drawable {
 
 fn around(all: Range<u32>, rows: Range<u32>) -> Range<u32> {
     all.start.min(rows.start)..all.end.max(rows.end)
-}
-
-/// Where outlines are found between the samples, nothing can be seen through: they would be found within a face.
-fn opacities(facets: &[Facet]) -> Vec<f32> {
-    let opacity = |facet: &Facet| match facet.edging {
-        Edging::Lines => facet.opacity,
-        Edging::Samples { .. } => 1.0,
-    };
-    if facets.iter().all(|facet| opacity(facet) == 1.0) {
-        return Vec::new();
-    }
-    facets.iter().map(opacity).collect()
 }
 
 /// A little less than the distance of the nearest corner, and more than that of the farthest, as far as they are seen.

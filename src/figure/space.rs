@@ -8,7 +8,8 @@ use crate::{
 };
 
 use super::{
-    facets::{Facet, Facets},
+    facet::Facet,
+    facets::Facets,
     role::{Label, Link, Role, told},
 };
 

@@ -56,6 +56,12 @@ pub use view_volume::{Sight, ViewVolume, planes_from_matrix};
 pub use wide::Wide;
 pub use window::{Edge, Window};
 
+/// From 0 to 1: a part of a whole, such as an opacity.
+#[must_use]
+pub fn is_part(x: f64) -> bool {
+    (0.0..=1.0).contains(&x)
+}
+
 /// Knuth's generator: the same numbers in every run of a test.
 #[cfg(test)]
 pub(crate) fn random_bits(mut state: u64) -> impl FnMut() -> u64 {

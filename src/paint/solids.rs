@@ -9,7 +9,7 @@ use egui::{
 use glam::DVec3;
 use rustc_hash::FxHashSet;
 
-use crate::figure::{Edging, Facet, Link, Role, SolidMesh, SolidPicture, Solids};
+use crate::figure::{Edging, Facet, Link, Role, SolidPicture, Solids};
 
 use super::{
     Theme, ThemeKind, Viewport,
@@ -47,7 +47,6 @@ struct Drawn {
 /// What does not depend on where solids are seen from.
 #[derive(Clone)]
 struct Surface {
-    mesh: Arc<SolidMesh>,
     normals: Arc<[[f32; 3]]>,
     /// Of which facets lines are found between the samples, if of any.
     outlined: Option<Arc<[bool]>>,
@@ -175,7 +174,7 @@ impl Asked {
         let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
         let samples = size.map(|side| side * fine);
         let (lens, part) = (&self.solids.lens, self.place.part);
-        if let Some(picture) = SolidPicture::new(&surface.mesh, lens, part, samples) {
+        if let Some(picture) = SolidPicture::new(self.solids.facets.mesh(), lens, part, samples) {
             let picture = picture.looking(&self.solids.facets);
             let ink = Theme::of(self.theme).ink;
             let lined = |are_found| Lined {
@@ -245,7 +244,6 @@ impl Surface {
         let outlined: Arc<[bool]> = outlined.collect();
         let links = facets.iter().filter_map(|facet| facet.link);
         Self {
-            mesh: Arc::new(SolidMesh::of(facets)),
             outlined: outlined.contains(&true).then_some(outlined),
             links: Arc::new(links.collect()),
             tones: asked.tones(&normals),

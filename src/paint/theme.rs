@@ -202,6 +202,14 @@ impl Theme {
         self.text_scale > 1.0
     }
 
+    /// No text is set smaller, in points: it could not be read from the last row.
+    pub const fn least_text(&self) -> f32 {
+        match self.kind {
+            ThemeKind::Light | ThemeKind::Dark => 0.0,
+            ThemeKind::Projector => 12.0,
+        }
+    }
+
     /// A line of a figure, `width` px wide before the theme's factor.
     pub fn stroke(&self, width: f32, color: Color32) -> Stroke {
         Stroke::new(width * self.stroke_scale, color)

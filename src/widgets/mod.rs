@@ -44,7 +44,7 @@ pub use selecting::select;
 pub use timeline::Timeline;
 pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
 pub use views::{
-    covered, picture_viewport, place_inset, projected, space, title_ground, title_of_space,
-    under_title, view,
+    covered, keep_ahead, picture_viewport, place_inset, projected, space, title_ground,
+    title_of_space, under_title, view,
 };
 pub use watch::{WatchRoom, WatchShown, WatchTable, watch};

@@ -225,7 +225,7 @@ result-wrong = × Wrong result: { $n }
 again = { $what } again
 is-missing = { $what } missing
 refused = refused
-run-later = The scene is too large to be run while you drag: its run is recorded when you let go.
+run-later = The scene is too large for the method to run while you drag. It runs when you let go.
 recording-triangles = { $method } is being recorded on { $count ->
         [one] { $count } triangle
        *[other] { $count } triangles

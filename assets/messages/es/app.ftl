@@ -225,7 +225,7 @@ result-wrong = × Resultado erróneo: { $n }
 again = { $what } otra vez
 is-missing = falta { $what }
 refused = rechazado
-run-later = Al soltar se registra de nuevo la ejecución: la escena es demasiado grande para hacerlo mientras se arrastra.
+run-later = La escena es demasiado grande para que el método se ejecute mientras arrastras. Se ejecuta cuando sueltas.
 recording-triangles = Se registra { $method } con { $count ->
         [one] { $count } triángulo
        *[other] { $count } triángulos

@@ -225,7 +225,7 @@ result-wrong = × Resultado errado: { $n }
 again = { $what } de novo
 is-missing = falta { $what }
 refused = recusado
-run-later = Ao soltar, a execução é registrada de novo: a cena é grande demais para isso durante o arraste.
+run-later = A cena é grande demais para que o método execute enquanto você arrasta. Ele executa quando você solta.
 recording-triangles = { $method } está sendo registrado com { $count ->
         [1] { $count } triângulo
        *[other] { $count } triângulos

@@ -11,7 +11,7 @@
 //!
 //! *Source*: T. Porter and T. Duff, "Compositing digital images", Computer Graphics 18(3) (SIGGRAPH), 1984, pp. 253–259.
 
-use crate::trace::Real;
+use crate::{geom::is_part, trace::Real};
 
 /// How a surface looks, and how much of what is behind it can be seen.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -27,8 +27,7 @@ impl Tint {
     /// Both from 0 to 1; `None` beyond that.
     #[must_use]
     pub fn new(opacity: f64, brightness: f64) -> Option<Self> {
-        let is_part = |x: &f64| (0.0..=1.0).contains(x);
-        let is_valid = [opacity, brightness].iter().all(is_part);
+        let is_valid = [opacity, brightness].into_iter().all(is_part);
         is_valid.then_some(Self {
             opacity,
             brightness,

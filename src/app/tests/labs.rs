@@ -1,7 +1,11 @@
 //! Every lab is in every table, with words in every language.
 
 use super::*;
-use crate::{case::Solvers, labs::LABS};
+use crate::{
+    case::Solvers,
+    figure::{Body, ViewId},
+    labs::LABS,
+};
 
 /// What works on a scene and not on a case: of a texture, `intersection-polygon` has the coordinates.
 const WITHOUT_CASES: [&str; 4] = [
@@ -50,4 +54,18 @@ fn every_lab_has_a_format_solvers_a_panel_and_words() {
             assert!(is_known, "{id}: nothing locks {group}");
         }
     }
+}
+
+#[test]
+fn when_all_objects_are_tested_the_axes_keep_the_last_sphere() {
+    let mut bench = Bench::lab("frustum");
+    bench.edit(Edit::Method("funnel"));
+    let known = |bench: &Bench| match bench.app.playback.frames[0].body(ViewId("distances")) {
+        Some(Body::Gauges(gauges)) => gauges.rows.iter().filter(|row| row.value.is_some()).count(),
+        _ => 0,
+    };
+    bench.command(Command::Seek(0));
+    assert_eq!(known(&bench), 0);
+    bench.command(Command::LAST);
+    assert!(known(&bench) > 0, "of {} steps", bench.n_steps());
 }

@@ -157,12 +157,30 @@ impl Bench {
     fn written(&mut self) -> Vec<(String, Rect, Rect)> {
         let mut all = Vec::new();
         for clipped in &self.run(Vec::new(), Vec::new()).shapes {
-            let mut texts = Vec::new();
-            written(&clipped.shape, &mut texts);
-            let clip = clipped.clip_rect;
-            all.extend(texts.into_iter().map(|(text, rect)| (text, rect, clip)));
+            each_galley(&clipped.shape, &mut |galley, at| {
+                let rect = galley.rect.translate(at.to_vec2());
+                all.push((galley.text().to_owned(), rect, clipped.clip_rect));
+            });
         }
         all
+    }
+
+    /// The size of the largest letters of each text, whether or not it is cut.
+    fn sizes(&mut self) -> Vec<(String, f32)> {
+        let output = self.run(Vec::new(), Vec::new());
+        let mut galleys = Vec::new();
+        for clipped in &output.shapes {
+            each_galley(&clipped.shape, &mut |galley, _| {
+                galleys.push(galley.clone())
+            });
+        }
+        let largest = |galley: &Arc<egui::Galley>| {
+            let sections = galley.job.sections.iter();
+            let sizes = sections.map(|section| section.format.font_id.size);
+            (galley.text().to_owned(), sizes.fold(0.0, f32::max))
+        };
+        let texts = galleys.iter().map(largest);
+        texts.filter(|(text, _)| !text.is_empty()).collect()
     }
 
     /// Frames without input, until nothing moves any more.
@@ -326,13 +344,10 @@ fn button_event(pos: Pos2, pressed: bool, modifiers: Modifiers) -> Event {
     }
 }
 
-fn written(shape: &egui::Shape, texts: &mut Vec<(String, Rect)>) {
+fn each_galley(shape: &egui::Shape, found: &mut impl FnMut(&Arc<egui::Galley>, Pos2)) {
     match shape {
-        egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| written(shape, texts)),
-        egui::Shape::Text(text) => {
-            let rect = text.galley.rect.translate(text.pos.to_vec2());
-            texts.push((text.galley.text().to_owned(), rect));
-        }
+        egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| each_galley(shape, found)),
+        egui::Shape::Text(text) => found(&text.galley, text.pos),
         _ => {}
     }
 }

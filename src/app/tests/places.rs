@@ -3,14 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::*;
-use crate::figure::{Body, CodeLinks, Need, View, ViewId};
+use crate::figure::{Body, CodeLinks, Need, Stand, View, ViewId};
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
 const INSPECTOR: Vec2 = vec2(264.0, 600.0);
 
 /// Opens each step of the course in turn.
-fn each_step(lang: Lang, theme: ThemeKind, mut what: impl FnMut(&mut Bench, &str)) {
-    let mut bench = Bench::seen(lang, theme, SIZE);
+fn each_step(lang: Lang, theme: ThemeKind, what: impl FnMut(&mut Bench, &str)) {
+    each_step_of(Bench::seen(lang, theme, SIZE), what);
+}
+
+fn each_step_of(mut bench: Bench, mut what: impl FnMut(&mut Bench, &str)) {
     let lessons = bench.app.bookmark.course.lessons.iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {
@@ -271,4 +274,44 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
     for kind in ["codes", "crossings", "edges", "lists", "ring"] {
         assert!(lit.contains(kind), "{kind} is not in {lit:?}");
     }
+}
+
+/// Of a formula its letters count, not what is lowered; a quotient's halves are a little smaller than they.
+#[test]
+fn on_a_projector_no_text_is_smaller_than_twelve_points_at_any_step_of_the_course() {
+    let mut small = Vec::new();
+    for size in [vec2(1024.0, 768.0), SIZE] {
+        let bench = Bench::seen(Lang::En, ThemeKind::Projector, size);
+        each_step_of(bench, |bench, place| {
+            for (text, pts) in bench.sizes() {
+                if pts < if text.contains('/') { 11.0 } else { 12.0 } {
+                    small.push(format!("{size} {place}: {text:?} is {pts}"));
+                }
+            }
+        });
+    }
+    assert!(small.is_empty(), "{}", small.join("\n"));
+}
+
+#[test]
+fn where_only_the_cameras_picture_differs_it_is_as_large_as_a_drawing() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([30, 4]));
+    let stands = |bench: &Bench| {
+        let stand = |needs: &Vec<Need>| {
+            let mut drawings = needs.iter().filter(|need| need.is_drawing());
+            drawings.all(|need| need.stand == Stand::Drawing)
+        };
+        bench
+            .app
+            .playback
+            .needs
+            .iter()
+            .map(stand)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(stands(&bench), [true, true]);
+    // Of one method it stands on the drawing.
+    bench.command(Command::Open([30, 2]));
+    assert_eq!(stands(&bench), [false]);
 }

@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::{
+    app::{found::Found, playback::Playback},
+    figure::Body,
     geom::Mesh,
     labs::space::{Model, NamedMesh, SpaceChange},
 };
@@ -99,4 +101,29 @@ fn a_page_with_a_large_scene_is_left_as_it_was_when_its_recording_is_stopped() {
     assert_eq!(page, Some(Page::Free("lines".to_owned())));
     bench.command(Command::Lab("frustum"));
     assert_eq!(bench.app.position(), at);
+}
+
+#[test]
+fn the_solids_of_the_first_picture_are_found_before_it_is_drawn() {
+    let (mut bench, _) = recording();
+    bench.settle();
+    let (scene, bounds) = (bench.app.scene().clone(), bench.app.stage.bounds());
+    let found = Found::of(&scene).with_wanted(bounds);
+    let mut found = found.with_pictures(|n_steps| n_steps / 2, None);
+    let (ahead, n_steps) = (std::mem::take(&mut found.ahead), found.runs[0].n_steps());
+    let mut playback = Playback::of(found, n_steps / 2);
+    playback.prepare(bounds, None);
+    let mut n_spaces = 0;
+    for view in &playback.frames[0].views {
+        if let Body::Space(space) = &view.body {
+            let lens = Lens::from(space.seer);
+            assert!(
+                ahead.iter().any(|known| known.is_of(space, &lens)),
+                "{:?}",
+                view.id
+            );
+            n_spaces += 1;
+        }
+    }
+    assert_eq!(n_spaces, 2);
 }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::super::{
-    facets::{Facet, normal},
+    facet::{Facet, normal},
     lens::Optics,
     role::Role,
     space::{Mark3, Shape3, Space},

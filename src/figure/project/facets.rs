@@ -12,10 +12,7 @@ use glam::DVec3;
 
 use crate::{algo::volume::clipped, geom::Plane};
 
-use super::super::{
-    facets::{Facets, normal},
-    lens::Optics,
-};
+use super::super::{facet::normal, facets::Facets, lens::Optics};
 use super::{
     grid::{Bounds, Found, Grid},
     interval::{inside, union},
@@ -36,7 +33,7 @@ struct InView {
 #[derive(Clone, Debug)]
 pub struct FacetsInView {
     optics: Optics,
-    is_closed: bool,
+    pub is_closed: bool,
     faces_eye: Vec<bool>,
     corners: Vec<DVec3>,
     facets: Vec<InView>,

@@ -17,7 +17,8 @@ mod tests;
 use glam::DVec3;
 
 use super::{
-    facets::{Edging, Facet, Facets},
+    facet::{Edging, Facet},
+    facets::Facets,
     lens::{Lens, Optics},
     mark::{Mark, Weight},
     space::{Edge3, Space},

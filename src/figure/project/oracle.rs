@@ -6,10 +6,11 @@ use super::{tests::space_of, *};
 use crate::geom::{Camera, Matrix, Orbit, Solid, ViewVolume};
 
 use super::super::{
-    facets::{Edging, Facet},
+    facet::{Edging, Facet},
     mark::Shape,
     role::{Link, Role},
-    solids::{SolidMesh, SolidPicture, Solids},
+    solid_mesh::SolidMesh,
+    solids::{SolidPicture, Solids},
     space::{Mark3, Shape3},
 };
 

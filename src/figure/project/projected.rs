@@ -15,6 +15,8 @@ use super::Seen;
 pub struct Projected {
     space: Space,
     lens: Lens,
+    /// Are facets known that hide lines? They are where none is drawn, too.
+    hides: bool,
     seen: Option<Seen>,
     solids: Vec<Mark>,
     parts: Vec<Parts>,
@@ -29,7 +31,8 @@ struct Parts {
 
 impl Projected {
     pub fn new(space: &Space, lens: &Lens) -> Self {
-        let mut seen = Seen::of(space, lens, hides(space));
+        let hides = hides(space);
+        let mut seen = Seen::of(space, lens, hides);
         let solids = seen.as_mut().map(|seen| seen.solids(space, lens));
         let projected = Self {
             space: Space {
@@ -37,6 +40,7 @@ impl Projected {
                 ..space.clone()
             },
             lens: *lens,
+            hides,
             seen,
             solids: solids.unwrap_or_default(),
             parts: Vec::new(),
@@ -45,8 +49,13 @@ impl Projected {
         projected.with_marks(space)
     }
 
+    /// Is what is known of its solids good for this space through this lens?
+    pub fn is_of(&self, space: &Space, lens: &Lens) -> bool {
+        self.lens == *lens && self.has_solids_of(space) && (self.hides || !hides(space))
+    }
+
     pub fn again(self, space: &Space, lens: &Lens) -> Self {
-        if self.lens != *lens || !self.has_solids_of(space) || hides(space) != hides(&self.space) {
+        if !self.is_of(space, lens) {
             Self::new(space, lens)
         } else if self.space.facets != space.facets || *self.space.edges != *space.edges {
             self.with_looks(space).with_marks(space)
@@ -59,13 +68,14 @@ impl Projected {
 
     /// Where facets are not there, other parts of lines may be hidden.
     fn with_looks(mut self, space: &Space) -> Self {
+        let are_whole = [&self.space, space].map(|space| space.facets.are_all_shown());
         self.space.facets.clone_from(&space.facets);
         self.space.edges.clone_from(&space.edges);
         if let Some(seen) = &mut self.seen {
             seen.facets.looks.clone_from(&space.facets);
             self.solids = seen.solids(space, &self.lens);
         }
-        if !space.facets.are_all_shown() {
+        if are_whole != [true; 2] {
             self.parts.clear();
             self.space.marks.clear();
         }
@@ -79,7 +89,12 @@ impl Projected {
     /// Are they the same, whatever they look like now? The edges of those that are shared look as their facets do.
     fn has_solids_of(&self, space: &Space) -> bool {
         let (facets, edges) = (&self.space.facets, &self.space.edges);
-        let is_as_whole = facets.are_all_shown() == space.facets.are_all_shown();
+        // Where some are not there, those behind them hide, too.
+        let knows_all = self
+            .seen
+            .as_ref()
+            .is_some_and(|seen| !seen.facets.is_closed);
+        let is_as_whole = knows_all || facets.are_all_shown() == space.facets.are_all_shown();
         let is_shared = facets.are_shared_with(&space.facets) && is_as_whole;
         is_shared || (*facets == space.facets && *edges == space.edges)
     }

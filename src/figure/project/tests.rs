@@ -1,5 +1,3 @@
-use std::sync::Arc;
-
 use super::*;
 use crate::{
     figure::{Edge3, Edging, Facet, Mark3, Role, Seer, Shape, Shape3},
@@ -166,9 +164,9 @@ fn where_facets_only_look_different_what_is_known_of_them_is_kept() {
         Shape3::Segment([[-2.0, -2.0, -2.0], [2.0, 2.0, 2.0]]),
     );
     let whole = space_of(cube(), vec![behind], &lens);
-    let all: Arc<[Facet]> = cube().into();
+    let all = Facets::from(cube());
     let looking = |role: &dyn Fn(usize) -> Option<Role>| Space {
-        facets: Facets::looking(all.clone(), (0..all.len()).map(role).collect()),
+        facets: all.looking((0..all.len()).map(role).collect()),
         ..whole.clone()
     };
     let n_hidden = |marks: &[Mark]| marks.iter().filter(|mark| mark.is_dashed).count();

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use crate::{
     algo::cull::FunnelObject,
     figure::Skin,
-    geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError, Texture},
+    geom::{AlignedBox, Matrix, Mesh, Solid, SpaceError, Texture, is_part},
     text::Diagnostic,
 };
 
@@ -134,9 +134,7 @@ impl Object {
 
     /// From 0 to 1; `None` beyond that.
     pub fn with_opacity(self, opacity: f64) -> Option<Self> {
-        (0.0..=1.0)
-            .contains(&opacity)
-            .then_some(Self { opacity, ..self })
+        is_part(opacity).then_some(Self { opacity, ..self })
     }
 
     /// Elsewhere.

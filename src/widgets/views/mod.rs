@@ -29,7 +29,7 @@ use crate::figure::{Body, View};
 use prelude::*;
 
 pub use space::{
-    covered, picture_viewport, place_inset, projected, space, title as title_of_space,
+    covered, keep_ahead, picture_viewport, place_inset, projected, space, title as title_of_space,
     title_ground, under_title,
 };
 

@@ -73,7 +73,8 @@ impl Multiples {
         let widths = self.drawings.iter().map(|drawing| {
             let note = self.note(slate, drawing, f32::INFINITY);
             let note = note.filter(|_| !self.is_large());
-            self.title(slate, drawing).size().x + note.map_or(0.0, |note| note.size().x)
+            self.title(slate, drawing, f32::INFINITY).size().x
+                + note.map_or(0.0, |note| note.size().x)
         });
         widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD)
     }
@@ -133,23 +134,30 @@ impl Multiples {
 
     /// How high title and note are at most, in a tile of this width: all drawings have one size.
     fn heading(&self, slate: &Slate<'_>, width: f32) -> f32 {
+        let inner = width
+            - if self.is_large() {
+                0.0
+            } else {
+                slate.pts(2.0 * PAD)
+            };
         let high = self.drawings.iter().map(|drawing| {
-            let title = self.title(slate, drawing).size().x + slate.pts(GAP);
+            let title = self.title(slate, drawing, inner).size() + vec2(slate.pts(GAP), 0.0);
             let note = self.note(slate, drawing, width);
-            let under = note.filter(|note| self.is_large() && title + note.size().x > width);
-            slate.pts(HEADING) + under.map_or(0.0, |note| note.size().y)
+            let under = note.filter(|note| self.is_large() && title.x + note.size().x > width);
+            title.y.max(slate.pts(HEADING)) + under.map_or(0.0, |note| note.size().y)
         });
         high.fold(slate.pts(HEADING), f32::max)
     }
 
-    fn title(&self, slate: &Slate<'_>, drawing: &SmallDrawing) -> Typeset {
+    /// On one line, where that has room.
+    fn title(&self, slate: &Slate<'_>, drawing: &SmallDrawing, width: f32) -> Typeset {
         let theme = slate.theme();
         let (face, ink) = match (drawing.is_current, drawing.is_to_come) {
             (true, _) => (Face::Strong, theme.signal_text),
             (false, true) => (Face::Plain, theme.soft),
             (false, false) => (Face::strong_if(self.is_large()), theme.ink),
         };
-        slate.value(&drawing.title, (face, TITLE_PTS, ink))
+        slate.wrapped(&drawing.title, width, (face, TITLE_PTS, ink))
     }
 
     /// On one line of a small drawing; of a large one on as many as it takes.
@@ -186,7 +194,7 @@ impl Multiples {
             slate.rim(place, slate.pts(4.0), stroke, StrokeKind::Inside);
         }
         let inner = self.inner(slate, place);
-        let title = self.title(slate, drawing);
+        let title = self.title(slate, drawing, inner.width());
         let title = slate.put(&title, inner.left_top(), Align2::LEFT_TOP);
         if let Some(note) = self.note(slate, drawing, inner.width()) {
             let beside = title.right() + slate.pts(GAP);
@@ -195,7 +203,7 @@ impl Multiples {
                 (false, _) => (inner.right_top(), Align2::RIGHT_TOP),
                 (true, true) => (pos2(beside, inner.top()), Align2::LEFT_TOP),
                 (true, false) => {
-                    let under = inner.top() + slate.pts(HEADING);
+                    let under = title.bottom().max(inner.top() + slate.pts(HEADING));
                     (pos2(inner.left(), under), Align2::LEFT_TOP)
                 }
             };

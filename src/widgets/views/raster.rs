@@ -79,6 +79,7 @@ struct Pixels<'r> {
     raster: &'r Raster,
     origin: Pos2,
     width: f32,
+    n_digits: usize,
 }
 
 impl<'r> Pixels<'r> {
@@ -93,6 +94,7 @@ impl<'r> Pixels<'r> {
             origin: (rect.min + vec2(0.0, slate.pts(TITLE))).round(),
             // Whole pixels of the screen, so that all squares are alike.
             width: fits.floor().max(1.0),
+            n_digits: n_digits(raster),
         }
     }
 
@@ -126,8 +128,8 @@ impl<'r> Pixels<'r> {
             let Some((pixel, value)) = pixel.and_then(|p| Some((p, p.value.as_ref()?))) else {
                 continue;
             };
-            let pts = value_pts(slate, self.width, value);
-            if pts < SMALLEST {
+            let pts = self.pts(slate, value);
+            if pts < smallest(slate) {
                 continue;
             }
             let ink = pixel.role.map_or(theme.soft, |_| theme.ink);
@@ -162,7 +164,7 @@ impl<'r> Pixels<'r> {
     }
 
     fn darkest(&self, slate: &Slate<'_>) -> f32 {
-        let is_bare = number_pts(slate, self.width, DIGITS) < SMALLEST;
+        let is_bare = self.number_pts(slate, self.n_digits) < smallest(slate);
         if self.raster.scale.is_some() && is_bare {
             DARKEST_BARE
         } else {
@@ -217,10 +219,23 @@ impl<'r> Pixels<'r> {
         }
     }
 
+    fn pts(&self, slate: &Slate<'_>, value: &Value) -> f32 {
+        let n_characters = match value {
+            Value::Name(name) => name.chars().count(),
+            _ => self.n_digits,
+        };
+        self.number_pts(slate, n_characters)
+    }
+
+    fn number_pts(&self, slate: &Slate<'_>, n_characters: usize) -> f32 {
+        let wide = CHARACTER * n_characters as f32 + AROUND;
+        (self.width / (wide * slate.pts(1.0))).min(LARGEST)
+    }
+
     fn is_written(&self, slate: &Slate<'_>, at: [f64; 2]) -> bool {
         let pixel = self.raster.at(at.map(|x| x as usize));
         let value = pixel.and_then(|pixel| pixel.value.as_ref());
-        value.is_some_and(|value| value_pts(slate, self.width, value) >= SMALLEST)
+        value.is_some_and(|value| self.pts(slate, value) >= smallest(slate))
     }
 
     fn draw_over(&self, slate: &Slate<'_>, painter: &Painter, mark: &RasterMark) {
@@ -263,17 +278,19 @@ impl<'r> Pixels<'r> {
     }
 }
 
-fn value_pts(slate: &Slate<'_>, width: f32, value: &Value) -> f32 {
-    let n_characters = match value {
-        Value::Name(name) => name.chars().count(),
-        _ => DIGITS,
-    };
-    number_pts(slate, width, n_characters)
+/// Of the largest count, so that all are as large; other numbers are said in [`DIGITS`].
+fn n_digits(raster: &Raster) -> usize {
+    let counts = raster.pixels.iter().filter_map(|pixel| match pixel.value {
+        Some(Value::Count(n)) => Some(n),
+        _ => None,
+    });
+    let digits = |most: usize| most.max(10).ilog10() as usize + 1;
+    counts.max().map_or(DIGITS, digits)
 }
 
-fn number_pts(slate: &Slate<'_>, width: f32, n_characters: usize) -> f32 {
-    let wide = CHARACTER * n_characters as f32 + AROUND;
-    (width / (wide * slate.pts(1.0))).min(LARGEST)
+/// What would be smaller is read with the pointer, or in the inspector.
+fn smallest(slate: &Slate<'_>) -> f32 {
+    slate.least_size().max(SMALLEST)
 }
 
 fn cased(slate: &Slate<'_>, painter: &Painter, ends: [Pos2; 2], wide: f32, ink: Color32) {

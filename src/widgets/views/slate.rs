@@ -80,13 +80,18 @@ impl<'a> Slate<'a> {
         natural * self.scale
     }
 
+    /// The least size, of those that are natural, in which text is set.
+    pub fn least_size(&self) -> f32 {
+        self.theme().least_text() / self.scale
+    }
+
     fn font(&self, face: Face, size: f32) -> FontId {
         let family = match face {
             Face::Plain => FontFamily::Proportional,
             Face::Strong => semibold(),
             Face::Mono => FontFamily::Monospace,
         };
-        FontId::new(self.pts(size), family)
+        FontId::new(self.pts(size).max(self.theme().least_text()), family)
     }
 
     fn set(&self, pieces: Vec<Piece>, (face, size, colour): Style) -> Typeset {
@@ -146,7 +151,12 @@ impl<'a> Slate<'a> {
         let mut set = self.value(title, style(TITLE_PTS));
         let part = room.width() / set.size().x;
         if part < 1.0 {
-            set = self.value(title, style(0.97 * part * TITLE_PTS));
+            let pts = 0.97 * part * TITLE_PTS;
+            set = if pts < self.least_size() {
+                self.wrapped(title, room.width(), style(pts))
+            } else {
+                self.value(title, style(pts))
+            };
         }
         self.put(&set, room.min, Align2::LEFT_TOP);
     }

@@ -45,13 +45,27 @@ pub fn under_title(ui: &Ui, rect: Rect, look: Look<'_>, shown: &Space) -> Rect {
 pub fn projected(ctx: &Context, id: Id, space: &Space, lens: &Lens) -> Arc<[Mark]> {
     let id = id.with("projected");
     let known: Option<Option<Projected>> = ctx.data_mut(|data| data.remove_temp(id));
-    let now = match known.flatten() {
+    let known = known.flatten().filter(|known| known.is_of(space, lens));
+    let now = match known.or_else(|| taken_ahead(ctx, space, lens)) {
         Some(known) => known.again(space, lens),
         None => Projected::new(space, lens),
     };
     let marks = now.marks().clone();
     ctx.data_mut(|data| data.insert_temp(id, Some(now)));
     marks
+}
+
+/// Keeps what has been found of some spaces, in place of what is left of others, for the frames that are to show them.
+pub fn keep_ahead(ctx: &Context, found: Vec<Projected>) {
+    ctx.data_mut(|data| data.insert_temp(Id::unique("ahead"), found));
+}
+
+fn taken_ahead(ctx: &Context, space: &Space, lens: &Lens) -> Option<Projected> {
+    ctx.data_mut(|data| {
+        let found: &mut Vec<Projected> = data.get_temp_mut_or_default(Id::unique("ahead"));
+        let nth = found.iter().position(|it| it.is_of(space, lens))?;
+        Some(found.swap_remove(nth))
+    })
 }
 
 fn title_height(look: Look<'_>) -> f32 {

@@ -2,6 +2,8 @@
 //!
 //! Numbers stand to the right of their column, under a symbol; words to the left, under a word or nothing.
 
+use std::borrow::Cow;
+
 use crate::{
     figure::{Table, TableRow},
     text::Token,
@@ -104,10 +106,42 @@ fn row_height(slate: &Slate<'_>, table: &Table) -> f32 {
     titles.fold(height(&fraction).max(slate.pts(1.9 * SIZE)), f32::max)
 }
 
+/// Where text may not be so small that all columns have room: without the widest of words, as long as that is needed.
+fn trimmed<'t>(slate: &Slate<'_>, table: &'t Table, width: f32) -> Cow<'t, Table> {
+    let mut trimmed = Cow::Borrowed(table);
+    let least = slate.theme().least_text();
+    if least == 0.0 {
+        return trimmed;
+    }
+    let least = Slate {
+        scale: least / SIZE,
+        ..Slate::new(slate.painter, slate.look)
+    };
+    loop {
+        let plan = Plan::of(&least, &trimmed, width);
+        let columns = plan.columns.iter().enumerate().skip(1);
+        let words = columns.filter(|(_, column)| column.is_words);
+        let widest = words.max_by(|(_, a), (_, b)| a.width.total_cmp(&b.width));
+        let Some((widest, _)) = widest.filter(|_| plan.width(&least, GAPS[0]) > width) else {
+            return trimmed;
+        };
+        let table = trimmed.to_mut();
+        table.header.remove(widest);
+        for row in table
+            .rows
+            .iter_mut()
+            .filter(|row| widest <= row.cells.len())
+        {
+            row.cells.remove(widest - 1);
+        }
+    }
+}
+
 impl OnSlate for Table {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let fold_below = FOLD_BELOW * natural.scale;
-        let plan_of = |slate: &Slate<'_>| Plan::of(slate, self, room.x - 2.0 * slate.pts(PAD));
+        let table = trimmed(&natural, self, room.x);
+        let plan_of = |slate: &Slate<'_>| Plan::of(slate, &table, room.x - 2.0 * slate.pts(PAD));
         let slate = natural.fitted_in(room, |slate| {
             let plan = plan_of(slate);
             let row = plan.row + 2.0 * slate.pts(AIR[0]);
@@ -127,7 +161,8 @@ impl OnSlate for Table {
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let text_width = rect.width() - 2.0 * slate.pts(PAD);
-        let plan = Plan::of(slate, self, text_width);
+        let table = trimmed(slate, self, rect.width());
+        let plan = Plan::of(slate, &table, text_width);
         let width = rect.width().min(plan.width(slate, GAPS[1]));
         let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
         let edges = plan.edges(slate, rect);
@@ -143,10 +178,10 @@ impl OnSlate for Table {
             let top = rect.top() + nth as f32 * step;
             Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
         };
-        header(slate, place(0), self, &edges);
+        header(slate, place(0), &table, &edges);
         for idx in fold.shown.clone() {
             let nth = idx - fold.shown.start + fold.first_row() + 1;
-            row(slate, place(nth), &self.rows[idx], (&plan, &edges), links);
+            row(slate, place(nth), &table.rows[idx], (&plan, &edges), links);
         }
         for (count, nth) in [(fold.before, 1), (fold.after, fold.n_rows())] {
             if count > 0 {

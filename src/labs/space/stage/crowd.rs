@@ -10,14 +10,16 @@ use super::{
 /// Of more faces none is built anew at each step.
 pub const MANY: usize = 20_000;
 
-/// What was built last, for the camera's view and for the observer's.
+/// What was built last, for the camera's view and for the observer's: before something is cut, and after.
 #[derive(Default)]
-pub struct Crowd([Mutex<Option<Arc<Built>>>; 2]);
+pub struct Crowd([Mutex<Vec<Arc<Built>>>; 2]);
+
+const MOST_KEPT: usize = 2;
 
 pub struct Built {
     /// Of each object, is it cut?
     cut: Vec<bool>,
-    facets: Arc<[Facet]>,
+    facets: Facets,
     edges: Arc<[Edge3]>,
     /// Of each facet, its object and which of its faces it is; those after them are of cameras.
     faces: Vec<[usize; 2]>,
@@ -34,17 +36,19 @@ impl Crowd {
         let cut: Vec<bool> = fates.iter().map(|&fate| fate == Fate::Cut).collect();
         let known = self.0[usize::from(is_observed)].lock();
         let mut known = known.unwrap_or_else(PoisonError::into_inner);
-        if let Some(built) = known.as_ref().filter(|built| built.cut == cut) {
+        if let Some(built) = known.iter().find(|built| built.cut == cut) {
             return built.clone();
         }
         let (solids, faces) = build();
-        let built = Built {
+        let built = Arc::new(Built {
             cut,
             facets: solids.facets.into(),
             edges: solids.edges.into(),
             faces,
-        };
-        known.insert(Arc::new(built)).clone()
+        });
+        known.truncate(MOST_KEPT - 1);
+        known.insert(0, built.clone());
+        built
     }
 }
 
@@ -78,7 +82,7 @@ impl Built {
                 .filter_map(|edge| self.edge(edge, &fate, &look))
                 .collect()
         };
-        (Facets::looking(self.facets.clone(), looks), edges)
+        (self.facets.looking(looks), edges)
     }
 
     /// An edge as its object looks, if one of its facets is there.

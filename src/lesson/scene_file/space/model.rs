@@ -5,7 +5,7 @@ use std::{fmt::Write as _, sync::Arc};
 use base64::{Engine, prelude::BASE64_STANDARD as BASE64};
 
 use crate::{
-    geom::{Mesh, MeshError, Solid, SpaceError, Texture},
+    geom::{Mesh, MeshError, Solid, SpaceError, Texture, is_part},
     input::Fault,
     labs::space::{Model, NamedMesh, Object, Picture},
     lesson::{FileError, picture_of, prelude::*, read_obj, read_picture, scene_file::prelude::*},
@@ -18,9 +18,8 @@ const OBJECT: [&str; 6] = ["solid", "mesh", "at", "turn_deg", "size", OPACITY.na
 /// How much an object covers of what is behind it.
 const OPACITY: Part<f64> = Part::new("opacity", &Shape::Number, |got| {
     let opacity = got.number();
-    let is_valid = (0.0..=1.0).contains(&opacity);
     let problem = || Message::new("problem-out-of-range").with("value", exact(opacity));
-    is_valid
+    is_part(opacity)
         .then_some(opacity)
         .ok_or_else(|| Fault::new("out-of-range", problem()))
 })

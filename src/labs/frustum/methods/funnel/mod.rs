@@ -142,10 +142,12 @@ impl<L: Variant> Telling for Funnel<L> {
         }
         if !is_compared(at) {
             let none = || sphere_gauges(&planes(at), 0.0, &[]);
+            // In the end the last sphere stays.
+            let shown = asked(at).filter(|_| at.step.event().is_some());
             // Where the sphere was measured stand the triangle's codes, once it is asked.
             let body = match codes::table(at.step.event()) {
                 Some(table) => Body::Table(table),
-                None => Body::Gauges(sphere(at).map_or_else(none, |sphere| sphere.gauges())),
+                None => Body::Gauges(shown.map_or_else(none, |sphere| sphere.gauges())),
             };
             views.push(View::new(GAUGES_VIEW, body));
         }

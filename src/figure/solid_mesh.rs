@@ -1,0 +1,96 @@
+//! What is drawn of solids, wherever they are seen from.
+
+use rustc_hash::FxHashMap;
+
+use crate::{
+    algo::surface::{Cull, MeshRef, ScreenTriangle, Viewport, assemble},
+    geom::{Matrix, Texture},
+};
+
+use super::facet::{Edging, Facet};
+
+#[derive(Clone, PartialEq, Debug)]
+pub struct SolidMesh {
+    pub(super) positions: Vec<[f32; 3]>,
+    /// Of each vertex, where any facet has a texture.
+    pub(super) uvs: Vec<[f32; 2]>,
+    triangles: Vec<[u32; 3]>,
+    pub(super) facets: Vec<u32>,
+    pub(super) textures: Vec<Option<Texture>>,
+    /// Of each facet; empty where all hide what is behind them.
+    pub(super) opacities: Vec<f32>,
+}
+
+impl SolidMesh {
+    pub fn of(facets: &[Facet]) -> Self {
+        let n_corners = facets.iter().map(|facet| facet.corners.len()).sum();
+        let mut mesh = Self {
+            positions: Vec::new(),
+            uvs: Vec::new(),
+            textures: Vec::new(),
+            opacities: opacities(facets),
+            triangles: Vec::with_capacity(n_corners),
+            facets: Vec::with_capacity(n_corners),
+        };
+        let mut vertices: FxHashMap<[u32; 5], u32> = FxHashMap::default();
+        vertices.reserve(facets.len());
+        let has_skin = facets.iter().any(|facet| facet.skin.is_some());
+        if has_skin {
+            let texture = |facet: &Facet| Some(facet.skin.as_ref()?.texture.clone());
+            mesh.textures = facets.iter().map(texture).collect();
+        }
+        let mut corners = Vec::new();
+        for (idx, facet) in (0..).zip(facets) {
+            corners.clear();
+            for &at in &facet.corners {
+                let uv = facet.uv_at(at);
+                let [x, y, z] = at.map(|x| x as f32 + 0.0);
+                let key = [x, y, z, uv[0], uv[1]].map(f32::to_bits);
+                let next = mesh.positions.len() as u32;
+                let vertex = *vertices.entry(key).or_insert(next);
+                if vertex == next {
+                    mesh.positions.push([x, y, z]);
+                    if has_skin {
+                        mesh.uvs.push(uv);
+                    }
+                }
+                corners.push(vertex);
+            }
+            for pair in corners.windows(2).skip(1) {
+                mesh.triangles.push([corners[0], pair[0], pair[1]]);
+                mesh.facets.push(idx);
+            }
+        }
+        mesh
+    }
+
+    /// What is cut open shows its inner side.
+    pub(super) fn on_screen<const N: usize>(
+        &self,
+        attributes: &[[f32; N]],
+        clip_from_world: &Matrix,
+        viewport: &Viewport,
+    ) -> Vec<ScreenTriangle<N>> {
+        let mesh = MeshRef {
+            positions: &self.positions,
+            attributes,
+            faces: &self.triangles,
+            first_id: 0,
+        };
+        let mut seen = Vec::with_capacity(self.triangles.len());
+        assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
+        seen
+    }
+}
+
+/// Where outlines are found between the samples, nothing can be seen through: they would be found within a face.
+fn opacities(facets: &[Facet]) -> Vec<f32> {
+    let opacity = |facet: &Facet| match facet.edging {
+        Edging::Lines => facet.opacity,
+        Edging::Samples { .. } => 1.0,
+    };
+    if facets.iter().all(|facet| opacity(facet) == 1.0) {
+        return Vec::new();
+    }
+    facets.iter().map(opacity).collect()
+}
