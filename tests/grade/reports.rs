@@ -80,8 +80,11 @@ true null</failure>
     assert_eq!(xml, expected);
 }
 
+/// A field, and what is asked of it.
+type Expected<'a> = (&'a str, fn(&Json) -> bool);
+
 /// An object has these fields and no others, each of a type.
-fn check(object: &Json, fields: &[(&str, fn(&Json) -> bool)]) {
+fn check(object: &Json, fields: &[Expected<'_>]) {
     let object: &Map<String, Json> = object.as_object().unwrap();
     assert_eq!(object.len(), fields.len(), "{object:?}");
     for (name, is_of_type) in fields {

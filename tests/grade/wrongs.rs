@@ -393,7 +393,7 @@ fn texture_goes_with_its_vertex() {
 
 #[test]
 fn any_valid_order_of_painting_will_do() {
-    let apart = r#"[[[-3,-1,-3],[-2,-1,-3],[-2,1,-3]],[[2,-1,-5],[3,-1,-5],[2,1,-5]],[[-6,-2,-6],[-4,-2,-6],[-4,2,-6]]]"#;
+    let apart = "[[[-3,-1,-3],[-2,-1,-3],[-2,1,-3]],[[2,-1,-5],[3,-1,-5],[2,1,-5]],[[-6,-2,-6],[-4,-2,-6],[-4,2,-6]]]";
     let case = format!(
         r#"{{"algorithm":"painter","size":[8,8],"frustum":{{"fov_y_deg":90,"aspect":1,"near":1,"far":10}},"triangles":{apart}}}"#
     );
