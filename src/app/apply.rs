@@ -123,6 +123,7 @@ impl App {
             }
             Command::Show(dialog) => shown.dialog = dialog,
             Command::Confirm => self.confirm(ctx, now),
+            Command::Smaller => self.make_smaller(now),
             Command::Present => self.present(ctx),
             // A page in a browser is one window, which all look at.
             Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,
@@ -159,7 +160,6 @@ impl App {
             }
             Command::AskAgain => self.ask_of_step(true),
             Command::Afresh => self.begin_afresh(),
-            Command::Smaller => self.make_smaller(now),
             Command::Board(board) => {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();

@@ -218,7 +218,7 @@ impl App {
                     if done.contains(&step) {
                         return ControlFlow::Continue(());
                     }
-                    let Some(choice) = shown.options() else {
+                    let Some(choice) = shown.options().filter(Choice::is_open) else {
                         return ControlFlow::Continue(());
                     };
                     asked = Some(Asked {

@@ -147,6 +147,11 @@ pub struct Choice {
 }
 
 impl Choice {
+    /// Can more than one thing come?
+    pub const fn is_open(&self) -> bool {
+        self.options.len() > 1
+    }
+
     /// What comes next, and what might.
     pub fn asked(&self, catalog: &Catalog) -> Message {
         Message::new("what-comes-next").with("options", self.said(catalog).join(" · "))

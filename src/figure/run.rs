@@ -71,7 +71,7 @@ pub trait Run: Send {
         (1..=step.min(self.n_steps())).rev().find_map(|step| {
             let mut choice = None;
             self.visit([step, step], &mut |_, shown| {
-                choice = shown.options();
+                choice = shown.options().filter(Choice::is_open);
                 ControlFlow::Break(())
             });
             Some((step, choice?))

@@ -303,10 +303,6 @@ impl<M: Telling> At<'_, M> {
             }
         };
         let (options, links): (Vec<Value>, Vec<_>) = options.into_iter().unzip();
-        // Where only one thing can come there is no question.
-        if options.len() < 2 {
-            return None;
-        }
         let right = options.iter().position(|option| *option == right)?;
         Some(Choice {
             question: question.id,

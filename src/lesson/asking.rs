@@ -7,12 +7,21 @@ use toml::de::DeValue;
 
 use crate::{figure::Run, labs::Scene};
 
-use super::{prelude::*, reference::Condition, step::Asks, toml_fields::Node};
+use super::{prelude::*, reference::Condition, toml_fields::Node};
 
 /// In place of `true`: every decision is asked.
 const WHOLE_RUN: &str = "run";
 /// A goal of more parts is none that anybody keeps in mind.
 const MAX_PARTS: usize = 6;
+
+/// What is asked of a run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Asks {
+    /// The last decision up to the step's moment.
+    Decision,
+    /// Every decision, from the start on.
+    Run,
+}
 
 /// What a scene is to be changed to.
 #[derive(Clone, PartialEq, Debug)]

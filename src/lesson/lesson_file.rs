@@ -20,7 +20,8 @@ use super::{
     prelude::*,
     reference::{Scenes, WrittenText},
     scene_file::{SceneFormat, SceneFormats},
-    step::{CodeView, LessonStep, Stop, moment, never_comes},
+    step::{CodeView, LessonStep},
+    stop::{Stop, moment, never_comes},
     toml_errors::with_toml,
     toml_fields::{Node, TomlFields},
 };

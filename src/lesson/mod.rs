@@ -36,13 +36,14 @@ mod setting;
 mod sink;
 mod source;
 mod step;
+mod stop;
 #[cfg(test)]
 pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
 mod translated;
 
-pub use asking::Goal;
+pub use asking::{Asks, Goal};
 pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
@@ -61,5 +62,6 @@ pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, spot};
-pub use step::{Asks, CodeView, LessonStep, Stop};
+pub use step::{CodeView, LessonStep};
+pub use stop::Stop;
 pub use translated::{TRANSLATED_FILE, translated};

@@ -1,16 +1,14 @@
 //! One step of a lesson, and where in the run of its scene it stops.
 
-use std::{
-    ops::Deref,
-    sync::{Arc, OnceLock},
-};
+use std::ops::Deref;
 
-use crate::{
-    figure::{Moment, Run},
-    labs::{Handle, Lock, Scene},
-};
+use crate::labs::{Handle, Lock, Scene};
 
-use super::{asking::Goal, prelude::*, toml_fields::Node};
+use super::{
+    asking::{Asks, Goal},
+    prelude::*,
+    stop::Stop,
+};
 
 /// One step of a lesson: a scene, and where its run stops.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,56 +31,6 @@ pub struct LessonStep {
     pub asks: Option<Asks>,
     /// What the scene is to be changed to.
     pub goal: Option<Goal>,
-}
-
-/// What is asked of a run.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Asks {
-    /// The last decision up to the step's moment.
-    Decision,
-    /// Every decision, from the start on.
-    Run,
-}
-
-/// A scene, and where in its run a step or its figure stops.
-#[derive(Clone, Debug)]
-pub struct Stop {
-    /// Shared by the steps that show it, since it may be large.
-    pub scene: Arc<Scene>,
-    pub moment: Moment,
-    /// Where the moment is written, should it never come.
-    pub(super) file: String,
-    pub(super) place: Option<Place>,
-    pub(super) found: OnceLock<Option<usize>>,
-}
-
-/// How the moment is found is no part of what a stop is.
-impl PartialEq for Stop {
-    fn eq(&self, other: &Self) -> bool {
-        (&self.scene, &self.moment) == (&other.scene, &other.moment)
-    }
-}
-
-impl Stop {
-    /// The step of the first method's run at which its moment comes; `None` where it never does. The run is recorded
-    /// when this is first asked for.
-    pub fn position(&self) -> Option<usize> {
-        let find = || self.scene.document().record().first()?.find(&self.moment);
-        *self.found.get_or_init(find)
-    }
-
-    fn problem(&self) -> Option<Problem> {
-        if self.position().is_some() {
-            return None;
-        }
-        let runs = self.scene.document().record();
-        Some(Problem {
-            file: self.file.clone(),
-            place: self.place.clone(),
-            severity: Severity::Error,
-            what: never_comes(&self.moment, &**runs.first()?),
-        })
-    }
 }
 
 impl Deref for LessonStep {
@@ -122,36 +70,6 @@ impl LessonStep {
         let stops = [&self.stop].into_iter().chain(self.shown());
         stops.into_iter().find_map(Stop::problem)
     }
-}
-
-/// The most moments that an error lists.
-const MAX_MOMENTS: usize = 60;
-
-pub(super) fn moment(node: Node<'_>) -> Option<Moment> {
-    node.accept(node.text()?.parse::<Moment>())
-}
-
-pub(super) fn never_comes(moment: &Moment, run: &dyn Run) -> Diagnostic {
-    let steps = 0..=run.n_steps().min(MAX_MOMENTS);
-    let mut moments: Vec<String> = steps.map(|step| run.moment(step).to_string()).collect();
-    moments.push(Moment::End.to_string());
-    let wanted = moment.to_string();
-    let names: Vec<&str> = moments.iter().map(String::as_str).collect();
-    // The event and any of its words are enough: `cut left` is a name for `cut p1 left`.
-    let shorter: Vec<String> = names.iter().flat_map(|name| short_names(name)).collect();
-    let candidates = moments.iter().chain(&shorter).map(String::as_str);
-    let meant = nearest(&wanted, candidates);
-    let message = Message::new("problem-moment-never-happens").with("name", clipped(&wanted));
-    let notes = suggestion(meant, &names).into_iter();
-    notes.fold(Diagnostic::new(message), Diagnostic::noting)
-}
-
-/// `cut`, `cut p1` and `cut left` for `cut p1 left`.
-fn short_names(moment: &str) -> Vec<String> {
-    let mut words = moment.split_whitespace();
-    let event = words.next().unwrap_or_default();
-    let with_one = words.map(|word| format!("{event} {word}"));
-    std::iter::once(event.to_owned()).chain(with_one).collect()
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]

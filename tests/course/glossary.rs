@@ -55,6 +55,9 @@ const EMPHASISED: &[&str] = &[
     "two triangles",
     "−w ≤ x, y, z ≤ w",
     "d₀ = 0",
+    "none",
+    "three",
+    "two",
 ];
 
 fn inlines(blocks: &[Block]) -> Vec<&Inline> {

@@ -276,7 +276,7 @@ progress-title = Progress
 progress-counts = { $seen ->
     [one] One step seen
    *[other] { $seen } steps seen
-} · { $beforehand } told beforehand · { $after } told after the numbers · { $open } open · goals reached: { $reached } of { $goals }
+} · { $beforehand } told beforehand · { $after } told after the numbers · { $open } open · goals reached: { $reached } / { $goals }
 progress-hand-in = Hand in…
 progress-take-up = Take up a file…
 progress-afresh = Begin afresh

@@ -274,9 +274,9 @@ told-seen = visto
 told-unseen = ainda não visto
 progress-title = Progresso
 progress-counts = { $seen ->
-    [one] Um passo visto
+    [1] Um passo visto
    *[other] { $seen } passos vistos
-} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · metas alcançadas: { $reached } de { $goals }
+} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · metas alcançadas: { $reached } / { $goals }
 progress-hand-in = Entregar…
 progress-take-up = Carregar um arquivo…
 progress-afresh = Começar do zero

@@ -8,7 +8,8 @@ fn decisions(bench: &Bench) -> Vec<usize> {
     let run = bench.app.playback.main();
     let mut steps = Vec::new();
     run.visit([1, run.n_steps()], &mut |step, shown| {
-        steps.extend(shown.options().map(|_| step));
+        let choice = shown.options().filter(crate::figure::Choice::is_open);
+        steps.extend(choice.map(|_| step));
         std::ops::ControlFlow::Continue(())
     });
     steps

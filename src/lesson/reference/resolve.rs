@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use crate::{
     figure::{Moment, Run, Words},
     labs::Scene,
-    lesson::{LessonStep, SceneFormats, prelude::*, step::never_comes},
+    lesson::{SceneFormats, Stop, prelude::*, stop::never_comes},
     text::{Catalog, Formula, Lang, Token, Value},
 };
 
@@ -52,7 +52,7 @@ impl<'a> Runs<'a> {
     }
 
     /// What a reference in the text of `step` comes to.
-    pub fn resolve(&self, reference: &Reference, step: &LessonStep) -> Result<Value, Diagnostic> {
+    pub fn resolve(&self, reference: &Reference, step: &Stop) -> Result<Value, Diagnostic> {
         let scene = match &reference.scene {
             None => &step.scene,
             Some(name) => self.scenes.get(name).ok_or_else(|| {
@@ -66,7 +66,7 @@ impl<'a> Runs<'a> {
     }
 
     /// What can be said at a step: each name with its value, and event, answer, cost and scene as they are.
-    pub fn names(&self, step: &LessonStep, catalog: &Catalog) -> Vec<(String, String)> {
+    pub fn names(&self, step: &Stop, catalog: &Catalog) -> Vec<(String, String)> {
         let recorded = self.recorded(&step.scene);
         let Some((_, run)) = recorded.runs.first() else {
             return Vec::new();

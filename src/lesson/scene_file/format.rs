@@ -9,7 +9,7 @@ use crate::{
     labs::{Lab, Scene},
     lesson::{
         prelude::*,
-        step::{moment, never_comes},
+        stop::{moment, never_comes},
         toml_errors::with_toml,
         toml_fields::{Node, TomlFields},
     },
