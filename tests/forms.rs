@@ -81,7 +81,7 @@ const NEVER_ONE: [&str; 65] = [
 ];
 
 /// What ends as a plural does, and is none.
-const NO_NOUNS: [&str; 6] = ["as", "crosses", "dos", "es", "faces", "lies"];
+const NO_NOUNS: [&str; 7] = ["as", "crosses", "das", "dos", "es", "faces", "lies"];
 
 /// Every message of a language with each variable of this value.
 fn said(lang: Lang, value: &Value) -> Vec<(String, String)> {

@@ -31,7 +31,8 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
             Room::Stage => {
-                state.pointed_in_inspector = practice_panel::show(app, ui, state.lit);
+                let pointed = practice_panel::show(app, ui, state.lit);
+                state.pointed_in_inspector = state.pointed_in_inspector.or(pointed);
                 if app.asks_on_stage() && !app.practice.asks_for_a_step() {
                     question::show(app, ui);
                 }
@@ -74,7 +75,8 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Bo
     let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
-    state.pointed_in_inspector = practice_panel::show(app, ui, state.lit);
+    let pointed = practice_panel::show(app, ui, state.lit);
+    state.pointed_in_inspector = state.pointed_in_inspector.or(pointed);
     if !app.practice.is_on && app.practice.asked.is_none() {
         question::show(app, ui);
     }

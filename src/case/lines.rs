@@ -15,7 +15,7 @@ use crate::{
 use super::{
     Mistake, Solve, Solver,
     prelude::*,
-    solver::{Reading, Verdict},
+    solve::{Reading, Verdict},
 };
 
 pub(super) static SOLVERS: [Solver; 5] = [

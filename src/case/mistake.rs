@@ -9,7 +9,7 @@ use crate::{
     trace::{Listening, Method, Told},
 };
 
-use super::{Solve, prelude::*};
+use super::{prelude::*, solve::Solve};
 
 /// An answer with its steps, which a mistake leads to.
 #[derive(Clone, PartialEq, Debug)]

@@ -47,6 +47,7 @@ mod read;
 mod refusal;
 mod report;
 mod schema;
+mod solve;
 mod solver;
 mod stream;
 mod style;
@@ -62,7 +63,8 @@ pub use read::{Case, Heading, Refused, heading, read};
 pub(crate) use refusal::short;
 pub use refusal::{Code, Path, Refusal};
 pub use report::Refusing;
-pub use solver::{Reading, Solvable, Solve, Solver, Solvers, Verdict};
+pub use solve::{Reading, Solve, Verdict};
+pub use solver::{Solvable, Solver, Solvers};
 pub use stream::{Tally, TraceError, trace};
 pub use style::{Detail, Format, Style};
 

@@ -19,7 +19,8 @@ use crate::{
 use super::{
     Fields, Mistake, Solvable, Solve, Solver,
     prelude::*,
-    solver::{Reading, Verdict, read_problem},
+    solve::{Reading, Verdict},
+    solver::read_problem,
 };
 
 /// The lab's methods, those that are wrong on purpose left out.

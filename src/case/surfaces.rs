@@ -21,7 +21,7 @@ use crate::{
 use super::{
     Fields, Meter, Mistake, Numbers, OverBudget, Solve, Solver,
     prelude::*,
-    solver::{Reading, Verdict},
+    solve::{Reading, Verdict},
 };
 
 /// The lab's methods, those that are wrong on purpose left out.

@@ -103,6 +103,7 @@ fn every_algorithm_has_its_schema() {
                 "window": window,
                 "segment": window,
                 "id": {},
+                "submission": {},
                 "algorithm": {"const": "liang-barsky"},
             },
             "required": ["window", "segment", "algorithm"],

@@ -148,15 +148,13 @@ list-algorithms = Algoritmos que os casos aceitam
 list-lessons = Lições
 list-figure = figura { $name }
 cli-no-lesson = Não há nenhuma lição “{ $name }”: não é um caminho nem uma lição do curso. Veja clipscope list.
-grade-score = { $right } de { $cases } { $cases ->
-        [one] caso está respondido
-       *[other] casos estão respondidos
-    } corretamente.
+grade-score = Casos respondidos corretamente: { $right } de { $cases }.
 grade-case = caso { $number }
 grade-case-named = caso { $number } ({ $name })
 grade-no-case = nenhum caso
 grade-unlisted = { $count ->
-        [one] Mais uma diferença é contada, e não está na lista.
+        [0] Mais { $count } diferenças são contadas, e não estão na lista.
+        [1] Mais { $count } diferença é contada, e não está na lista.
        *[other] Mais { $count } diferenças são contadas, e não estão na lista.
     }
 grade-output = { $place } é { $truth }; o programa diz { $said }.

@@ -32,7 +32,7 @@ use crate::{
 
 use super::{
     Code, Fields, Mistake, Refusal, Solve, Solver,
-    solver::{Reading, Verdict},
+    solve::{Reading, Verdict},
 };
 
 use parts::{

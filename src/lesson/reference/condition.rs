@@ -172,7 +172,7 @@ mod tests {
             ("event.edge @ cut #3 = 'left'", false),
             ("cost.div < cost.div by liang-barsky", true),
             ("cost.div ≥ cost.div by liang-barsky", false),
-            ("output.segment[0] = 0 - 1/4", true),
+            ("output.segment[1] = 3 / 3", true),
             ("no-such-name = 3", false),
         ] {
             let condition = Condition::parse(text).unwrap_or_else(|_| panic!("{text}"));

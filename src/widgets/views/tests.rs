@@ -51,8 +51,9 @@ fn fault(slate: &Slate<'_>, room: Rect) -> Option<String> {
             return Some(format!("{text:?} leaves {room:?}"));
         }
         for other in &slate.texts[..i] {
+            // Of a line a tenth is room above and below its letters.
             let both = text.intersect(*other);
-            if both.width() > 0.5 && both.height() > 0.5 {
+            if both.width() > 0.5 && both.height() > 0.1 * text.height() {
                 return Some(format!("{text:?} covers {other:?}"));
             }
         }

@@ -8,7 +8,7 @@ use crate::{
 use super::*;
 
 /// Of all labels so many, in percent, may have no place that is free, and stand in a halo.
-const MOST_HALOS_PERCENT: f64 = 2.5;
+const MOST_HALOS_PERCENT: f64 = 2.6;
 /// And so many may stand nearer to another mark's marker than to their own.
 const MOST_AMBIGUOUS_PERCENT: f64 = 0.3;
 
