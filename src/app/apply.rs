@@ -134,15 +134,15 @@ impl App {
             Command::Control(id) => self.lead_to(id, now),
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
             Command::Dismiss => self.notices.clear(),
-            command => self.apply_to_settings(command),
+            command => self.apply_to_settings(&command),
         }
     }
 
     /// How the window looks from now on.
-    fn apply_to_settings(&mut self, command: Command) {
+    fn apply_to_settings(&mut self, command: &Command) {
         let (is_narrow, has_strip) = (self.is_narrow(), self.has_strip());
         let (shown, settings) = (&mut self.shown, &mut self.settings);
-        match command {
+        match *command {
             Command::Course if is_narrow => shown.room = shown.room.toggled(Room::Course),
             Command::Inspector if is_narrow => shown.room = shown.room.toggled(Room::Inspector),
             Command::Course if settings.course && has_strip => shown.unfolded ^= true,

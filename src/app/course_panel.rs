@@ -192,7 +192,6 @@ fn lessons(app: &App, ui: &mut Ui) {
             is_open: i == open,
             is_changed: has_changes(app, i, lesson),
             tally: &app.tally_of(lesson),
-            ..Row::default()
         };
         let response = row(ui, app.look(), row_of);
         if i == open {

@@ -107,7 +107,9 @@ impl Found {
             let views = |run: &dyn Run| run.frame(run.beside(&*self.runs[0], step)).views;
             let mut columns: Vec<Vec<View>> = self.runs.iter().map(|run| views(&**run)).collect();
             let eyes = eyes.get_or_insert_with(|| self.eyes(&columns));
-            columns.iter_mut().for_each(|views| eyes.turn(views));
+            for views in &mut columns {
+                eyes.turn(views);
+            }
             look_ahead(&mut ahead, &columns.concat());
         }
         Self { ahead, ..self }

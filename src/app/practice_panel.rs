@@ -84,9 +84,10 @@ fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<
             let digit = (nth < DIGITS.len()).then(|| format!("{}\u{2002}", nth + 1));
             let text = digit.unwrap_or_default() + option;
             let is_lit = lit.is_some() && links[nth] == lit;
-            let stroke = match is_lit {
-                true => look.theme.stroke(2.0, look.theme.accent),
-                false => look.theme.stroke(1.0, look.theme.hairline),
+            let stroke = if is_lit {
+                look.theme.stroke(2.0, look.theme.accent)
+            } else {
+                look.theme.stroke(1.0, look.theme.hairline)
             };
             let chip = Button::new(&text).wrap().stroke(stroke).corner_radius(4.0);
             let button = ui.add(chip.fill(look.theme.background));

@@ -137,7 +137,9 @@ fn markdown(rows: &[Vec<String>]) -> String {
         format!("| {} |\n", cells.join(" | "))
     };
     let mut text = line(&rows[0]);
-    text += &format!("|---|{}\n", "--:|".repeat(rows[0].len() - 1));
+    text += "|---|";
+    text += &"--:|".repeat(rows[0].len() - 1);
+    text.push('\n');
     text.extend(rows[1..].iter().map(line));
     text
 }

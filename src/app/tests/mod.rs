@@ -171,7 +171,7 @@ impl Bench {
         let mut galleys = Vec::new();
         for clipped in &output.shapes {
             each_galley(&clipped.shape, &mut |galley, _| {
-                galleys.push(galley.clone())
+                galleys.push(galley.clone());
             });
         }
         let largest = |galley: &Arc<egui::Galley>| {
