@@ -98,7 +98,7 @@ fn frames(facets: Arc<[Facet]>, edges: Arc<[Edge3]>) -> Vec<f64> {
         let space = Space {
             title: None,
             seer,
-            facets: facets.clone().into(),
+            facets: facets.to_vec().into(),
             edges: edges.clone(),
             marks: lines.map(Mark3::fine).collect(),
         };
