@@ -358,6 +358,9 @@ mod tests {
     }
 
     proptest::proptest! {
+        // Each opens the course.
+        #![proptest_config(proptest::test_runner::Config::with_cases(96))]
+
         /// Whatever a crash, a full disk or a hand has left: a window opens on it, or on what it always opens on.
         #[test]
         fn whatever_is_there_a_window_opens(
