@@ -44,6 +44,18 @@ pub struct Asked {
     of: Option<Page>,
 }
 
+impl Asked {
+    const fn new(step: usize, choice: Choice, of: Option<Page>) -> Self {
+        Self {
+            step,
+            choice,
+            chosen: None,
+            is_shown: false,
+            of,
+        }
+    }
+}
+
 impl Practice {
     /// Is a question open, so that nothing may tell what comes?
     pub fn is_asking(&self) -> bool {
@@ -195,13 +207,7 @@ impl App {
         let Some((step, choice)) = self.playback.main().decision_by(home) else {
             return;
         };
-        self.practice.asked = Some(Asked {
-            step,
-            choice,
-            chosen: None,
-            is_shown: false,
-            of: page,
-        });
+        self.practice.asked = Some(Asked::new(step, choice, page));
         self.seek(step - 1);
     }
 
@@ -221,13 +227,7 @@ impl App {
                     let Some(choice) = shown.options().filter(Choice::is_open) else {
                         return ControlFlow::Continue(());
                     };
-                    asked = Some(Asked {
-                        step,
-                        choice,
-                        chosen: None,
-                        is_shown: false,
-                        of: None,
-                    });
+                    asked = Some(Asked::new(step, choice, None));
                     ControlFlow::Break(())
                 });
         }
@@ -238,12 +238,13 @@ impl App {
         }
     }
 
-    /// The whole run of a step has been asked.
+    /// The whole run of a step has been asked: no more is, and its text and claim open.
     fn finish_run(&mut self) {
         let [right, all] = self.practice.told;
         let is_whole = right == all && !self.practice.is_helped;
         if let Some(Page::Step(lesson, step)) = self.practice.of.take() {
             self.settings.progress.finish(&lesson, &step, is_whole);
+            self.practice.is_on = false;
         }
     }
 

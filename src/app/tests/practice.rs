@@ -257,4 +257,5 @@ fn a_whole_run_is_asked_and_marked_at_its_end() {
     }
     assert!(n_answers > 1);
     assert_eq!(told(&bench), Told::Beforehand);
+    assert!(!bench.app.practice.is_on, "its text and its claim open");
 }
