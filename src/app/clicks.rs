@@ -55,6 +55,17 @@ pub fn ask(
     if shown.released {
         app.push(Command::EndGesture);
     }
+    clicked(app, ui, shown, lens, (handles, locks));
+}
+
+/// A click answers an open question, else it is about what it hits.
+fn clicked(
+    app: &App,
+    ui: &Ui,
+    shown: &CanvasShown,
+    lens: Lens,
+    (handles, locks): (&[Handle], &[Lock]),
+) {
     let Some(click) = shown.clicked else {
         return;
     };

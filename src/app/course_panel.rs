@@ -7,7 +7,7 @@ use egui::{
 };
 
 use crate::{
-    lesson::Block,
+    lesson::{Block, StepText},
     widgets::{card, claimed, lesson_text, step_title},
 };
 
@@ -51,39 +51,45 @@ pub fn show(app: &App, ui: &mut Ui) {
         .show(ui, |ui| {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
-                step_title(ui, look, &step.title);
-                if let Some(claim) = step.claim.as_ref().filter(|_| app.is_open()) {
-                    claimed(ui, look, claim);
-                }
-                if !app.is_untouched() {
-                    changed(app, ui);
-                    if app.met().is_empty() {
-                        ui.set_opacity(ASIDE);
-                    }
-                }
-                let told = app.text_told();
-                let waits = |block: &Block| *block == Block::Wait;
-                let is_shown = !told.waits || step.body.iter().any(waits);
-                let body = if is_shown { &step.body[..] } else { &[] };
-                let asked = lesson_text(ui, look, id, body, told);
-                if told.waits {
-                    ui.add(Label::new(soft(look, "lesson-waits")).wrap());
-                    return;
-                }
-                if app.is_reached() {
-                    reached(app, ui);
-                }
-                app.push_all(asked.map(Command::Control));
-                shown_answer(app, ui);
-                let is_last = step_idx + 1 == lesson.steps.len();
-                if let Some(it) = lesson.card(app.settings.lang).filter(|_| is_last) {
-                    card(ui, look, it);
-                }
-                if !lesson.speaks(app.settings.lang) {
-                    ui.label(soft(look, "lesson-not-translated").small());
-                }
+                text(app, ui, (lesson, step), id);
             });
         });
+}
+
+/// The text of the open step; while the step asks what comes, as far as that may be read.
+fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
+    let look = app.look();
+    step_title(ui, look, &step.title);
+    if let Some(claim) = step.claim.as_ref().filter(|_| app.is_open()) {
+        claimed(ui, look, claim);
+    }
+    if !app.is_untouched() {
+        changed(app, ui);
+        if app.met().is_empty() {
+            ui.set_opacity(ASIDE);
+        }
+    }
+    let told = app.text_told();
+    let waits = |block: &Block| *block == Block::Wait;
+    let is_shown = !told.waits || step.body.iter().any(waits);
+    let body = if is_shown { &step.body[..] } else { &[] };
+    let asked = lesson_text(ui, look, id, body, told);
+    app.push_all(asked.map(Command::Control));
+    if told.waits {
+        ui.add(Label::new(soft(look, "lesson-waits")).wrap());
+        return;
+    }
+    if app.is_reached() {
+        reached(app, ui);
+    }
+    shown_answer(app, ui);
+    let is_last = app.bookmark.at[1] + 1 == lesson.steps.len();
+    if let Some(it) = lesson.card(app.settings.lang).filter(|_| is_last) {
+        card(ui, look, it);
+    }
+    if !lesson.speaks(app.settings.lang) {
+        ui.label(soft(look, "lesson-not-translated").small());
+    }
 }
 
 /// Where there is no room for it beside the stage: the numbers of the open lesson's steps, and a button that opens the rest.
