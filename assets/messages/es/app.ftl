@@ -246,7 +246,7 @@ view-empty = no queda nada
 view-more = … { $count } más
 
 practice = Pregúntame
-action-practise = Pregúntame qué viene antes de cada decisión
+action-practise = Antes de cada decisión, pregúntame qué viene
 practice-question = ¿Qué viene ahora?
 practice-how = Pulsa una cifra o elige.
 practice-show = Muéstramelo (S)

@@ -101,8 +101,8 @@ case-cull-outside = Fuera: el plano { $plane } lo descarta, a una distancia de {
 case-box-outside = Fuera: los ocho vértices están por fuera de un mismo plano.
 case-cull-straddles = Cruza algún plano: al menos uno lo corta y ninguno lo descarta.
 case-cull-in-vain = Según las pruebas cruza algún plano y, sin embargo, ningún punto suyo está dentro: se conserva en vano.
-case-front = Muestra su cara delantera: n·e = { $dot }.
-case-back = No muestra su cara delantera: n·e = { $dot }.
+case-front = Muestra su lado delantero: n·e = { $dot }.
+case-back = No muestra su lado delantero: n·e = { $dot }.
 case-polygons =
     { $n ->
         [one] Un polígono: { $rings }
@@ -180,7 +180,7 @@ grade-refusable = El programa responde a este caso, que se rechaza ({ $code }).
 grade-mistake = Exactamente esto sale con un error conocido: «{ $mistake }».
 mistake-slope-turned-over = la pendiente está al revés, Δx/Δy en lugar de Δy/Δx
 mistake-looks-once = los códigos se miran una vez, y no de nuevo tras cada corte
-mistake-rejects-two-outside = se rechazan dos extremos de fuera, aunque ningún borde tenga ambos más allá
+mistake-rejects-two-outside = se rechaza con los dos extremos fuera, aunque ningún borde los deje fuera a ambos
 grade-both-stdin = Los casos y las respuestas no pueden venir ambos de la entrada estándar.
 grade-one-at-a-time = Este informe trata de una sola entrega, y las respuestas son de varias: --report json o text tiene un informe para cada una.
 grade-not-written = No se pudo escribir { $path }: { $reason }

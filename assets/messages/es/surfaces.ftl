@@ -274,7 +274,7 @@ painter-place = { $triangle } no tapa parte de ninguno de los que quedan: es el 
 painter-cycle-first = Hay un ciclo: { $triangle } se espera a sí mismo.
 painter-cycle-next = { $before } debe pintarse antes que { $triangle }.
 painter-cycle-closes = { $before } debe pintarse antes que { $triangle }, y { $triangle } antes que { $first }: el ciclo se cierra.
-painter-paint = { $triangle } se pinta sobre todo: { $place } de { $triangles }.
+painter-paint = { $triangle } se pinta encima de todo: { $place } de { $triangles }.
 painter-done = Terminado: { $pairs ->
     [one] se comprobó un par
    *[other] se comprobaron { $pairs } pares
@@ -329,7 +329,7 @@ bsp-built = El árbol está construido: { $triangles ->
 bsp-visit-front = El ojo está delante del plano de { $triangle }: primero lo de detrás, después { $triangle } y al final lo de delante.
 bsp-visit-back = El ojo está detrás del plano de { $triangle }: primero lo de delante, después { $triangle } y al final lo de detrás.
 bsp-visit-on = El ojo está en el plano de { $triangle } o mira a lo largo de él: cualquier lado puede ir antes.
-bsp-paint = { $piece } se pinta sobre todo: { $place } de { $pieces }.
+bsp-paint = { $piece } se pinta encima de todo: { $place } de { $pieces }.
 bsp-done = Terminado: { $pieces ->
     [one] una pieza pintada
    *[other] { $pieces } piezas pintadas
