@@ -246,7 +246,7 @@ view-empty = não sobra nada
 view-more = … mais { $count }
 
 practice = Pergunte-me
-action-practise = Pergunte-me o que vem antes de cada decisão
+action-practise = Antes de cada decisão, pergunte-me o que vem
 practice-question = O que vem agora?
 practice-how = Pressione um número ou escolha.
 practice-show = Mostre (S)

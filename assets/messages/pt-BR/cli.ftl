@@ -158,7 +158,7 @@ grade-unlisted = { $count ->
        *[other] Mais { $count } diferenças são contadas, e não estão na lista.
     }
 grade-output = { $place } é { $truth }; o programa diz { $said }.
-grade-output-missing = Falta { $place } na resposta, que é { $truth }.
+grade-output-missing = Na resposta falta { $place }, que é { $truth }.
 grade-output-spare = A resposta tem { $place } = { $said }, e a verdadeira não tem.
 grade-field = { $place } é { $said }, e o verdadeiro é { $truth }.
 grade-field-missing = Falta { $place }, e o verdadeiro é { $truth }.

@@ -365,7 +365,7 @@ verdict-crossing-in = A aresta tem aqui uma interseção porque seus extremos es
 ## What culling costs, measured
 
 culling-title = Quanto custa o descarte
-culling-about = Testa-se cada objeto e depois se desenha o que resta: a mesma imagem das três maneiras, medida aqui e agora.
+culling-about = Testa-se cada objeto e depois se desenha o que resta: a mesma imagem de três maneiras, medida aqui e agora.
 culling-objects = Objetos
 culling-own = Os desta cena
 culling-nothing = Sem descartar nada

@@ -152,7 +152,7 @@ words-pat-pass = Os triângulos mantidos são a lista para o plano seguinte.
 ht-opening = Há { $n } vértices no espaço de recorte, { $behind } deles com w ≤ 0: ainda não se divide nada.
 ht-divide = Os { $n } vértices são divididos por seu w.
 ht-codes-outside = Todos os vértices estão além de um mesmo lado: rejeitado sem recortar; lados com algum bit 1: { $sides }.
-ht-codes-inside = Nenhum vértice está além de um lado: mantido inteiro; lados com algum bit 1: { $sides }.
+ht-codes-inside = Nenhum vértice está além de lado algum: mantido inteiro; lados com algum bit 1: { $sides }.
 ht-codes-cut =
     { $sides ->
         [1] Só { $sides } dos seis lados tem algum bit 1: só esse recorta.
