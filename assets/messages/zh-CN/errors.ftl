@@ -14,7 +14,7 @@ error-at = { $place }：{ $problem }
 
 ## Shapes in space
 
-error-empty-box = 包围盒为空：{ $low } = { $min } 不得大于 { $high } = { $max }。
+error-empty-box = 盒为空：{ $low } = { $min } 不得大于 { $high } = { $max }。
 error-zero-normal = 平面的法向量不得为零向量。
 error-negative-radius = 半径不得为负，而这里是 { $radius }。
 error-no-vertices = 没有顶点，就没有包围体。

@@ -123,7 +123,7 @@ code-box-outside = 若八个全是：剔除
 code-box-meets = 有没有一点在所有平面内侧？
 code-box-done = 保留，或者白画
 words-box-corners = 只看八个角的距离的符号。
-words-box-outside = 八个角都在同一平面外侧：物体什么也看不到。
+words-box-outside = 八个角都在同一平面外侧：物体的任何部分都看不见。
 words-box-meets = 第二个测试找出跨在平面上、却仍在外部的盒子。
 words-box-done = 平面测试绝不剔除看得见的，但可能保留看不见的。
 

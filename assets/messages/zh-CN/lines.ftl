@@ -80,7 +80,7 @@ words-cs-choose = 否则取最低位的 1 所对应的边界。
 words-cs-end = 恰有一个端点在它的外侧。
 words-cs-cut = 把这个端点移到线段与该边界的交点处。
 words-cs-recode = 重新给它编码。
-settings-bit-order = 编码的位序
+settings-bit-order = 区域码的位序
 bit-order-tbrl = 上、下、右、左
 bit-order-lrbt = 左、右、下、上
 

@@ -53,7 +53,7 @@ pipeline-view-ahead = 第 3 行向后量：P 在相机前方 { $value } 处，�
 pipeline-clip-x = 第 1 行缩放 x，使左右两面落在 x = ±w。
 pipeline-clip-y = 第 2 行缩放 y，使上下两面落在 y = ±w。
 pipeline-clip-z = 第 3 行把近平面放到 z = −w，远平面放到 z = w。
-pipeline-clip-w = 第 4 行把深度复制到 w：{ $value }，接下来要除以它。
+pipeline-clip-w = 第 4 行把深度复制到 w：{ $value }，之后 x、y、z 要除以它。
 pipeline-clip-w-parallel = 第 4 行让 w 保持为 1：视线平行时不需要除法。
 pipeline-inside = P 在内部：x、y、z 都在 −w 与 w 之间。
 pipeline-outside = P 在外部：会被裁掉。

@@ -11,7 +11,7 @@ alg-faulty-on-plane = 错误：平面上的点算在外侧
 alg-faulty-kept-uv = 错误：(u, v) 没有插值
 alg-undivided-texture = 错误：贴图时不做除法
 alg-faulty-edge-by-edge = 错误：把边当作线段裁剪
-alg-faulty-all-sides = 错误：六个面全都裁剪
+alg-faulty-all-sides = 错误：六个面全都用来裁剪
 alg-faulty-divided-triangle = 错误：先除以 w，再裁剪
 
 ## 视图
