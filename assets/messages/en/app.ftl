@@ -246,7 +246,7 @@ view-empty = nothing is left
 view-more = … { $count } more
 
 practice = Ask me
-action-practise = Ask me what comes before each decision
+action-practise = Let me say each decision before it is shown
 practice-question = What comes next?
 practice-how = Press a digit, or choose.
 practice-show = Show me (S)
