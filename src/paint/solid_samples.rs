@@ -19,8 +19,13 @@ const MOST_THREADS: usize = 4;
 const BLOCK: usize = 32;
 pub const FINE: usize = 2;
 
+/// Rows of pixels, and what is seen in their samples.
+pub struct Band {
+    rows: Range<u32>,
+    seen: Seen,
+}
+
 pub struct Samples<'a> {
-    pub picture: &'a SolidPicture<'a>,
     pub tones: &'a [Color32],
     /// Of lines that are found between facets, where there are any.
     pub outline: Option<(Color32, Lined<'a>)>,
@@ -29,70 +34,92 @@ pub struct Samples<'a> {
 }
 
 impl Samples<'_> {
-    /// On pixels that are clear; each thread takes the next few rows, so that none waits for one that is late.
-    pub fn draw(&self, pixels: &mut [Color32]) {
+    /// On pixels that are clear; each thread takes the next few rows, so that none waits for one that is late. Gives back what
+    /// is seen where that took long to find, and how facets look has no say in it.
+    pub fn draw(&self, picture: &SolidPicture, pixels: &mut [Color32]) -> Vec<Band> {
         let [width, height] = self.size;
-        let seen = self.picture.rows();
+        let seen = picture.rows();
         // An outline reaches a sample further.
         let first = (seen.start.saturating_sub(1) / self.fine).min(height);
         let end = (seen.end + 1).div_ceil(self.fine).clamp(first, height);
         let height = end - first;
-        let n_samples = (width * self.fine) as usize * (height * self.fine) as usize;
-        let n_threads = thread::available_parallelism().map_or(1, usize::from);
-        let n_threads = if n_samples < FEW { 1 } else { n_threads }.min(MOST_THREADS);
-        let n_at_once = if self.picture.n_triangles() <= FEW_TRIANGLES {
-            ROWS_AT_ONCE
-        } else {
+        let are_many = picture.n_triangles() > FEW_TRIANGLES;
+        let n_threads = self.n_threads(height);
+        let n_at_once = if are_many {
             height.div_ceil(n_threads as u32).max(1)
+        } else {
+            ROWS_AT_ONCE
         };
         let starts = (first..end).step_by(n_at_once as usize);
         let rows = starts.map(|start| start..(start + n_at_once).min(end));
         let pixels = &mut pixels[(first * width) as usize..(end * width) as usize];
         let bands = rows.zip(pixels.chunks_mut((n_at_once * width).max(1) as usize));
-        let bands = Mutex::new(bands);
-        thread::scope(|scope| {
-            for _ in 1..n_threads {
-                scope.spawn(|| self.bands(&bands));
+        let kept = Mutex::new(Vec::new());
+        let is_worth_keeping = are_many && !picture.has_skin();
+        share(n_threads, bands, |seen, (rows, pixels)| {
+            self.find(picture, &rows, seen);
+            self.tone(&rows, seen, pixels);
+            if is_worth_keeping && let Ok(mut kept) = kept.lock() {
+                let seen = std::mem::take(seen);
+                kept.push(Band { rows, seen });
             }
-            self.bands(&bands);
+        });
+        kept.into_inner().unwrap_or_default()
+    }
+
+    /// As [`Self::draw`] the last time, but in other tones.
+    pub fn draw_again(&self, known: &[Band], pixels: &mut [Color32]) {
+        let width = self.size[0];
+        let mut bands: Vec<&Band> = known.iter().collect();
+        bands.sort_unstable_by_key(|band| band.rows.start);
+        let mut rest = pixels;
+        let mut row = 0;
+        let parts = bands.into_iter().map(|band| {
+            let [above, own] = [band.rows.start - row, band.rows.len() as u32];
+            let below = std::mem::take(&mut rest).split_at_mut((above * width) as usize);
+            let pixels;
+            (pixels, rest) = below.1.split_at_mut((own * width) as usize);
+            row = band.rows.end;
+            (band, pixels)
+        });
+        let n_rows = known.iter().map(|band| band.rows.len() as u32).sum();
+        share(self.n_threads(n_rows), parts, |_, (band, pixels)| {
+            self.tone(&band.rows, &band.seen, pixels);
         });
     }
 
-    /// Some rows of pixels after the other, as long as there are any: their samples stay near the processor.
-    fn bands<'p>(&self, bands: &Mutex<impl Iterator<Item = (Range<u32>, &'p mut [Color32])>>) {
-        let mut seen = Seen {
-            n_columns: (self.size[0] * self.fine) as usize,
-            ..Seen::default()
-        };
-        let next = || bands.lock().ok()?.next();
-        while let Some((rows, pixels)) = next() {
-            self.few_rows(rows, &mut seen, pixels);
-        }
+    fn n_threads(&self, n_rows: u32) -> usize {
+        let n_samples = (self.size[0] * self.fine) as usize * (n_rows * self.fine) as usize;
+        let n_threads = thread::available_parallelism().map_or(1, usize::from);
+        if n_samples < FEW { 1 } else { n_threads }.min(MOST_THREADS)
     }
 
-    fn few_rows(&self, rows: Range<u32>, seen: &mut Seen, pixels: &mut [Color32]) {
+    fn find(&self, picture: &SolidPicture, rows: &Range<u32>, seen: &mut Seen) {
         let first = (rows.start * self.fine).saturating_sub(1);
         let end = (rows.end * self.fine + 1).min(self.size[1] * self.fine);
-        let n_columns = seen.n_columns;
-        let n_samples = (end - first) as usize * n_columns;
+        seen.n_columns = (self.size[0] * self.fine) as usize;
+        seen.first_row = first as usize;
+        let n_samples = (end - first) as usize * seen.n_columns;
         seen.depths.clear();
         seen.depths.resize(n_samples, 1.0);
         seen.facets.clear();
         seen.facets.resize(n_samples, NONE);
-        if self.picture.has_skin() {
+        if picture.has_skin() {
             seen.texels.clear();
             seen.texels.resize(n_samples, None);
         }
         let (depths, facets) = (&mut seen.depths, &mut seen.facets);
-        self.picture
-            .draw_rows(first..end, depths, facets, &mut seen.texels);
-        seen.first_row = first as usize;
+        picture.draw_rows(first..end, depths, facets, &mut seen.texels);
+    }
+
+    fn tone(&self, rows: &Range<u32>, seen: &Seen, pixels: &mut [Color32]) {
+        let n_columns = seen.n_columns;
         let is_dark = match self.outline {
             Some((_, lined)) => outlines(seen, lined),
-            None => vec![false; n_samples],
+            None => vec![false; seen.facets.len()],
         };
         let fine = self.fine as usize;
-        let above = (rows.start * self.fine - first) as usize;
+        let above = rows.start as usize * fine - seen.first_row;
         for (row, pixels) in pixels.chunks_mut(self.size[0] as usize).enumerate() {
             let top = (above + row * fine) * n_columns;
             for (block, pixels) in pixels.chunks_mut(BLOCK).enumerate() {
@@ -167,6 +194,28 @@ impl Samples<'_> {
         let [r, g, b, a] = sum.map(|sum: u32| ((sum + n / 2) / n) as u8);
         Color32::from_rgba_premultiplied(r, g, b, a)
     }
+}
+
+/// Some parts after the other, as long as there are any: a thread's samples stay near its processor.
+fn share<T: Send>(
+    n_threads: usize,
+    parts: impl Iterator<Item = T> + Send,
+    work: impl Fn(&mut Seen, T) + Sync,
+) {
+    let parts = Mutex::new(parts);
+    let work_on = || {
+        let mut seen = Seen::default();
+        let next = || parts.lock().ok()?.next();
+        while let Some(part) = next() {
+            work(&mut seen, part);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..n_threads {
+            scope.spawn(work_on);
+        }
+        work_on();
+    });
 }
 
 fn chunks<T, const N: usize>(samples: &[T]) -> &[[T; N]] {

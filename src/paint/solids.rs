@@ -15,7 +15,7 @@ use super::{
     Theme, ThemeKind, Viewport,
     pen::stroke_colour,
     solid_outlines::Lined,
-    solid_samples::{FINE, Samples},
+    solid_samples::{Band, FINE, Samples},
 };
 
 /// Where light comes from: from the left, from above, and from before.
@@ -41,6 +41,8 @@ struct Drawn {
     is_fine: bool,
     frame: u64,
     surface: Surface,
+    /// What is seen in the samples, where that took long to find.
+    bands: Arc<Vec<Band>>,
     texture: TextureHandle,
 }
 
@@ -136,10 +138,21 @@ impl Asked {
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
+        self.has_surface_of(drawn) && self.has_tones_of(drawn) && self.stands_as(drawn)
+    }
+
+    fn stands_as(&self, drawn: &Drawn) -> bool {
+        let drawn = &drawn.asked;
+        self.place == drawn.place && self.solids.lens == drawn.solids.lens
+    }
+
+    /// Is the same seen in each sample, whatever its tone?
+    fn has_bands_of(&self, drawn: &Drawn) -> bool {
+        let are_all_shown = |asked: &Self| asked.solids.facets.are_all_shown();
         self.has_surface_of(drawn)
-            && self.place == drawn.asked.place
-            && self.has_tones_of(drawn)
-            && self.solids.lens == drawn.asked.solids.lens
+            && self.stands_as(drawn)
+            && are_all_shown(self)
+            && are_all_shown(&drawn.asked)
     }
 
     fn are_dashed(&self) -> Arc<[bool]> {
@@ -166,33 +179,37 @@ impl Asked {
         normals.iter().enumerate().map(tone).collect()
     }
 
-    fn image(&self, surface: &Surface, is_fine: bool) -> ColorImage {
+    fn image(&self, surface: &Surface, is_fine: bool, bands: &mut Arc<Vec<Band>>) -> ColorImage {
         let size = self.place.size;
         let has_room = |side: &u32| FINE as u32 * side <= SolidPicture::MAX_SIDE;
         let is_doubled = is_fine && size.iter().all(has_room);
         let fine = if is_doubled { FINE as u32 } else { 1 };
         let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
-        let samples = size.map(|side| side * fine);
-        let (lens, part) = (&self.solids.lens, self.place.part);
-        if let Some(picture) = SolidPicture::new(self.solids.facets.mesh(), lens, part, samples) {
-            let picture = picture.looking(&self.solids.facets);
-            let ink = Theme::of(self.theme).ink;
-            let lined = |are_found| Lined {
-                normals: &surface.normals,
-                are_found,
-                are_dashed: &surface.are_dashed,
-            };
-            let outlined = surface.outlined.as_deref();
-            let samples = Samples {
-                picture: &picture,
-                tones: &surface.tones,
-                outline: outlined.map(|are_found| (ink, lined(are_found))),
-                size,
-                fine,
-            };
-            samples.draw(&mut pixels);
+        let ink = Theme::of(self.theme).ink;
+        let lined = |are_found| Lined {
+            normals: &surface.normals,
+            are_found,
+            are_dashed: &surface.are_dashed,
+        };
+        let outlined = surface.outlined.as_deref();
+        let samples = Samples {
+            tones: &surface.tones,
+            outline: outlined.map(|are_found| (ink, lined(are_found))),
+            size,
+            fine,
+        };
+        if !bands.is_empty() {
+            samples.draw_again(bands, &mut pixels);
+        } else if let Some(picture) = self.picture(size.map(|side| side * fine)) {
+            *bands = Arc::new(samples.draw(&picture, &mut pixels));
         }
         ColorImage::new(size.map(|side| side as usize), pixels)
+    }
+
+    fn picture(&self, samples: [u32; 2]) -> Option<SolidPicture<'_>> {
+        let Solids { facets, lens } = &self.solids;
+        let picture = SolidPicture::new(facets.mesh(), lens, self.place.part, samples)?;
+        Some(picture.looking(facets))
     }
 }
 
@@ -209,7 +226,10 @@ impl Drawn {
             },
             None => Surface::of(&asked),
         };
-        let image = asked.image(&surface, is_fine);
+        let seen = before.as_ref();
+        let seen = seen.filter(|drawn| drawn.is_fine == is_fine && asked.has_bands_of(drawn));
+        let mut bands = seen.map(|drawn| drawn.bands.clone()).unwrap_or_default();
+        let image = asked.image(&surface, is_fine, &mut bands);
         let options = TextureOptions::LINEAR;
         let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {
@@ -223,6 +243,7 @@ impl Drawn {
             is_fine,
             frame: 0,
             surface,
+            bands,
             texture,
         }
     }
