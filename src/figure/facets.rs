@@ -5,7 +5,13 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use super::{facet::Facet, role::Role, solid_mesh::SolidMesh};
+use rustc_hash::FxHashSet;
+
+use super::{
+    facet::Facet,
+    role::{Link, Role},
+    solid_mesh::SolidMesh,
+};
 
 /// Shared, so that a step that changes none copies none.
 #[derive(Clone, Default, Debug)]
@@ -19,6 +25,7 @@ pub struct Facets {
 struct All {
     facets: Box<[Facet]>,
     mesh: OnceLock<SolidMesh>,
+    links: OnceLock<FxHashSet<Link>>,
 }
 
 impl Facets {
@@ -33,6 +40,12 @@ impl Facets {
     /// What is drawn of them wherever they are seen from: found once.
     pub fn mesh(&self) -> &SolidMesh {
         self.all.mesh.get_or_init(|| SolidMesh::of(self))
+    }
+
+    /// Is one of them about this?
+    pub fn are_about(&self, link: Link) -> bool {
+        let links = || self.iter().filter_map(|facet| facet.link).collect();
+        self.all.links.get_or_init(links).contains(&link)
     }
 
     /// What a facet looks like; none where it is not there.
@@ -73,6 +86,7 @@ impl From<Vec<Facet>> for Facets {
         let all = All {
             facets: facets.into(),
             mesh: OnceLock::new(),
+            links: OnceLock::new(),
         };
         Self {
             all: Arc::new(all),

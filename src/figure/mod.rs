@@ -53,7 +53,7 @@ pub use small_pictures::{
     SmallDrawing, SpaceCell, SpaceRow, Story, StoryCard, StoryFate, Tiles,
 };
 pub use solid_mesh::SolidMesh;
-pub use solids::{SolidPicture, Solids};
+pub use solids::{SolidPicture, SolidScreen, Solids};
 pub use space::{Edge3, Mark3, Seer, Shape3, Space};
 pub use values::{
     BitRow, Bits, Cell, Costs, Gauge, Gauges, ItemMarker, ListColumn, ListLink, ListRow, Lists,

@@ -16,6 +16,8 @@ pub struct SolidMesh {
     pub(super) uvs: Vec<[f32; 2]>,
     triangles: Vec<[u32; 3]>,
     pub(super) facets: Vec<u32>,
+    /// Of each facet, of length 1.
+    pub normals: Vec<[f32; 3]>,
     pub(super) textures: Vec<Option<Texture>>,
     /// Of each facet; empty where all hide what is behind them.
     pub(super) opacities: Vec<f32>,
@@ -29,6 +31,7 @@ impl SolidMesh {
             uvs: Vec::new(),
             textures: Vec::new(),
             opacities: opacities(facets),
+            normals: facets.iter().map(normal).collect(),
             triangles: Vec::with_capacity(n_corners),
             facets: Vec::with_capacity(n_corners),
         };
@@ -81,6 +84,10 @@ impl SolidMesh {
         assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
         seen
     }
+}
+
+fn normal(facet: &Facet) -> [f32; 3] {
+    facet.normal().as_vec3().to_array()
 }
 
 /// Where outlines are found between the samples, nothing can be seen through: they would be found within a face.

@@ -1,6 +1,6 @@
 //! Solids as they are seen: which facet at each sample of a picture.
 
-use std::ops::Range;
+use std::{borrow::Cow, ops::Range};
 
 use glam::DVec3;
 
@@ -69,31 +69,35 @@ fn distance(corners: &[DVec3], optics: &Optics, at: [f64; 2]) -> Option<f64> {
 /// In which order the samples of two rows and two columns are taken by what can be seen through: as many as it hides.
 const RANKS: [[u8; 2]; 2] = [[0, 2], [3, 1]];
 
-pub struct SolidPicture<'a> {
-    mesh: &'a SolidMesh,
+/// The triangles of a mesh on a screen.
+pub struct SolidScreen {
     triangles: Drawable,
     /// Those that can be seen through.
     glass: Drawable,
+    viewport: Viewport,
+}
+
+/// A screen's triangles, as far as they are there, with their facets' textures.
+pub struct SolidPicture<'a> {
+    mesh: &'a SolidMesh,
+    triangles: Cow<'a, Drawable>,
+    glass: Cow<'a, Drawable>,
     viewport: Viewport,
     /// How facets look now, where not by themselves.
     looks: Option<&'a Facets>,
 }
 
+#[derive(Clone)]
 enum Drawable {
     Plain(Vec<ScreenTriangle<0>>),
     Skinned(Vec<ScreenTriangle<2>>),
 }
 
-impl<'a> SolidPicture<'a> {
+impl SolidScreen {
     pub const MAX_SIDE: u32 = Viewport::MAX_SIDE;
 
     /// The part of the picture from `min` to `max`, in so many columns and rows. `None` where there is nothing to see.
-    pub fn new(
-        mesh: &'a SolidMesh,
-        lens: &Lens,
-        part: [[f64; 2]; 2],
-        size: [u32; 2],
-    ) -> Option<Self> {
+    pub fn new(mesh: &SolidMesh, lens: &Lens, part: [[f64; 2]; 2], size: [u32; 2]) -> Option<Self> {
         let optics = Optics::of(lens)?;
         let viewport = Viewport::new(size, Viewport::PICTURE_BITS)?;
         let clip_from_world = optics.clip_from_world(part, depths(mesh, &optics)?)?;
@@ -108,32 +112,44 @@ impl<'a> SolidPicture<'a> {
             let opacity = opacities.get(mesh.facets[id as usize] as usize);
             opacity.is_none_or(|&opacity| opacity == 1.0)
         };
-        let [triangles, glass] = triangles.parted(is_whole);
+        let [triangles, glass] = if opacities.is_empty() {
+            [triangles, Drawable::Plain(Vec::new())]
+        } else {
+            triangles.parted(is_whole)
+        };
         Some(Self {
-            mesh,
             triangles,
             glass,
             viewport,
-            looks: None,
         })
+    }
+}
+
+impl<'a> SolidPicture<'a> {
+    pub const fn new(mesh: &'a SolidMesh, screen: &'a SolidScreen) -> Self {
+        Self {
+            mesh,
+            triangles: Cow::Borrowed(&screen.triangles),
+            glass: Cow::Borrowed(&screen.glass),
+            viewport: screen.viewport,
+            looks: None,
+        }
     }
 
     /// Of these facets, as they look now: those that are not there are left out, what is cut away has no texture.
-    pub fn looking(mut self, facets: &'a Facets) -> Self {
-        let is_shown = |id: u32| {
-            facets
-                .role(self.mesh.facets[id as usize] as usize)
-                .is_some()
-        };
-        if !facets.are_all_shown() {
-            for triangles in [&mut self.triangles, &mut self.glass] {
-                match triangles {
-                    Drawable::Plain(all) => all.retain(|it| is_shown(it.id)),
-                    Drawable::Skinned(all) => all.retain(|it| is_shown(it.id)),
-                }
+    pub fn looking(self, facets: &'a Facets) -> Self {
+        let facet_of = |id: u32| self.mesh.facets[id as usize] as usize;
+        let is_shown = |id: u32| facets.role(facet_of(id)).is_some();
+        let [triangles, glass] = [&self.triangles, &self.glass].map(|all| {
+            if facets.are_all_shown() {
+                all.clone()
+            } else {
+                Cow::Owned(all.only(is_shown))
             }
-        }
+        });
         Self {
+            triangles,
+            glass,
             looks: Some(facets),
             ..self
         }
@@ -145,20 +161,20 @@ impl<'a> SolidPicture<'a> {
         texture.filter(|_| role != Some(Role::Discarded))
     }
 
-    pub const fn n_triangles(&self) -> usize {
+    pub fn n_triangles(&self) -> usize {
         self.triangles.len() + self.glass.len()
     }
 
     pub fn rows(&self) -> Range<u32> {
-        let rows = [&self.triangles, &self.glass].map(Drawable::rows);
+        let rows = [&self.triangles, &self.glass].map(|all| all.rows());
         rows.into_iter()
             .flatten()
             .reduce(around)
             .unwrap_or_default()
     }
 
-    pub const fn has_skin(&self) -> bool {
-        match &self.triangles {
+    pub fn has_skin(&self) -> bool {
+        match *self.triangles {
             Drawable::Plain(_) => false,
             Drawable::Skinned(_) => true,
         }
@@ -243,6 +259,17 @@ impl Drawable {
             Self::Skinned(all) => {
                 let (some, others) = all.into_iter().partition(|it| is_so(it.id));
                 [some, others].map(Self::Skinned)
+            }
+        }
+    }
+
+    fn only(&self, is_so: impl Fn(u32) -> bool) -> Self {
+        match self {
+            Self::Plain(all) => {
+                Self::Plain(all.iter().filter(|it| is_so(it.id)).copied().collect())
+            }
+            Self::Skinned(all) => {
+                Self::Skinned(all.iter().filter(|it| is_so(it.id)).copied().collect())
             }
         }
     }

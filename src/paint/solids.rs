@@ -7,9 +7,8 @@ use egui::{
     Color32, ColorImage, Context, Id, Mesh, Rect, Shape, TextureHandle, TextureOptions, Vec2, pos2,
 };
 use glam::DVec3;
-use rustc_hash::FxHashSet;
 
-use crate::figure::{Edging, Facet, Link, Role, SolidPicture, Solids};
+use crate::figure::{Edging, Link, Role, SolidPicture, SolidScreen, Solids};
 
 use super::{
     Theme, ThemeKind, Viewport,
@@ -41,19 +40,23 @@ struct Drawn {
     is_fine: bool,
     frame: u64,
     surface: Surface,
-    /// What is seen in the samples, where that took long to find.
-    bands: Arc<Vec<Band>>,
+    found: Found,
     texture: TextureHandle,
+}
+
+/// What was found of very many facets and stays, however they look: their triangles on the screen, or which are seen where all
+/// of them are there.
+#[derive(Clone, Default)]
+struct Found {
+    screen: Option<Arc<SolidScreen>>,
+    bands: Arc<[Band]>,
 }
 
 /// What does not depend on where solids are seen from.
 #[derive(Clone)]
 struct Surface {
-    normals: Arc<[[f32; 3]]>,
     /// Of which facets lines are found between the samples, if of any.
     outlined: Option<Arc<[bool]>>,
-    /// What they are about.
-    links: Arc<FxHashSet<Link>>,
     tones: Arc<[Color32]>,
     are_dashed: Arc<[bool]>,
 }
@@ -113,7 +116,7 @@ impl Place {
         let min = (rect.min.to_vec2() * pixels_per_point).floor();
         let max = (rect.max.to_vec2() * pixels_per_point).ceil();
         let size = [max.x - min.x, max.y - min.y];
-        let is_usable = |side: &f32| (1.0..=SolidPicture::MAX_SIDE as f32).contains(side);
+        let is_usable = |side: &f32| (1.0..=SolidScreen::MAX_SIDE as f32).contains(side);
         let at = |corner: Vec2| (corner / pixels_per_point).to_pos2();
         let rect = Rect::from_min_max(at(min), at(max));
         let [low, high] = [rect.left_bottom(), rect.right_top()];
@@ -132,9 +135,9 @@ impl Asked {
     }
 
     fn has_tones_of(&self, drawn: &Drawn) -> bool {
-        let is_about = |lit: &Link| drawn.surface.links.contains(lit);
-        let lit = [self.lit, drawn.asked.lit].map(|lit| lit.filter(is_about));
-        lit[0] == lit[1] && self.solids.facets == drawn.asked.solids.facets
+        let facets = &self.solids.facets;
+        let lit = [self.lit, drawn.asked.lit].map(|lit| lit.filter(|&lit| facets.are_about(lit)));
+        lit[0] == lit[1] && *facets == drawn.asked.solids.facets
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
@@ -146,48 +149,51 @@ impl Asked {
         self.place == drawn.place && self.solids.lens == drawn.solids.lens
     }
 
-    /// Is the same seen in each sample, whatever its tone?
-    fn has_bands_of(&self, drawn: &Drawn) -> bool {
-        let are_all_shown = |asked: &Self| asked.solids.facets.are_all_shown();
-        self.has_surface_of(drawn)
-            && self.stands_as(drawn)
-            && are_all_shown(self)
-            && are_all_shown(&drawn.asked)
-    }
-
     fn are_dashed(&self) -> Arc<[bool]> {
         let facets = &self.solids.facets;
         let is_dashed = |idx| facets.role(idx) == Some(Role::Discarded);
         (0..facets.len()).map(is_dashed).collect()
     }
 
-    fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
+    fn tones(&self) -> Arc<[Color32]> {
         let (theme, light) = (Theme::of(self.theme), LIGHT.normalize());
         let facets = &self.solids.facets;
-        let tone = |(idx, normal): (usize, &[f32; 3])| {
-            let facet = &facets[idx];
-            let cosine = DVec3::from(normal.map(f64::from)).dot(light);
-            let darkness = LIT.iter().filter(|least| cosine <= **least).count();
-            let role = facets.role(idx).unwrap_or(facet.role);
+        let colour = |(role, darkness, is_lit)| {
             let tone = tone(theme, role, darkness);
-            if self.lit.is_some() && facet.link == self.lit {
+            if is_lit {
                 tone.lerp_to_gamma(theme.accent, STANDS_OUT)
             } else {
                 tone
             }
         };
-        normals.iter().enumerate().map(tone).collect()
+        // Neighbours have few tones.
+        let mut known: Vec<((Role, usize, bool), Color32)> = Vec::new();
+        let tone = |(idx, normal): (usize, &[f32; 3])| {
+            let facet = &facets[idx];
+            let cosine = DVec3::from(normal.map(f64::from)).dot(light);
+            let darkness = LIT.iter().filter(|least| cosine <= **least).count();
+            let role = facets.role(idx).unwrap_or(facet.role);
+            let key = (role, darkness, self.lit.is_some() && facet.link == self.lit);
+            if let Some(&(_, tone)) = known.iter().find(|(of, _)| *of == key) {
+                return tone;
+            }
+            let tone = colour(key);
+            known.push((key, tone));
+            tone
+        };
+        facets.mesh().normals.iter().enumerate().map(tone).collect()
     }
 
-    fn image(&self, surface: &Surface, is_fine: bool, bands: &mut Arc<Vec<Band>>) -> ColorImage {
+    fn image(&self, surface: &Surface, is_fine: bool, found: &mut Found) -> ColorImage {
         let size = self.place.size;
-        let has_room = |side: &u32| FINE as u32 * side <= SolidPicture::MAX_SIDE;
+        let has_room = |side: &u32| FINE as u32 * side <= SolidScreen::MAX_SIDE;
         let is_doubled = is_fine && size.iter().all(has_room);
         let fine = if is_doubled { FINE as u32 } else { 1 };
         let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
         let ink = Theme::of(self.theme).ink;
+        let facets = &self.solids.facets;
         let lined = |are_found| Lined {
-            normals: &surface.normals,
+            normals: &facets.mesh().normals,
             are_found,
             are_dashed: &surface.are_dashed,
         };
@@ -198,18 +204,28 @@ impl Asked {
             size,
             fine,
         };
-        if !bands.is_empty() {
-            samples.draw_again(bands, &mut pixels);
-        } else if let Some(picture) = self.picture(size.map(|side| side * fine)) {
-            *bands = Arc::new(samples.draw(&picture, &mut pixels));
+        if found.bands.is_empty() {
+            let screen = found.screen.take();
+            let screen = screen.or_else(|| self.screen(size.map(|side| side * fine)));
+            if let Some(screen) = screen {
+                let picture = SolidPicture::new(facets.mesh(), &screen).looking(facets);
+                let bands = samples.draw(&picture, &mut pixels);
+                if facets.are_all_shown() {
+                    found.bands = bands.into();
+                } else if facets.len() > MANY {
+                    found.screen = Some(screen);
+                }
+            }
+        } else {
+            samples.draw_again(&found.bands, &mut pixels);
         }
         ColorImage::new(size.map(|side| side as usize), pixels)
     }
 
-    fn picture(&self, samples: [u32; 2]) -> Option<SolidPicture<'_>> {
+    fn screen(&self, samples: [u32; 2]) -> Option<Arc<SolidScreen>> {
         let Solids { facets, lens } = &self.solids;
-        let picture = SolidPicture::new(facets.mesh(), lens, self.place.part, samples)?;
-        Some(picture.looking(facets))
+        let screen = SolidScreen::new(facets.mesh(), lens, self.place.part, samples);
+        screen.map(Arc::new)
     }
 }
 
@@ -220,16 +236,18 @@ impl Drawn {
         let surface = match known {
             Some(drawn) if asked.has_tones_of(drawn) => drawn.surface.clone(),
             Some(drawn) => Surface {
-                tones: asked.tones(&drawn.surface.normals),
+                tones: asked.tones(),
                 are_dashed: asked.are_dashed(),
                 ..drawn.surface.clone()
             },
             None => Surface::of(&asked),
         };
-        let seen = before.as_ref();
-        let seen = seen.filter(|drawn| drawn.is_fine == is_fine && asked.has_bands_of(drawn));
-        let mut bands = seen.map(|drawn| drawn.bands.clone()).unwrap_or_default();
-        let image = asked.image(&surface, is_fine, &mut bands);
+        let found = known.filter(|drawn| drawn.is_fine == is_fine && asked.stands_as(drawn));
+        let mut found = found.map(|drawn| drawn.found.clone()).unwrap_or_default();
+        if !asked.solids.facets.are_all_shown() {
+            found.bands = Arc::default();
+        }
+        let image = asked.image(&surface, is_fine, &mut found);
         let options = TextureOptions::LINEAR;
         let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {
@@ -243,7 +261,7 @@ impl Drawn {
             is_fine,
             frame: 0,
             surface,
-            bands,
+            found,
             texture,
         }
     }
@@ -259,17 +277,12 @@ impl Drawn {
 impl Surface {
     fn of(asked: &Asked) -> Self {
         let facets = &asked.solids.facets;
-        let normal = |facet: &Facet| facet.normal().as_vec3().to_array();
-        let normals: Arc<[[f32; 3]]> = facets.iter().map(normal).collect();
         let outlined = facets.iter().map(|facet| facet.edging != Edging::Lines);
         let outlined: Arc<[bool]> = outlined.collect();
-        let links = facets.iter().filter_map(|facet| facet.link);
         Self {
             outlined: outlined.contains(&true).then_some(outlined),
-            links: Arc::new(links.collect()),
-            tones: asked.tones(&normals),
+            tones: asked.tones(),
             are_dashed: asked.are_dashed(),
-            normals,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The bytes of rendered spaces, as one number.
 
 use clipscope::{
-    figure::{Body, Lens, Seer, SolidMesh, SolidPicture, Space, project},
+    figure::{Body, Lens, Seer, SolidMesh, SolidPicture, SolidScreen, Space, project},
     labs::{Document, frustum, space},
 };
 
@@ -37,7 +37,8 @@ fn add_space(hash: &mut u64, space: &Space) {
     };
     let mesh = SolidMesh::of(&space.facets);
     let part = [[-1.6, -1.0], [1.6, 1.0]];
-    let picture = SolidPicture::new(&mesh, &lens, part, SIZE).expect("there is something to see");
+    let screen = SolidScreen::new(&mesh, &lens, part, SIZE).expect("there is something to see");
+    let picture = SolidPicture::new(&mesh, &screen);
     let n = (SIZE[0] * SIZE[1]) as usize;
     let (mut depths, mut facets) = (vec![1.0; n], vec![u32::MAX; n]);
     picture.draw_rows(0..SIZE[1], &mut depths, &mut facets, &mut []);

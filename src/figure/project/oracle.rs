@@ -10,7 +10,7 @@ use super::super::{
     mark::Shape,
     role::{Link, Role},
     solid_mesh::SolidMesh,
-    solids::{SolidPicture, Solids},
+    solids::{SolidPicture, SolidScreen, Solids},
     space::{Mark3, Shape3},
 };
 
@@ -183,7 +183,8 @@ fn a_face_is_pointed_at_where_the_raster_shows_it() {
             lens,
         };
         let part = [[-1.6, -1.0], [1.6, 1.0]];
-        let picture = SolidPicture::new(&mesh, &lens, part, SIZE).expect("something is seen");
+        let screen = SolidScreen::new(&mesh, &lens, part, SIZE).expect("something is seen");
+        let picture = SolidPicture::new(&mesh, &screen);
         let [width, height] = SIZE.map(|side| side as usize);
         let mut depths = vec![1.0; width * height];
         let mut seen = vec![u32::MAX; width * height];
