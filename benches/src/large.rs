@@ -18,16 +18,18 @@ use crate::{
     space::waves,
 };
 
-const SIZES: [usize; 1] = [200_000];
+const SIZES: [usize; 7] = [1_000, 3_000, 10_000, 30_000, 100_000, 200_000, 1_000_000];
 /// Milliseconds, of up to so many triangles.
 const TARGET: (Target, usize) = (Target::AtMost(100.0), 200_000);
-const N_FRAMES: usize = 60;
+const N_FRAMES: usize = 24;
 /// Through the run in steps of this part of it: no two steps after each other are near.
 const STRIDE: f64 = 0.381_966;
 
 /// A lab, its method, and how large the object is: as it comes, or so large that the camera's volume cuts it.
-const RUNS: [(&str, &str, f64); 1] = [
+const RUNS: [(&str, &str, f64); 3] = [
+    ("frustum", "funnel", 1.0),
     ("frustum", "funnel", 4.0),
+    ("surfaces", "depth-buffer", 1.0),
 ];
 
 pub fn run() {
@@ -76,9 +78,7 @@ fn row((lab, method, size): (&'static str, &'static str, f64), n: usize) {
     for i in 1..=N_FRAMES {
         let part = (i as f64 * STRIDE).fract();
         desk.seek((part * n_steps as f64) as usize);
-        let took = 1e3 * desk.frame(Vec::new()).both();
-        if i < 12 { eprintln!("seek {i} {took:.1}"); }
-        seek.push(took);
+        seek.push(1e3 * desk.frame(Vec::new()).both());
         let before = desk.app.position();
         let pressed = desk.frame(strike(Key::ArrowRight)).both();
         // The frame that takes the key may draw the old step.
