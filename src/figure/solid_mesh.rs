@@ -1,5 +1,7 @@
 //! What is drawn of solids, wherever they are seen from.
 
+use std::{panic::resume_unwind, thread};
+
 use rustc_hash::FxHashMap;
 
 use crate::{
@@ -8,6 +10,11 @@ use crate::{
 };
 
 use super::facet::{Edging, Facet};
+
+/// Fewer triangles are put on the screen sooner by one thread.
+const FEW: usize = 20_000;
+/// More threads have too little to do.
+const MOST_THREADS: usize = 4;
 
 #[derive(Clone, PartialEq, Debug)]
 pub struct SolidMesh {
@@ -74,15 +81,42 @@ impl SolidMesh {
         clip_from_world: &Matrix,
         viewport: &Viewport,
     ) -> Vec<ScreenTriangle<N>> {
-        let mesh = MeshRef {
-            positions: &self.positions,
-            attributes,
-            faces: &self.triangles,
-            first_id: 0,
+        let part = |(faces, first_id): (&[[u32; 3]], u32)| {
+            let mesh = MeshRef {
+                positions: &self.positions,
+                attributes,
+                faces,
+                first_id,
+            };
+            let mut seen = Vec::with_capacity(faces.len());
+            assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
+            seen
         };
-        let mut seen = Vec::with_capacity(self.triangles.len());
-        assemble(&mesh, clip_from_world, viewport, Cull::Nothing, &mut seen);
-        seen
+        let n_at_once = self.triangles.len().div_ceil(self.n_threads()).max(1);
+        let mut parts = self
+            .triangles
+            .chunks(n_at_once)
+            .zip((0..).step_by(n_at_once));
+        thread::scope(|scope| {
+            let first = parts.next();
+            let part = &part;
+            let others = parts.map(|faces| scope.spawn(move || part(faces)));
+            let others: Vec<_> = others.collect();
+            let mut seen = first.map(part).unwrap_or_default();
+            for other in others {
+                seen.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            }
+            seen
+        })
+    }
+
+    fn n_threads(&self) -> usize {
+        let n_threads = if self.triangles.len() < FEW {
+            1
+        } else {
+            MOST_THREADS
+        };
+        n_threads.min(thread::available_parallelism().map_or(1, usize::from))
     }
 }
 
