@@ -205,6 +205,17 @@ fn every_report_has_its_file_and_the_figure_is_a_picture() {
 }
 
 #[test]
+fn a_report_that_fails_leaves_nothing_behind() {
+    let (dir, cases) = folder();
+    let out = dir.path().join("out");
+    let of_many = RIGHT.replace("\"id\"", "\"submission\":1,\"id\"");
+    let args = ["--report", "junit", "--out", out.to_str().unwrap()];
+    let output = run(&[&[&*cases, "-"], &args[..]].concat(), of_many.as_bytes());
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert_eq!(fs::read_dir(&out).unwrap().count(), 0);
+}
+
+#[test]
 fn reports_are_merged() {
     let (_dir, cases) = folder();
     let of = |name: &str, answer: &str| {

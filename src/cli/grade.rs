@@ -290,6 +290,15 @@ impl<'a> Press<'a> {
     }
 }
 
+impl Drop for Press<'_> {
+    /// What has not become whole is not left behind.
+    fn drop(&mut self) {
+        if let Some(out) = &self.args.out {
+            drop(fs::remove_file(growing(out, self.form)));
+        }
+    }
+}
+
 fn growing(out: &Path, form: Form) -> PathBuf {
     out.join(format!(".{}.part", form.file()))
 }
