@@ -21,7 +21,7 @@ const PARALLEL: usize = 2;
 const ENTER: usize = 3;
 const LEAVE: usize = 4;
 const EMPTY: usize = 5;
-const ACCEPT: usize = 6;
+pub const ACCEPT: usize = 6;
 pub const N_LINES: usize = ACCEPT + 1;
 
 const fn bound_row(line: usize, key: &'static str, question: &'static str) -> Row {
