@@ -101,5 +101,7 @@ words-hl-enter = d grows: the line enters here.
 words-hl-leave = d shrinks: the line leaves here.
 words-hl-accept = What is left has w ≥ near > 0: now it can be divided by w.
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
+code-faulty-divide-accept = accept P(t_min) P(t_max)
 words-faulty-divide = Divide both ends by w.
+words-faulty-divide-accept = The ends of the interval count as the ends of the visible part.
 faulty-divide-first-differs = Step { $step } is the first that differs: both ends were divided by w before anything was clipped.

@@ -101,5 +101,7 @@ words-hl-enter = d crece: la recta entra por aquí.
 words-hl-leave = d disminuye: la recta sale por aquí.
 words-hl-accept = Lo que queda tiene w ≥ near > 0: ahora se puede dividir entre w.
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
+code-faulty-divide-accept = aceptar P(t_min) P(t_max)
 words-faulty-divide = Divide los dos extremos entre w.
+words-faulty-divide-accept = Los extremos del intervalo se toman por los de la parte visible.
 faulty-divide-first-differs = El paso { $step } es el primero que difiere: los dos extremos se dividieron entre w antes de recortar.

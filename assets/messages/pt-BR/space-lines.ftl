@@ -101,5 +101,7 @@ words-hl-enter = d cresce: a reta entra por aqui.
 words-hl-leave = d diminui: a reta sai por aqui.
 words-hl-accept = O que sobra tem w ≥ near > 0: agora se pode dividir por w.
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
+code-faulty-divide-accept = aceite P(t_min) P(t_max)
 words-faulty-divide = Divida os dois extremos por w.
+words-faulty-divide-accept = Os extremos do intervalo são tomados pelos da parte visível.
 faulty-divide-first-differs = O passo { $step } é o primeiro que difere: os dois extremos foram divididos por w antes de recortar.

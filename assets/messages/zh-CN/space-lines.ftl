@@ -97,5 +97,7 @@ words-hl-enter = d 增大：直线由此进入。
 words-hl-leave = d 减小：直线由此离开。
 words-hl-accept = 剩下的部分 w ≥ near > 0：现在可以除以 w。
 code-faulty-divide = P₁ ← P₁ / w₁; P₂ ← P₂ / w₂
+code-faulty-divide-accept = 接受 P(t_min) P(t_max)
 words-faulty-divide = 两端点都除以 w。
+words-faulty-divide-accept = 把区间两端当作可见部分的两端。
 faulty-divide-first-differs = 从第 { $step } 步起出现差别：还没裁剪，两端点就除以了 w。

@@ -57,6 +57,6 @@ impl LineVariant<4, ClipSpace> for Right {
 mistakes! { LineVariant<4, ClipSpace>:
     DividesFirst {
         "faulty-divide-first", "alg-faulty-divide-first", "faulty-divide-first-differs";
-        CODE = HOMOGENEOUS but START: "code-faulty-divide" "words-faulty-divide", ACCEPT: "code-pl-accept" "words-lb-accept";
+        CODE = HOMOGENEOUS but START: "code-faulty-divide" "words-faulty-divide", ACCEPT: "code-faulty-divide-accept" "words-faulty-divide-accept";
     }
 }
