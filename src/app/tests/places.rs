@@ -99,7 +99,7 @@ fn nothing_in_the_inspector_moves_from_one_step_of_a_run_to_the_next() {
     each_step_in_english(|bench, place| {
         let headings = ["panel-watch", "cost-title", "cost-divisions", "cost-sums"];
         let mut known: BTreeMap<&str, Rect> = BTreeMap::new();
-        for step in some_steps(bench.n_steps(), 9) {
+        for step in some_steps(bench.n_steps(), 5) {
             bench.app.seek(step);
             // What stands below the rows is measured first.
             bench.frame(0.1, Vec::new());
@@ -227,17 +227,21 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
 #[test]
 fn no_step_of_the_course_loses_a_view_in_the_window() {
     let mut lost = Vec::new();
-    for theme in [ThemeKind::Light, ThemeKind::Projector] {
-        for lang in Lang::ALL {
-            each_step(lang, theme, |bench, place| {
-                let wanted = bench.app.playback.needs.iter().flatten();
-                let places = &bench.app.stage.places;
-                if places.len() < wanted.clone().count() {
-                    let wanted: Vec<_> = wanted.map(|need| need.id).collect();
-                    lost.push(format!("{theme}, {place}: of {wanted:?} only {places:?}"));
-                }
-            });
-        }
+    // Each language once: a newcomer waits for this test.
+    for (theme, lang) in [
+        (ThemeKind::Light, Lang::Es),
+        (ThemeKind::Light, Lang::ZhCn),
+        (ThemeKind::Projector, Lang::En),
+        (ThemeKind::Projector, Lang::PtBr),
+    ] {
+        each_step(lang, theme, |bench, place| {
+            let wanted = bench.app.playback.needs.iter().flatten();
+            let places = &bench.app.stage.places;
+            if places.len() < wanted.clone().count() {
+                let wanted: Vec<_> = wanted.map(|need| need.id).collect();
+                lost.push(format!("{theme}, {place}: of {wanted:?} only {places:?}"));
+            }
+        });
     }
     assert!(lost.is_empty(), "{} steps: {lost:#?}", lost.len());
 }
@@ -252,8 +256,8 @@ fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
         }
         for (id, slot) in bench.app.stage.places.clone().into_iter().skip(1) {
             let rect = rect_of(slot);
-            for nth in 0..80 {
-                let part = vec2((nth % 4) as f32 / 4.0 + 0.1, (nth / 4) as f32 / 20.0);
+            for nth in 0..40 {
+                let part = vec2((nth % 2) as f32 / 2.0 + 0.1, (nth / 2) as f32 / 20.0);
                 bench.point(rect.min + part * rect.size());
                 let Some(link) = bench.app.stage.lit else {
                     continue;
