@@ -219,19 +219,41 @@ fn courses(app: &App, ui: &mut Ui) {
     let look = app.look();
     ui.add_space(8.0);
     padded(ui, |ui| ui.label(soft(look, "courses").small()));
-    for folder in others {
+    for &folder in &others {
         let title = match folder {
-            Some(path) => path.to_owned(),
+            Some(path) => short_name(path, others.iter().flatten()),
             None => look.say("course-built-in"),
         };
         let other = Row {
             title: &title,
             ..Row::default()
         };
-        if row(ui, look, other).clicked() {
+        let shown = row(ui, look, other);
+        let shown = match folder {
+            Some(path) => shown.on_hover_text(path),
+            None => shown,
+        };
+        if shown.clicked() {
             app.push(Command::OpenCourse(folder.map(str::to_owned)));
         }
     }
+}
+
+/// A folder's own name, with those before it as far as another has the same: what tells folders apart stands at their end.
+fn short_name<'a>(path: &str, all: impl Iterator<Item = &'a &'a str> + Clone) -> String {
+    let own: Vec<&str> = from_its_end(path).collect();
+    let is_of_another = |n: usize| {
+        let mut others = all.clone().filter(|other| **other != path);
+        others.any(|other| from_its_end(other).take(n).eq(own.iter().copied().take(n)))
+    };
+    let n = (1..own.len()).find(|&n| !is_of_another(n));
+    let mut shown = own[..n.unwrap_or(own.len())].to_vec();
+    shown.reverse();
+    shown.join("/")
+}
+
+fn from_its_end(path: &str) -> impl Iterator<Item = &str> {
+    path.rsplit(['/', '\\']).filter(|part| !part.is_empty())
 }
 
 /// Scrolls to the open lesson when it has become another one, and leaves the list alone after that.
@@ -333,4 +355,21 @@ fn changed(app: &App, ui: &mut Ui) {
             app.push(Command::Reset);
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_by_what_tells_it_apart() {
+        let all = [
+            "/home/a/course",
+            "/home/b/course",
+            "/home/b/lines",
+            "C:\\own\\cuts",
+        ];
+        let names = all.map(|path| short_name(path, all.iter()));
+        assert_eq!(names, ["a/course", "b/course", "lines", "cuts"]);
+    }
 }

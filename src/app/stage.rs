@@ -127,9 +127,8 @@ fn lay_out(
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];
     let playback = &app.playback;
-    let is_beside = app.settings.picture_beside;
     let mut needs = Cow::Borrowed(&playback.needs);
-    if is_beside {
+    if app.settings.picture_beside {
         for need in needs.to_mut().iter_mut().flatten() {
             *need = need.enlarged();
         }
@@ -137,7 +136,7 @@ fn lay_out(
     let title = title(app);
     let board = app.settings.board;
     let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, board);
-    if let Some(eyes) = playback.eyes.as_ref().filter(|_| !is_beside) {
+    if let Some(eyes) = &playback.eyes {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
             place_inset(ui, composition.look, places, &frame.views, eyes);
         }

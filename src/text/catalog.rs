@@ -11,7 +11,7 @@ use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
 
 use super::lang::Lang;
 use super::message::{Message, Value};
-use super::number::Notation;
+use super::number::{self, Notation};
 use super::piece::Piece;
 
 macro_rules! ftl {
@@ -172,6 +172,13 @@ fn parsed(lang: Lang) -> FluentBundle<FluentResource> {
     let locale = lang.id().parse().unwrap_or_default();
     let mut bundle = FluentBundle::new_concurrent(vec![locale]);
     bundle.set_use_isolating(false);
+    // A function for each language: what it is given tells none.
+    bundle.set_formatter(Some(match lang {
+        Lang::En => |value, _| large_count(Lang::En, value),
+        Lang::ZhCn => |value, _| large_count(Lang::ZhCn, value),
+        Lang::Es => |value, _| large_count(Lang::Es, value),
+        Lang::PtBr => |value, _| large_count(Lang::PtBr, value),
+    }));
     for source in sources(lang) {
         // What does not parse, or is defined twice, is left out here and named by the tests.
         let resource = match FluentResource::try_new(source.to_owned()) {
@@ -180,6 +187,15 @@ fn parsed(lang: Lang) -> FluentBundle<FluentResource> {
         let _ = bundle.add_resource(resource);
     }
     bundle
+}
+
+fn large_count(lang: Lang, value: &FluentValue<'_>) -> Option<String> {
+    match value {
+        FluentValue::Number(n) if n.value >= number::LARGE_COUNT => {
+            Some(number::grouped(lang, n.value))
+        }
+        _ => None,
+    }
 }
 
 /// One character of the private use area stands for each value that Fluent need not read: it keeps its parts.
@@ -261,6 +277,23 @@ mod tests {
             let catalog = Catalog::of(lang);
             let said = [&step, &steps(1), &steps(2)].map(|message| catalog.message(message));
             assert_eq!((said, catalog.lang()), (expected.map(str::to_owned), lang));
+        }
+    }
+
+    #[test]
+    fn the_thousands_of_a_large_count_stand_apart() {
+        let step = Message::new("transport-step").with("step", 9_999_usize);
+        let step = step.with("total", 200_101_usize);
+        for (lang, expected) in [
+            (Lang::En, "step 9999 of 200,101"),
+            (Lang::ZhCn, "第 9999 步，共 200,101 步"),
+            (Lang::Es, "paso 9999 de 200\u{a0}101"),
+            (Lang::PtBr, "passo 9999 de 200.101"),
+        ] {
+            let catalog = Catalog::of(lang);
+            assert_eq!(catalog.message(&step), expected);
+            let count = catalog.value(&Value::Count(200_101));
+            assert!(expected.contains(&count), "{count}");
         }
     }
 

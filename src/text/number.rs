@@ -14,6 +14,8 @@ const MAX_RATIO_TERM: u64 = 999;
 /// From here on, and below [`SMALL`], numbers are shown with a power of ten.
 const LARGE: f64 = 1e9;
 const SMALL: f64 = 1e-4;
+/// From here on, the thousands of a count stand apart.
+pub(super) const LARGE_COUNT: f64 = 1e4;
 /// U+2212, as wide as a plus; the hyphen on the keyboard is not a minus.
 const MINUS: &str = "−";
 
@@ -222,6 +224,14 @@ pub(super) fn rounded_to(lang: Lang, x: f64, places: usize) -> String {
     let is_negative = x < 0.0 && digits.contains(|c: char| ('1'..='9').contains(&c));
     let sign = if is_negative { MINUS } else { "" };
     format!("{sign}{}", localized(lang, &digits))
+}
+
+pub(super) fn count(lang: Lang, n: usize) -> String {
+    if (n as f64) < LARGE_COUNT {
+        n.to_string()
+    } else {
+        grouped(lang, n as f64)
+    }
 }
 
 pub(super) fn grouped(lang: Lang, x: f64) -> String {

@@ -20,7 +20,7 @@ impl Catalog {
     pub(super) fn value_pieces_as(&self, value: &Value, notation: Notation) -> Vec<Piece> {
         let writer = self.writer(notation);
         match value {
-            Value::Count(n) => vec![Piece::Text(n.to_string())],
+            Value::Count(n) => vec![Piece::Text(number::count(self.lang(), *n))],
             Value::Number(x) => writer.number(Quantity::Number(*x)),
             Value::Ratio { num, den } => writer.number(Quantity::Ratio(*num, *den)),
             Value::Point(p) => writer.point(*p),

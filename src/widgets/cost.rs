@@ -134,9 +134,13 @@ impl<'a> Bars<'a> {
     }
 
     fn written(&self, now: u64, other: u64) -> String {
+        let [now, other] = [now, other].map(|n| {
+            let n = usize::try_from(n).unwrap_or(usize::MAX);
+            self.look.catalog.value(&Value::Count(n))
+        });
         match &self.cost.compared {
             Some(_) => format!("{now} ({other})"),
-            None => now.to_string(),
+            None => now,
         }
     }
 

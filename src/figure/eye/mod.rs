@@ -188,6 +188,9 @@ impl Eyes {
         else {
             return;
         };
+        if !places.over(id).any(|over| over == slot) {
+            return;
+        }
         let on_page = |marks: &[DVec3]| {
             let seen = marks.iter().map(|&mark| {
                 let [x, y] = optics.picture_from_view(optics.view_from_world(mark));

@@ -111,8 +111,11 @@ fn change(slate: &mut Slate<'_>, stage: &RibbonStage, place: Rect, (before, top)
     let Some(by) = stage.change.filter(|&by| by != 0) else {
         return;
     };
-    let number = slate.look.catalog.value(&Value::Number(by as f64));
-    let sign = if by > 0 { "+" } else { "" };
+    let number = slate
+        .look
+        .catalog
+        .value(&Value::Count(by.unsigned_abs() as usize));
+    let sign = if by > 0 { "+" } else { "−" };
     let style = (Face::Mono, CHANGE_PTS, theme.soft);
     let text = slate.words(format!("{sign}{number}"), style);
     let stub = slate.pts(STUB).min(0.4 * place.width());
