@@ -33,9 +33,9 @@ code-faulty-depth-always = always
 words-faulty-depth-always = Always write, without comparing depths.
 code-faulty-depth-straight = for each pixel in T: z_T ← distance, linear on the screen
 words-faulty-depth-straight = Interpolate the distance in view space linearly on the screen, without the divide.
-faulty-depth-clear-differs = Step { $step } is the first that differs: no depth is less than 0, so nothing will be written.
-faulty-depth-compare-differs = Step { $step } is the first that differs: the farther triangle is written.
-faulty-depth-always-differs = Step { $step } is the first that differs: the triangle is written, although something nearer is stored there.
+faulty-depth-clear-differs = Step { $step } is the first that differs: nothing is nearer than the near plane, so nothing will be written.
+faulty-depth-compare-differs = Step { $step } is the first that differs: the triangle is nearer than what is stored, and is not written.
+faulty-depth-always-differs = Step { $step } is the first that differs: the triangle is written, although it is not nearer than what is stored.
 faulty-depth-straight-differs = Step { $step } is the first that differs: this depth is not that of the surface, since distance is not linear on the screen.
 
 ## The depth buffer

@@ -33,9 +33,9 @@ code-faulty-depth-always = siempre
 words-faulty-depth-always = Escribe siempre, sin comparar profundidades.
 code-faulty-depth-straight = para cada píxel de T: z_T ← distancia, interpolada en la pantalla
 words-faulty-depth-straight = Interpola la distancia en el espacio de vista linealmente en la pantalla, sin la división.
-faulty-depth-clear-differs = El paso { $step } es el primero que difiere: ninguna profundidad es menor que 0, así que no se escribirá nada.
-faulty-depth-compare-differs = El paso { $step } es el primero que difiere: se escribe el triángulo más lejano.
-faulty-depth-always-differs = El paso { $step } es el primero que difiere: el triángulo se escribe aunque allí hay algo más cercano.
+faulty-depth-clear-differs = El paso { $step } es el primero que difiere: nada está más cerca que el plano cercano, así que no se escribirá nada.
+faulty-depth-compare-differs = El paso { $step } es el primero que difiere: el triángulo está más cerca que lo guardado y no se escribe.
+faulty-depth-always-differs = El paso { $step } es el primero que difiere: el triángulo se escribe aunque no está más cerca que lo guardado.
 faulty-depth-straight-differs = El paso { $step } es el primero que difiere: esta no es la profundidad de la superficie, pues la distancia no es lineal en la pantalla.
 
 ## The depth buffer

@@ -33,9 +33,9 @@ code-faulty-depth-always = sempre
 words-faulty-depth-always = Escreva sempre, sem comparar profundidades.
 code-faulty-depth-straight = para cada pixel de T: z_T ← distância, interpolada na tela
 words-faulty-depth-straight = Interpole a distância no espaço de visão linearmente na tela, sem a divisão.
-faulty-depth-clear-differs = O passo { $step } é o primeiro que difere: nenhuma profundidade é menor que 0, então nada será escrito.
-faulty-depth-compare-differs = O passo { $step } é o primeiro que difere: escreve-se o triângulo mais distante.
-faulty-depth-always-differs = O passo { $step } é o primeiro que difere: o triângulo é escrito, embora ali haja algo mais próximo.
+faulty-depth-clear-differs = O passo { $step } é o primeiro que difere: nada está mais próximo que o plano próximo, então nada será escrito.
+faulty-depth-compare-differs = O passo { $step } é o primeiro que difere: o triângulo está mais próximo que o guardado e não é escrito.
+faulty-depth-always-differs = O passo { $step } é o primeiro que difere: o triângulo é escrito, embora não esteja mais próximo que o guardado.
 faulty-depth-straight-differs = O passo { $step } é o primeiro que difere: esta não é a profundidade da superfície, pois a distância não é linear na tela.
 
 ## The depth buffer

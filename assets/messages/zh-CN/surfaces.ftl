@@ -33,9 +33,9 @@ code-faulty-depth-always = 总是
 words-faulty-depth-always = 总是写入，不比较深度。
 code-faulty-depth-straight = 对 T 中每个像素：z_T ← 距离，在屏幕上线性插值
 words-faulty-depth-straight = 不做透视除法，把观察空间中的距离在屏幕上直接线性插值。
-faulty-depth-clear-differs = 从第 { $step } 步起出现差别：没有深度小于 0，所以什么也写不进去。
-faulty-depth-compare-differs = 从第 { $step } 步起出现差别：写入的是较远的三角形。
-faulty-depth-always-differs = 从第 { $step } 步起出现差别：该处已存有更近的表面，仍写入这个三角形。
+faulty-depth-clear-differs = 从第 { $step } 步起出现差别：没有什么比近平面更近，所以什么也写不进去。
+faulty-depth-compare-differs = 从第 { $step } 步起出现差别：这个三角形比已存的更近，却没有写入。
+faulty-depth-always-differs = 从第 { $step } 步起出现差别：这个三角形不比已存的更近，仍写入。
 faulty-depth-straight-differs = 从第 { $step } 步起出现差别：这不是该表面的深度，因为距离在屏幕上不是线性的。
 
 ## The depth buffer
