@@ -35,6 +35,8 @@ impl App {
             }
             // Half an outline has a past of its own.
             Command::Undo if self.stage.sketch.is_some() => self.take_back(),
+            Command::Undo if self.composed().is_some() => self.undo_composed(now, true),
+            Command::Redo if self.composed().is_some() => self.undo_composed(now, false),
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
             Command::Reset => self.reset(now),
@@ -124,6 +126,7 @@ impl App {
             Command::Show(dialog) => shown.dialog = dialog,
             Command::Confirm => self.confirm(ctx, now),
             Command::Smaller => self.make_smaller(now),
+            Command::Compose(act) => self.act_on_lesson(ctx, act, now),
             Command::Present => self.present(ctx),
             // A page in a browser is one window, which all look at.
             Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,

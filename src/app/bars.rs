@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    App, Command, menus,
+    App, Command, compose, menus,
     prelude::*,
     question::question_button,
     room::{COURSE, CoursePart, Room, transport_has_room},
@@ -182,7 +182,10 @@ pub fn transport(app: &App, ui: &mut Ui) {
         let has_room = transport_has_room(width);
         ui.add_space(if has_room { 24.0 } else { 0.0 });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if has_room {
+            if app.composed().is_some() {
+                compose::add_here(app, ui);
+                ui.add_space(8.0);
+            } else if has_room {
                 practise(app, ui);
                 let speed = app.playback.transport.speed();
                 let chosen = speed_menu(ui, app.look(), speed);
@@ -321,6 +324,7 @@ fn timeline(app: &App, ui: &mut Ui) {
         tick: &|step| run.tick(step),
         phases: &app.playback.phases,
         difference: first,
+        steps: &app.steps_on_timeline(),
         tip: &tip,
         name: match &note {
             Some(note) => format!("{name}: {note}"),

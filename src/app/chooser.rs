@@ -63,7 +63,9 @@ fn dialog(question: &Question) -> AsyncFileDialog {
     let mut dialog = AsyncFileDialog::new().set_title(&question.title);
     let endings = question.endings.iter().map(|ending| format!("*.{ending}"));
     let shown = endings.collect::<Vec<_>>().join(", ");
-    dialog = dialog.add_filter(shown, question.endings);
+    if !question.endings.is_empty() {
+        dialog = dialog.add_filter(shown, question.endings);
+    }
     if let Some(folder) = path.parent() {
         dialog = dialog.set_directory(folder);
     }

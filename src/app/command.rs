@@ -3,6 +3,7 @@
 use crate::labs::OutlineKind;
 
 use super::{
+    compose::Act,
     desk::{Page, SceneAct},
     dialog::Dialog,
     history::UndoGroup,
@@ -111,6 +112,8 @@ pub enum Command {
     Picture,
     Zoom(f64),
     Measure(bool),
+    /// About the lesson that is made.
+    Compose(Act),
     Dismiss,
 }
 
@@ -190,7 +193,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 53] = [
+pub static BINDINGS: [Binding; 56] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -244,4 +247,17 @@ pub static BINDINGS: [Binding; 53] = [
     (NONE, Key::Questionmark, Command::Help, "action-help"),
     (NONE, Key::F1, Command::Help, "action-help"),
     (CTRL, Key::M, Command::Measure(true), "cost-measure"),
+    (
+        CTRL,
+        Key::Enter,
+        Command::Compose(Act::Add(None)),
+        "compose-add",
+    ),
+    (NONE, Key::F9, Command::Compose(Act::Try), "compose-try"),
+    (
+        NONE,
+        Key::L,
+        Command::Compose(Act::LockFocused),
+        "compose-lock-focused",
+    ),
 ];

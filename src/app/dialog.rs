@@ -10,6 +10,8 @@ pub enum Dialog {
     Help,
     Open(Target),
     Save(Target),
+    /// A folder that becomes a lesson.
+    Lesson(Target),
     Export(Target, Figures),
     /// About a whole scene, of this name.
     Scene(SceneAct, String),
@@ -26,6 +28,7 @@ impl Dialog {
             Self::Help | Self::Scene(..) | Self::Progress(_) => None,
             Self::Open(target)
             | Self::Save(target)
+            | Self::Lesson(target)
             | Self::HandIn(target)
             | Self::TakeUp(target)
             | Self::Export(target, _) => Some(target),
@@ -120,6 +123,7 @@ impl App {
         let (title_key, opens, endings): (_, _, &[&str]) = match &dialog {
             Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
             Dialog::Save(_) => ("save-title", false, &["toml"]),
+            Dialog::Lesson(_) => ("lesson-save-title", false, &[]),
             Dialog::Export(..) => ("export-title", false, &["png"]),
             Dialog::HandIn(_) => ("hand-in-title", false, &["json"]),
             Dialog::TakeUp(_) => ("take-up-title", true, &["json"]),

@@ -171,7 +171,7 @@ impl App {
                 (first..=last).any(|step| self.platform.exists(&path(step)))
             }
             Some(Dialog::HandIn(target)) => self.platform.exists(&target.path),
-            Some(Dialog::Open(_) | Dialog::TakeUp(_)) => false,
+            Some(Dialog::Open(_) | Dialog::TakeUp(_) | Dialog::Lesson(_)) => false,
             Some(Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_)) | None => return,
         };
         if let Some(target) = asked.as_mut().and_then(Dialog::target_mut)
@@ -187,6 +187,7 @@ impl App {
         match asked {
             Some(Dialog::Open(Target { path, .. })) => self.open_typed(path, ctx),
             Some(Dialog::Save(target)) => self.save(target, now),
+            Some(Dialog::Lesson(target)) => self.save_lesson(target, ctx, now),
             Some(Dialog::HandIn(target)) => self.hand_in(target, now),
             Some(Dialog::TakeUp(target)) => self.take_up(target, now),
             Some(Dialog::Export(target, figures)) => {

@@ -145,6 +145,12 @@ impl<S: Clone + PartialEq> History<S> {
         self.moved();
     }
 
+    /// Changes what a version says besides: that is undone with its own change.
+    pub fn amend(&mut self, change: impl FnOnce(&mut S)) {
+        change(&mut self.now.document);
+        self.changed();
+    }
+
     /// The document has been written into this file: so are all versions of the same file.
     pub fn saved(&mut self, path: String) {
         let document = Some(self.now().clone());

@@ -41,7 +41,10 @@ impl Focus {
                 (is_arrow && !modifiers.command) || matches!(key, Key::Space | Key::Enter)
             }
             // A text field undoes and saves nothing of the scene's.
-            Self::Text => !matches!(key, Key::F1 | Key::F5 | Key::F6 | Key::F7 | Key::Escape),
+            Self::Text => !matches!(
+                key,
+                Key::F1 | Key::F5 | Key::F6 | Key::F7 | Key::F9 | Key::Escape
+            ),
         }
     }
 }

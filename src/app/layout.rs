@@ -3,7 +3,7 @@
 use egui::{CentralPanel, Frame, Panel};
 
 use super::{
-    App, bars, controls, course_panel, free_panel, inspector, notice, overlays, pen,
+    App, bars, compose, controls, course_panel, free_panel, inspector, notice, overlays, pen,
     practice_panel,
     prelude::*,
     question, recording,
@@ -42,7 +42,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
                 panel.show(ui, |ui| left(app, ui, panels));
             }
             Room::Inspector => {
-                panel.show(ui, |ui| inspector::show(app, ui, state, panels));
+                panel.show(ui, |ui| right(app, ui, state, panels));
             }
         }
     }
@@ -122,8 +122,19 @@ fn bottom(app: &App, ui: &mut Ui) {
 fn left(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     if app.bookmark.free.is_some() {
         free_panel::show(app, ui, panels);
+    } else if app.composed().is_some() {
+        compose::steps(app, ui);
     } else {
+        compose::tried(app, ui);
         course_panel::show(app, ui);
+    }
+}
+
+fn right(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
+    if app.composed().is_some() {
+        compose::step(app, ui);
+    } else {
+        inspector::show(app, ui, state, panels);
     }
 }
 
@@ -163,6 +174,6 @@ fn sides(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn L
                 right: 6,
                 ..margin(16)
             }))
-            .show(ui, |ui| inspector::show(app, ui, state, panels));
+            .show(ui, |ui| right(app, ui, state, panels));
     }
 }

@@ -9,7 +9,9 @@ use crate::{
 };
 
 use super::{
-    App, Command, Dialog, free_scenes,
+    App, Command, Dialog,
+    compose::Act,
+    free_scenes,
     history::UndoGroup,
     prelude::*,
     room::{BESIDE_TRANSPORT, transport_has_room},
@@ -161,20 +163,11 @@ fn changes(app: &App, ui: &mut Ui) {
     } else {
         "action-free"
     };
+    let [can_undo, can_redo] = app.can_travel();
     let differs = app.playback.difference.is_some_and(|it| it.step.is_some());
     let mut rows = vec![
-        (
-            "action-undo",
-            "Ctrl+Z",
-            app.history.can_undo(),
-            Command::Undo,
-        ),
-        (
-            "action-redo",
-            "Ctrl+Shift+Z",
-            app.history.can_redo(),
-            Command::Redo,
-        ),
+        ("action-undo", "Ctrl+Z", can_undo, Command::Undo),
+        ("action-redo", "Ctrl+Shift+Z", can_redo, Command::Redo),
         ("action-reset", "R", true, Command::Reset),
         ("action-smaller", "M", differs, Command::Smaller),
         (free, "F8", true, Command::Free),
@@ -204,6 +197,7 @@ fn files(app: &App, ui: &mut Ui) {
         ("action-export", "Ctrl+E", |_| Command::Export),
         ("action-copy", "Ctrl+Shift+C", |_| Command::CopyFigure),
     ];
+    lessons(app, ui);
     if !app.settings.recent.is_empty() {
         menu_button(ui, app.look().say("action-recent"), |ui| recent(app, ui));
     }
@@ -212,6 +206,24 @@ fn files(app: &App, ui: &mut Ui) {
         if is_there && action(ui, app.look(), (key, keys), true) {
             app.push(command(app));
         }
+    }
+}
+
+/// The open scene or lesson as a lesson of one's own, and one's own in the making.
+fn lessons(app: &App, ui: &mut Ui) {
+    if cfg!(target_arch = "wasm32") {
+        return;
+    }
+    let save = match app.bookmark.step() {
+        Some(_) => "lesson-copy",
+        None => "lesson-save",
+    };
+    let made = match app.compose {
+        Some(_) => ("compose-leave", true, Act::Compose),
+        None => ("compose-begin", app.can_compose(), Act::Compose),
+    };
+    for (key, enabled, act) in [(save, true, Act::Save), made] {
+        action(ui, app.look(), (key, ""), enabled).then(|| app.push(Command::Compose(act)));
     }
 }
 

@@ -17,6 +17,7 @@ mod bookmark;
 mod chooser;
 mod clicks;
 mod command;
+mod compose;
 mod controls;
 mod course_panel;
 mod course_steps;
@@ -106,6 +107,7 @@ pub struct App {
     playback: Playback,
     practice: practice::Practice,
     goals: goals::Goals,
+    compose: Option<compose::Compose>,
     /// What takes the place of the playback once it is recorded.
     pending: Option<recording::Pending>,
     given_up: Option<errand::Errand<found::Found>>,
@@ -188,6 +190,7 @@ impl App {
             playback: Playback::record(&scene, 0),
             practice: practice::Practice::default(),
             goals: goals::Goals::default(),
+            compose: None,
             pending: None,
             given_up: None,
             album: None,
@@ -253,6 +256,7 @@ impl App {
         Settings {
             theme: self.lasting_theme(),
             speed: self.playback.transport.speed(),
+            progress: self.marks().clone(),
             ..self.settings.clone()
         }
         .with_places(self.places())
@@ -352,8 +356,11 @@ impl App {
         let is_asked = self.shown.dialog.is_some() || self.shown.is_measuring;
         let may = |it: &Command| !is_asked || matches!(it, Command::Cancel | Command::Help);
         let mut commands = Vec::new();
+        if !is_asked {
+            commands = compose::keys(self, ctx);
+        }
         if !is_asked && focus != keys::Focus::Text {
-            commands = practice::keys(self, ctx);
+            commands.extend(practice::keys(self, ctx));
         }
         commands.extend(keys::commands(ctx, focus, may));
         if focus == keys::Focus::Free && self.shown.dialog.is_none() {
@@ -375,7 +382,8 @@ impl App {
         if let Some(wait) = self.playback.advance(now) {
             ctx.request_repaint_after_secs(wait.max(0.0));
         }
-        if let Some(wait) = self.expire_notices(now) {
+        let waits = [self.expire_notices(now), self.pass_composed(ctx, now)];
+        for wait in waits.into_iter().flatten() {
             ctx.request_repaint_after_secs(wait);
         }
         let start = Instant::now();

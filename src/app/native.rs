@@ -149,6 +149,7 @@ impl eframe::App for NativeWindow {
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.app.leave_composed();
         self.memory.end(&mut self.app);
     }
 

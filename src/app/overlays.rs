@@ -156,6 +156,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
     let (key, action, target, figures) = match &mut changed {
         Dialog::Open(target) => ("open-title", "action-open-it", target, None),
         Dialog::Save(target) => ("save-title", "action-save", target, None),
+        Dialog::Lesson(target) => ("lesson-save-title", "action-save", target, None),
         Dialog::Export(target, figures) => ("export-title", "action-export", target, Some(figures)),
         Dialog::HandIn(target) => ("hand-in-title", "action-save", target, None),
         Dialog::TakeUp(target) => ("take-up-title", "action-open-it", target, None),

@@ -67,7 +67,12 @@ impl App {
         let before = work.map(|work| self.show(work));
         (self.shown.lists_lessons, self.shown.is_answered) = (false, false);
         let step = self.bookmark.step();
-        self.shown.code = step.map_or(CodeView::Full, |step| step.code);
+        let code = step.map_or(CodeView::Full, |step| step.code);
+        self.shown.code = if self.composed().is_some() {
+            CodeView::Full
+        } else {
+            code
+        };
         if let Some(problem) = step.and_then(LessonStep::problem) {
             self.complain(self.listing(&[problem]));
         }
@@ -105,6 +110,7 @@ impl App {
 
     /// Opens another course, at the place where it was left: the one that is built in, or a folder's.
     pub(super) fn change_course(&mut self, course: Course, folder: Option<String>) {
+        self.leave_composed();
         let (page, was_untouched) = (self.bookmark.page(), self.is_untouched());
         self.settings = self.plain_settings();
         self.settings.folder = folder;
@@ -202,6 +208,11 @@ impl App {
 
     /// Would the name of a mistake answer what is asked?
     pub(super) fn hides_mistakes(&self) -> bool {
+        let is_shown = self.composed().is_some();
+        !is_shown && self.asks_now()
+    }
+
+    fn asks_now(&self) -> bool {
         self.shown.code == CodeView::Hidden || (self.bookmark.step().is_some() && !self.is_open())
     }
 
@@ -235,7 +246,7 @@ impl App {
                 Room::Inspector => false,
             };
         let is_asked = self.has_answer() && (!self.is_presenting() || self.is_untouched());
-        let is_hidden = is_asked && !self.shown.is_answered;
+        let is_hidden = is_asked && !self.shown.is_answered && self.composed().is_none();
         if forward && is_read && is_hidden {
             self.shown.is_answered = true;
         } else {

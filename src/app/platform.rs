@@ -67,6 +67,14 @@ pub trait Platform {
         Err(NO_FILES.into())
     }
 
+    /// Takes a file away that was made here.
+    ///
+    /// # Errors
+    /// Why it is still there.
+    fn remove(&mut self, _path: &str) -> Result<(), Diagnostic> {
+        Err(NO_FILES.into())
+    }
+
     /// Draws a figure.
     ///
     /// # Errors
@@ -135,6 +143,10 @@ impl Platform for Desktop {
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
         export::write_whole(std::path::Path::new(path), bytes)?;
         Ok(path.to_owned())
+    }
+
+    fn remove(&mut self, path: &str) -> Result<(), Diagnostic> {
+        Ok(std::fs::remove_file(path)?)
     }
 
     fn draw(&mut self, picture: StageFigure<'_>) -> Result<Image, Diagnostic> {

@@ -191,6 +191,7 @@ impl App {
         let asks = self.bookmark.step().and_then(|step| step.asks);
         let is_told = || self.told_of_step() >= Told::AfterTheNumbers;
         let is_asked = again || (self.settings.asks && !is_told());
+        let is_asked = is_asked && self.composed().is_none();
         let Some(asks) = asks.filter(|_| is_asked && self.is_untouched()) else {
             return;
         };

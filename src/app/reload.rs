@@ -23,6 +23,10 @@ pub struct Reload {
 }
 
 impl Reload {
+    pub const fn folder(&self) -> &Folder {
+        &self.folder
+    }
+
     /// Watches a folder; every change wakes the window.
     fn new(folder: Folder, ctx: Context) -> Self {
         let (sender, changed) = channel();
@@ -80,12 +84,25 @@ impl App {
     }
 
     pub(super) fn take_changed_course(&mut self, now: f64) {
+        let changed = self
+            .reload
+            .as_ref()
+            .map(|reload| reload.changed.try_iter().count());
+        if changed.is_none_or(|n| n == 0) {
+            return;
+        }
+        // What is made is not taken from the disk as it is.
+        if self.compose.is_some() {
+            self.look_outside();
+        } else {
+            self.read_course_again(now);
+        }
+    }
+
+    pub(super) fn read_course_again(&mut self, now: f64) {
         let Some(reload) = &mut self.reload else {
             return;
         };
-        if reload.changed.try_iter().count() == 0 {
-            return;
-        }
         let folder = reload.folder.clone();
         if let Some(watcher) = &mut reload.watcher {
             // A watch ends with the folder that it was set on; where it is gone, the parent's watch tells when it is back.

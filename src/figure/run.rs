@@ -192,6 +192,26 @@ impl dyn Run + '_ {
         });
     }
 
+    /// The moment of a step in as few words as lead back to it.
+    pub fn shortest_moment(&self, step: usize) -> Moment {
+        if step == 0 || step >= self.n_steps() {
+            return if step == 0 {
+                Moment::Start
+            } else {
+                Moment::End
+            };
+        }
+        let whole = self.moment(step);
+        let text = whole.to_string();
+        let mut words = text.split(' ');
+        let event = words.next().unwrap_or_default();
+        let with_one = words.map(|word| format!("{event} {word}"));
+        let shorter = [event.to_owned()].into_iter().chain(with_one);
+        let mut shorter = shorter.filter_map(|text| text.parse().ok());
+        let found = shorter.find(|moment| self.find(moment) == Some(step));
+        found.unwrap_or(whole)
+    }
+
     pub fn caption(&self, step: usize) -> Caption {
         self.shown(step, |shown| shown.caption())
     }

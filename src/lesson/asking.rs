@@ -1,11 +1,15 @@
 //! What a step asks: `ask = true`, what comes, before it shows that, `ask = "run"` before every decision from the start on; `goal = ["output.visible = false"]`, a scene of which all that
 //! holds, with one that reaches it: `reached = "lower"`.
 
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
+use serde_json::Value as Json;
 use toml::de::DeValue;
 
-use crate::{figure::Run, labs::Scene};
+use crate::{
+    figure::{Run, Tick},
+    labs::Scene,
+};
 
 use super::{prelude::*, reference::Condition, toml_fields::Node};
 
@@ -13,6 +17,9 @@ use super::{prelude::*, reference::Condition, toml_fields::Node};
 const WHOLE_RUN: &str = "run";
 /// A goal of more parts is none that anybody keeps in mind.
 const MAX_PARTS: usize = 6;
+
+/// A longer run is not counted to its end.
+const MOST_COUNTED: usize = 4096;
 
 /// What is asked of a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -40,6 +47,45 @@ impl Goal {
     pub fn met(&self, scene: &Scene, runs: &[(&'static str, &dyn Run)]) -> Vec<bool> {
         let conditions = self.conditions.iter();
         conditions.map(|it| it.holds(scene, runs)).collect()
+    }
+
+    /// What can be asked of a scene that is to become like this one: what comes out, and how often what decides it happens.
+    pub fn offered(scene: &Scene) -> Vec<String> {
+        let recorded = scene.document().record();
+        let Some(run) = recorded.first() else {
+            return Vec::new();
+        };
+        let output = run.output_json();
+        let said = |(key, value): (&String, &Json)| match value {
+            Json::Bool(_) | Json::Null => Some(format!("output.{key} = {value}")),
+            Json::String(word) => Some(format!("output.{key} = '{word}'")),
+            Json::Number(_) | Json::Array(_) | Json::Object(_) => None,
+        };
+        let mut all: Vec<String> = output
+            .as_object()
+            .into_iter()
+            .flatten()
+            .filter_map(said)
+            .collect();
+        let mut counts = BTreeMap::<String, usize>::new();
+        for step in 1..=run.n_steps().min(MOST_COUNTED) {
+            if matches!(run.tick(step), Tick::Cut | Tick::Accept | Tick::Reject) {
+                let moment = run.moment(step).of_any_kind().to_string();
+                let name = moment.split(' ').next().unwrap_or_default().to_owned();
+                *counts.entry(name).or_default() += 1;
+            }
+        }
+        all.extend(
+            counts
+                .iter()
+                .map(|(name, n)| format!("events({name}) = {n}")),
+        );
+        let ids = scene.document().methods().into_iter().map(|card| card.id);
+        let runs: Vec<_> = ids.zip(recorded.iter().map(|run| &**run)).collect();
+        let holds = |text: &String| Condition::parse(text).is_ok_and(|it| it.holds(scene, &runs));
+        all.retain(holds);
+        all.truncate(MAX_PARTS);
+        all
     }
 
     /// The same of a scene by itself.

@@ -135,6 +135,16 @@ pub(super) fn read(Reading { formats, moments }: Reading, sink: &Sink<'_>) -> Op
     })
 }
 
+/// One scene by its name, whatever is wrong with the others and the steps.
+pub(super) fn scene(formats: SceneFormats, name: &str, sink: &Sink<'_>) -> Option<Arc<Scene>> {
+    with_toml(sink, |table, sink| {
+        let fields = TomlFields::new(table, 0..0, &LESSON_FIELDS, sink);
+        let format = formats.of(fields.get("lab")?.text()?)?;
+        let mut all = scenes(Some(format), Moments::Later, &fields);
+        all.remove(name)?.scene
+    })
+}
+
 struct NamedScene {
     span: Range<usize>,
     /// `None` where it has a mistake.

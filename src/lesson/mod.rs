@@ -15,6 +15,7 @@ mod card;
 mod course;
 #[cfg(not(target_arch = "wasm32"))]
 mod door;
+mod draft;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
@@ -48,6 +49,7 @@ pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
 pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};
+pub use draft::{Draft, NewStep};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
@@ -61,7 +63,7 @@ pub use problem::{Place, Problem, Severity};
 pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
-pub use scene_file::{SceneFile, SceneFormats, spot};
+pub use scene_file::{SceneFile, SceneFormats, quoted, spot};
 pub use step::{CodeView, LessonStep};
 pub use stop::Stop;
 pub use translated::{TRANSLATED_FILE, translated};

@@ -41,7 +41,7 @@ pub use menu::{
 pub use pan_zoom::PanZoom;
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use selecting::select;
-pub use timeline::Timeline;
+pub use timeline::{Timeline, tick_sign};
 pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
 pub use views::{
     covered, keep_ahead, picture_viewport, place_inset, projected, space, title_ground,

@@ -24,6 +24,8 @@ pub struct Timeline<'a> {
     /// Steps ≥ 1 at which a phase begins: marked where there is no room for every tick.
     pub phases: &'a [usize],
     pub difference: Option<usize>,
+    /// Steps of a lesson that stop here: each one's number, and where.
+    pub steps: &'a [(usize, usize)],
     /// A step's sentence, asked for only when the pointer rests on it.
     pub tip: &'a dyn Fn(usize) -> String,
     pub name: String,
@@ -74,6 +76,16 @@ impl Timeline<'_> {
         let theme = self.look.theme;
         let y = track.rect.center().y.round();
         let here = pos2(track.x(self.position), y);
+        for &(number, step) in self.steps {
+            let at = pos2(track.x(step), y - 16.0);
+            let colour = if step == self.position {
+                theme.accent
+            } else {
+                theme.soft
+            };
+            let font = FontId::proportional(12.0 * theme.text_scale);
+            painter.text(at, Align2::CENTER_CENTER, number, font, colour);
+        }
         let lines = [
             (self.n_steps, theme.hairline),
             (self.position, theme.accent),
@@ -154,6 +166,11 @@ enum When {
     Future,
     /// It has yet to happen, and what it is must not be given away.
     Untold,
+}
+
+/// What happens at a step, beside words that tell of it.
+pub fn tick_sign(painter: &Painter, at: Pos2, tick: Tick, theme: &Theme) {
+    draw_tick(painter, at, tick, When::Past, 1.0, theme);
 }
 
 fn draw_tick(painter: &Painter, at: Pos2, tick: Tick, when: When, size: f32, theme: &Theme) {
@@ -262,6 +279,7 @@ mod tests {
             position: 2,
             told: 4,
             tick: &|_| Tick::Cut,
+            steps: &[],
             phases: &[],
             difference: None,
             tip: &|_| String::new(),

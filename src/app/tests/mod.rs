@@ -1,6 +1,7 @@
 //! The window without a window: input goes in, frames come out.
 
 mod asking;
+mod composing;
 mod course;
 mod crowds;
 mod depth;

@@ -83,7 +83,7 @@ pub(super) fn exact(x: f64) -> String {
     }
 }
 
-pub(super) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {

@@ -1,6 +1,7 @@
 //! A small lesson in order, and ways to break it.
 
 mod broken;
+mod drafts;
 mod frustum_scenes;
 mod reading;
 mod references;
