@@ -31,7 +31,7 @@ const MANY: usize = 20_000;
 struct Asked {
     solids: Solids,
     place: Place,
-    theme: ThemeKind,
+    theme: Theme,
     lit: Option<Link>,
 }
 
@@ -88,7 +88,7 @@ pub fn solids(
     let asked = Asked {
         solids: solids.clone(),
         place,
-        theme: theme.kind,
+        theme: theme.clone(),
         lit,
     };
     let mut drawn = match before {
@@ -126,13 +126,16 @@ impl Place {
 impl Asked {
     fn has_surface_of(&self, drawn: &Drawn) -> bool {
         let drawn = &drawn.asked;
-        self.solids.facets.are_shared_with(&drawn.solids.facets) && self.theme == drawn.theme
+        self.solids.facets.are_shared_with(&drawn.solids.facets)
+            && self.theme.kind == drawn.theme.kind
     }
 
     fn has_tones_of(&self, drawn: &Drawn) -> bool {
         let is_about = |lit: &Link| drawn.surface.links.contains(lit);
         let lit = [self.lit, drawn.asked.lit].map(|lit| lit.filter(is_about));
-        lit[0] == lit[1] && self.solids.facets == drawn.asked.solids.facets
+        lit[0] == lit[1]
+            && self.theme == drawn.asked.theme
+            && self.solids.facets == drawn.asked.solids.facets
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
@@ -149,7 +152,7 @@ impl Asked {
     }
 
     fn tones(&self, normals: &[[f32; 3]]) -> Arc<[Color32]> {
-        let (theme, light) = (Theme::of(self.theme), LIGHT.normalize());
+        let (theme, light) = (&self.theme, LIGHT.normalize());
         let facets = &self.solids.facets;
         let tone = |(idx, normal): (usize, &[f32; 3])| {
             let facet = &facets[idx];
@@ -176,7 +179,7 @@ impl Asked {
         let (lens, part) = (&self.solids.lens, self.place.part);
         if let Some(picture) = SolidPicture::new(self.solids.facets.mesh(), lens, part, samples) {
             let picture = picture.looking(&self.solids.facets);
-            let ink = Theme::of(self.theme).ink;
+            let ink = self.theme.ink;
             let lined = |are_found| Lined {
                 normals: &surface.normals,
                 are_found,
