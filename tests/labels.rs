@@ -97,7 +97,7 @@ fn place(
             before,
             ..Around::default()
         };
-        found = Look { theme, catalog }.arrange(ui.painter(), &viewport, marks, around);
+        found = Look::new(theme, catalog).arrange(ui.painter(), &viewport, marks, around);
     });
     found
 }

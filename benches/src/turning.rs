@@ -81,10 +81,7 @@ fn frames(facets: Arc<[Facet]>, edges: Arc<[Edge3]>) -> Vec<f64> {
     let ctx = Context::default();
     ctx.set_fonts(fonts::definitions());
     theme::install(&ctx, Theme::of(ThemeKind::Light));
-    let look = Look {
-        theme: Theme::of(ThemeKind::Light),
-        catalog: Catalog::of(Lang::En),
-    };
+    let look = Look::new(Theme::of(ThemeKind::Light), Catalog::of(Lang::En));
     let stage = Rect::from_min_size(pos2(0.0, 0.0), STAGE.into());
     let volume = ViewVolume::perspective(40.0, 1.6, 1.0, 30.0).expect("a volume");
     let camera =

@@ -127,6 +127,7 @@ impl App {
             Command::Confirm => self.confirm(ctx, now),
             Command::Smaller => self.make_smaller(now),
             Command::Compose(act) => self.act_on_lesson(ctx, act, now),
+            Command::Hint => self.show_hint(),
             Command::Present => self.present(ctx),
             // A page in a browser is one window, which all look at.
             Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,
@@ -151,7 +152,10 @@ impl App {
             Command::Course if settings.course && has_strip => shown.unfolded ^= true,
             Command::Course => settings.course ^= true,
             Command::Inspector => settings.inspector ^= true,
-            Command::Language(lang) => settings.lang = lang,
+            Command::Language(lang) => {
+                settings.lang = lang;
+                self.keep_room();
+            }
             Command::Theme(theme) => settings.theme = theme,
             Command::TextSize(text) => settings.text = text,
             Command::TextStep(0) => settings.text = 1.0,
@@ -161,6 +165,7 @@ impl App {
                 settings.asks = asks;
                 self.ask_of_step(false);
             }
+            Command::MarkAtEnd(is_at_end) => settings.marks_at_end = is_at_end,
             Command::AskAgain => self.ask_of_step(true),
             Command::Afresh => self.begin_afresh(),
             Command::Board(board) => {

@@ -263,7 +263,7 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
     let words = step_told(app, steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
-    let text = if has_words || app.practice.is_asking() {
+    let text = if has_words || app.n_steps_told() != n_steps {
         words.clone()
     } else {
         format!("{step} / {n_steps}")
@@ -275,9 +275,24 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
     }
 }
 
+impl App {
+    /// How long the timeline is: while something is asked, however long the run is, a little longer than what is told.
+    pub(super) fn n_steps_told(&self) -> usize {
+        const AHEAD: usize = 8;
+        const ROUND: usize = 24;
+        let transport = &self.playback.transport;
+        let is_over = transport.position() == transport.n_steps();
+        if (self.practice.is_on && !is_over) || self.practice.is_asking() {
+            (transport.position() + AHEAD).next_multiple_of(ROUND)
+        } else {
+            transport.n_steps()
+        }
+    }
+}
+
 /// While it is asked what comes, no total tells how much of it there is.
 fn step_told(app: &App, steps: [usize; 2]) -> String {
-    if app.practice.is_asking() {
+    if app.n_steps_told() != steps[1] || app.practice.is_asking() {
         let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
         return app.look().catalog.message(&message);
     }
@@ -301,7 +316,7 @@ fn timeline(app: &App, ui: &mut Ui) {
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
     let told = match app.shown.code {
-        _ if app.practice.is_asking() => transport.position(),
+        _ if app.practice.is_on || app.practice.is_asking() => transport.position(),
         CodeView::Full | CodeView::Words => transport.n_steps(),
         CodeView::Hidden => app.playback.reached,
     };
@@ -318,13 +333,14 @@ fn timeline(app: &App, ui: &mut Ui) {
     };
     let name = app.look().say("panel-timeline");
     let asked = Timeline {
-        n_steps: transport.n_steps(),
+        n_steps: app.n_steps_told(),
         position: transport.position(),
         told,
         tick: &|step| run.tick(step),
         phases: &app.playback.phases,
         difference: first,
         steps: &app.steps_on_timeline(),
+        asked: app.practice.step_asked(),
         tip: &tip,
         name: match &note {
             Some(note) => format!("{name}: {note}"),

@@ -27,8 +27,12 @@ pub enum Command {
     AskAgain,
     /// Do steps of lessons ask?
     AskInLessons(bool),
+    /// Are answers of a practice marked when the run is done, and not one by one?
+    MarkAtEnd(bool),
     /// A smaller scene with the same difference.
     Smaller,
+    /// The next part of the hint towards the open step's goal.
+    Hint,
     /// Another student is here: no step has been seen.
     Afresh,
     Speed(f32),
@@ -193,7 +197,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 56] = [
+pub static BINDINGS: [Binding; 57] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -205,6 +209,7 @@ pub static BINDINGS: [Binding; 56] = [
     (NONE, Key::Space, Command::Play, "help-play"),
     (NONE, Key::Q, Command::Practise, "action-practise"),
     (NONE, Key::M, Command::Smaller, "action-smaller"),
+    (NONE, Key::T, Command::Hint, "action-hint"),
     (NONE, Key::R, Command::Reset, "help-reset"),
     (NONE, Key::PageUp, BACK, "help-lesson-step"),
     (NONE, Key::PageDown, ON, "help-lesson-step"),

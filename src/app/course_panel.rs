@@ -14,6 +14,7 @@ use crate::{
 use super::{
     App, Command,
     course_steps::{CHANGED, discs, is_changed, named, steps},
+    goal_panel,
     prelude::*,
     question::{answer_button, question_button, shown_answer},
 };
@@ -81,6 +82,9 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
     }
     if app.is_reached() {
         reached(app, ui);
+    }
+    if !app.met().is_empty() {
+        goal_panel::show(app, ui);
     }
     shown_answer(app, ui);
     let is_last = app.bookmark.at[1] + 1 == lesson.steps.len();

@@ -5,7 +5,7 @@ use crate::{
     widgets::TextTold,
 };
 
-use super::{App, desk::Page, prelude::*};
+use super::{App, desk::Page, hint::Help, prelude::*};
 
 #[derive(Default)]
 pub struct Goals {
@@ -13,6 +13,7 @@ pub struct Goals {
     seen: Option<(Page, u64)>,
     /// Which parts of the open step's goal hold; none where it has none.
     met: Vec<bool>,
+    pub(super) help: Help,
 }
 
 impl App {
@@ -50,6 +51,12 @@ impl App {
     /// A goal that is reached stays so, whatever becomes of the scene.
     pub(super) fn look_at_goal(&mut self) {
         let page = self.bookmark.page();
+        let was = self.goals.seen.as_ref().map(|(page, _)| page);
+        if was != page.as_ref() {
+            self.goals.help = Help::default();
+        } else {
+            self.count_end();
+        }
         let seen = page.map(|page| (page, self.playback.recording));
         if self.goals.seen == seen || self.pending.is_some() || self.playback.is_late {
             return;
@@ -66,5 +73,7 @@ impl App {
             self.is_touched |= self.settings.progress.reach(lesson, step);
         }
         self.goals.seen = seen;
+        self.look_for_hint();
+        self.count_end();
     }
 }

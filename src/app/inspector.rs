@@ -12,7 +12,8 @@ use crate::{
 };
 
 use super::{
-    App, Command, bars::step_text, controls, prelude::*, stage_state::StageState, typing::told_of,
+    App, Command, answers, bars::step_text, controls, prelude::*, stage_state::StageState,
+    typing::told_of,
 };
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
@@ -81,9 +82,10 @@ pub fn content(
     rule(ui, look);
     costs(app, ui, column);
     verdict(app, ui, state);
+    asked(app, ui);
     let cost_of_all = || app.scene().document().cost_of_all(column);
     let of_all = state.all_costs[column].get(app.on_stage(), ui, 0.0, cost_of_all);
-    if let Some(of_all) = of_all {
+    if let Some(of_all) = of_all.as_ref().filter(|_| !app.practice.is_asking()) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -107,7 +109,8 @@ fn pseudocode(
 ) -> Option<Link> {
     let (column, frame, moment) = (inspected.column, inspected.frame, inspected.moment);
     let is_now = |link| frame.focus().any(|about| about == link);
-    let mut lit = match state.lit {
+    // What is asked about is not told by the line where it comes.
+    let mut lit = match state.lit.filter(|_| !app.practice.is_asking()) {
         Some(link) => code_links(app, ui, state, column).lines(link),
         None => Vec::new(),
     };
@@ -227,16 +230,25 @@ fn lines(app: &App, column: usize) -> Vec<CodeText> {
     let methods = app.scene().document().methods();
     let code = methods.get(column).map_or(&[][..], |card| card.code);
     let has_words = app.shown.code == CodeView::Words;
-    let line = |&CodeLine { depth, code, words }: &CodeLine| CodeText {
-        depth,
-        text: app.look().say(if has_words { words } else { code }),
+    let is_asking = app.practice.is_asking();
+    let line = |&CodeLine { depth, code, words }: &CodeLine| {
+        let said = app.look().say(if has_words { words } else { code });
+        let line = CodeText::new(depth, said);
+        match is_asking {
+            // The sentence is the rule.
+            true if has_words => CodeText { told: 0, ..line },
+            true => line.without_rule(),
+            false => line,
+        }
     };
     code.iter().map(line).collect()
 }
 
 fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
     let look = app.look_at_step();
-    let Some(about) = state.asked else { return };
+    // Of what is asked about it would tell too much.
+    let about = state.asked.filter(|_| !app.practice.is_asking());
+    let Some(about) = about else { return };
     let verdict = (state.verdicts).of(app.on_stage(), ui, (app.scene(), about));
     let Some(verdict) = verdict else { return };
     rule(ui, look);
@@ -256,6 +268,15 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
     {
         app.push(Command::Edit(Edit::Own(change.clone()), None));
     }
+}
+
+fn asked(app: &App, ui: &mut Ui) {
+    if app.answers_told().is_empty() {
+        return;
+    }
+    rule(ui, app.look());
+    section(ui, app.look(), &app.look().say("answers-title"));
+    answers::table(app, ui);
 }
 
 fn costs(app: &App, ui: &mut Ui, column: usize) {

@@ -124,6 +124,11 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     if ui.checkbox(&mut asks, look.say("settings-asks")).changed() {
         app.push(Command::AskInLessons(asks));
     }
+    let mut at_end = app.settings.marks_at_end;
+    let name = look.say("settings-marks-at-end");
+    if ui.checkbox(&mut at_end, name).changed() {
+        app.push(Command::MarkAtEnd(at_end));
+    }
     ui.separator();
     changes(app, ui);
     menu_button(ui, look.say("free-scenes"), |ui| free_scenes::menu(app, ui));

@@ -10,6 +10,7 @@
 //!
 //! Panels read the [`App`] and push [`Command`]s onto it; nothing else changes anything.
 
+mod answers;
 mod apply;
 mod bars;
 mod bookmark;
@@ -28,7 +29,9 @@ mod files;
 mod found;
 mod free_panel;
 mod free_scenes;
+mod goal_panel;
 mod goals;
+mod hint;
 mod history;
 mod inspector;
 mod keys;

@@ -1,6 +1,7 @@
 //! From page to page: a step of the course, or a lab's free scene. What was done on one is there again when it is opened.
 
 use crate::{
+    labs::Difference,
     lesson::Block,
     widgets::{Album, Medium},
 };
@@ -214,6 +215,12 @@ impl App {
 
     fn asks_now(&self) -> bool {
         self.shown.code == CodeView::Hidden || (self.bookmark.step().is_some() && !self.is_open())
+    }
+
+    /// Where a mistake first differs from what is right, unless that would answer what is asked.
+    pub(super) fn difference_told(&self) -> Option<Difference> {
+        let is_asking = self.practice.is_asking() || self.hides_mistakes();
+        self.playback.difference.filter(|_| !is_asking)
     }
 
     pub(super) fn has_answer(&self) -> bool {

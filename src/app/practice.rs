@@ -3,9 +3,12 @@
 
 use std::{collections::BTreeSet, ops::ControlFlow};
 
-use crate::{figure::Choice, lesson::Asks};
+use crate::{
+    figure::{Chip, Choice},
+    lesson::Asks,
+};
 
-use super::{App, Command, desk::Page, prelude::*};
+use super::{App, Command, answers::Answer, desk::Page, prelude::*};
 
 /// What has a digit of its own; more options than these are a list.
 pub(super) const DIGITS: [Key; 9] = [
@@ -19,15 +22,22 @@ pub(super) const DIGITS: [Key; 9] = [
     Key::Num8,
     Key::Num9,
 ];
+/// Of so many steps the decisions are looked at to keep room for their questions.
+const MOST_LOOKED_AT: usize = 512;
+
 #[derive(Default)]
 pub struct Practice {
     pub is_on: bool,
     pub(super) asked: Option<Asked>,
+    /// The longest of each kind of question that is asked here, asked or not: they all have room from the start.
+    pub(super) kept: Vec<Choice>,
     /// Steps of this recording that have been answered, or shown: they are not asked again.
     done: BTreeSet<usize>,
     recording: u64,
     /// Answered right before anything was shown, and all that were answered.
     pub(super) told: [usize; 2],
+    /// What was answered of this recording.
+    pub(super) answers: Vec<Answer>,
     /// The step of the course that asks its whole run, and whether an answer had to be shown.
     of: Option<Page>,
     is_helped: bool,
@@ -40,14 +50,16 @@ pub struct Asked {
     /// What was answered; the right one where the answer was asked for.
     pub(super) chosen: Option<usize>,
     pub(super) is_shown: bool,
+    chips: Vec<Chip>,
     /// The step of the course that asks it, where none of a practice does.
     of: Option<Page>,
 }
 
 impl Asked {
-    const fn new(step: usize, choice: Choice, of: Option<Page>) -> Self {
+    fn new(step: usize, choice: Choice, of: Option<Page>) -> Self {
         Self {
             step,
+            chips: choice.chips(None, DIGITS.len()),
             choice,
             chosen: None,
             is_shown: false,
@@ -65,6 +77,16 @@ impl Practice {
     /// The question that has not been answered.
     pub(super) fn open(&self) -> Option<&Asked> {
         self.asked.as_ref().filter(|asked| asked.chosen.is_none())
+    }
+
+    /// What of the options is marked on the stage.
+    pub(super) fn chips(&self) -> &[Chip] {
+        self.asked.as_ref().map_or(&[], |asked| &asked.chips)
+    }
+
+    /// The step that is asked about.
+    pub(super) fn step_asked(&self) -> Option<usize> {
+        self.open().map(|asked| asked.step)
     }
 
     const fn is_answered(&self) -> bool {
@@ -93,6 +115,7 @@ impl App {
             recording: self.playback.recording,
             ..Practice::default()
         };
+        self.keep_room();
         if is_on {
             self.playback.transport.pause();
             if self.position() == self.playback.transport.n_steps() {
@@ -102,8 +125,46 @@ impl App {
         }
     }
 
+    /// Keeps room for whatever is asked of this run, so that no question and no answer moves the stage.
+    pub(super) fn keep_room(&mut self) {
+        let asks = self.bookmark.step().and_then(|step| step.asks);
+        let asks = asks.filter(|_| self.settings.asks || self.practice.asked.is_some());
+        let run = self.playback.main();
+        let steps = if self.practice.is_on || asks == Some(Asks::Run) {
+            Some([1, run.n_steps().min(MOST_LOOKED_AT)])
+        } else {
+            let home = self.own().filter(|_| asks.is_some());
+            let decision = home.and_then(|(_, home)| run.decision_by(home));
+            decision.map(|(step, _)| [step; 2])
+        };
+        let Some(steps) = steps else {
+            self.practice.kept.clear();
+            return;
+        };
+        let catalog = self.catalog();
+        let length = |choice: &Choice| choice.said(catalog).concat().chars().count();
+        let mut kept = std::mem::take(&mut self.practice.kept);
+        run.visit(steps, &mut |_, shown| {
+            if let Some(choice) = shown.options().filter(Choice::is_open) {
+                let kind = |it: &Choice| (it.question, it.options.len());
+                match kept.iter_mut().find(|it| kind(it) == kind(&choice)) {
+                    Some(known) if length(known) < length(&choice) => *known = choice,
+                    Some(_) => {}
+                    None => kept.push(choice),
+                }
+            }
+            ControlFlow::Continue(())
+        });
+        self.practice.kept = kept;
+    }
+
     /// What is left to be done of a command: on the way forward the run stops at the next question.
     pub(super) fn practised(&mut self, command: Command) -> Option<Command> {
+        // Why a thing is kept or dropped would answer.
+        if self.practice.is_asking() && matches!(command, Command::Ask(Some(_)) | Command::Verdict)
+        {
+            return None;
+        }
         if !self.practice.is_on {
             return self.answered(command);
         }
@@ -186,7 +247,9 @@ impl App {
             return;
         }
         self.practice.asked = None;
+        self.practice.kept.clear();
         self.practice.recording = self.playback.recording;
+        self.keep_room();
         let page = self.bookmark.page();
         let asks = self.bookmark.step().and_then(|step| step.asks);
         let is_told = || self.told_of_step() >= Told::AfterTheNumbers;
@@ -209,6 +272,7 @@ impl App {
             return;
         };
         self.practice.asked = Some(Asked::new(step, choice, page));
+        self.keep_room();
         self.seek(step - 1);
     }
 
@@ -261,6 +325,7 @@ impl App {
             return;
         }
         (asked.chosen, asked.is_shown) = (Some(chosen), nth.is_none());
+        asked.chips = asked.choice.chips(asked.chosen, DIGITS.len());
         if nth.is_some() {
             practice.told[0] += usize::from(chosen == right);
             practice.told[1] += 1;
@@ -272,7 +337,16 @@ impl App {
         practice.is_helped |= nth.is_none();
         practice.done.insert(asked.step);
         let step = asked.step;
+        practice.answers.push(Answer {
+            step,
+            choice: asked.choice.clone(),
+            chosen,
+            is_shown: nth.is_none(),
+        });
         self.seek(step);
+        if self.practice.is_on && self.settings.marks_at_end {
+            self.walk_to(self.playback.transport.n_steps());
+        }
     }
 
     /// Another recording has other decisions: it is asked where the run stands now.
@@ -285,6 +359,10 @@ impl App {
         // Of a scene that was changed no answer is the step's.
         self.practice.of = None;
         self.practice.done.clear();
+        self.practice.answers.clear();
+        if self.practice.is_on {
+            self.keep_room();
+        }
         let was_asking = self.practice.is_asking();
         self.practice.asked = None;
         if self.practice.is_on && was_asking {

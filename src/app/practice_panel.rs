@@ -1,57 +1,111 @@
-//! What is asked, under the stage: the question with what might come; then what was said, and what comes.
+//! What is asked, under the stage: the question with what might come; then what was said, and what comes. As high as the highest of
+//! what is asked here from the start on, so that the stage stays where it is.
 
-use egui::{Frame, Panel, Role, WidgetInfo, accesskit::Live};
+use std::sync::Arc;
+
+use egui::{Frame, Galley, Panel, Role, StrokeKind, TextStyle, Vec2, WidgetInfo, accesskit::Live};
+
+use crate::figure::{Chip, ChipFate, Choice};
 
 use super::{
-    App, Command,
+    App, Command, answers, marks,
     practice::{Asked, DIGITS},
     prelude::*,
 };
 
 /// Of the window's height.
 const MOST: f32 = 0.4;
+const MARGIN: Margin = Margin::symmetric(24, 10);
+/// What is longer stands in a line of its own.
+const LONG: usize = 48;
+const AROUND: Vec2 = vec2(8.0, 4.0);
+const GAP: f32 = 6.0;
 
 /// What the pointer is on, of what might come.
 pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
-    if !app.practice.is_on && app.practice.asked.is_none() {
+    let practice = &app.practice;
+    let is_idle = !practice.is_on && practice.asked.is_none();
+    if is_idle && (practice.kept.is_empty() || app.is_presenting()) {
         return None;
     }
-    let look = app.look();
+    let frame = Frame::new().fill(app.look().theme.panel);
+    let around = MARGIN.sum();
     let most = MOST * ui.max_rect().height();
-    let frame = Frame::new().fill(look.theme.panel);
+    let width = ui.max_rect().width() - around.x;
+    let height = kept_height(app, ui, width).min(most);
     Panel::bottom("practice")
-        .frame(frame.inner_margin(Margin::symmetric(24, 10)))
+        .frame(frame.inner_margin(MARGIN))
+        .exact_size(height + around.y)
         .show(ui, |ui| {
             ScrollArea::vertical()
                 .id_salt("practice")
-                .max_height(most)
-                .min_scrolled_height(most)
-                .auto_shrink([false, true])
-                .show(ui, |ui| in_kept_room(app, ui, lit))
+                .auto_shrink(false)
+                .show(ui, |ui| match &practice.asked {
+                    Some(asked) if asked.chosen.is_none() => question(app, ui, asked, lit),
+                    Some(asked) => {
+                        answer(app, ui, asked);
+                        None
+                    }
+                    None => {
+                        at_the_end(app, ui);
+                        None
+                    }
+                })
                 .inner
         })
         .inner
 }
 
-/// Question, answer and what follows are as high as the highest of this recording was, so that the stage stays where it is.
-fn in_kept_room(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
-    let id = Id::unique(("practice", app.playback.recording));
-    let known: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let shown = ui.scope(|ui| match &app.practice.asked {
-        Some(asked) if asked.chosen.is_none() => question(app, ui, asked, lit),
-        Some(asked) => {
-            answer(app, ui, asked);
-            None
+/// Of whatever is asked here, and was: with any answer.
+fn kept_height(app: &App, ui: &Ui, width: f32) -> f32 {
+    let practice = &app.practice;
+    let asked = practice.asked.iter().map(|asked| &asked.choice);
+    let height = |choice: &Choice| {
+        let said = choice.said(app.look().catalog);
+        let options = Options::of(app, ui, &said, width).height;
+        let mut longest: Vec<&String> = said.iter().collect();
+        longest.sort_by_key(|text| std::cmp::Reverse(text.chars().count()));
+        let both = [0, 1].map(|nth| longest.get(nth).map_or("", |text| text));
+        let answer = Answer::of(app, ui, ("practice-wrong", both), width).height();
+        (row_height(ui) + GAP + options).max(answer)
+    };
+    let heights = practice.kept.iter().chain(asked).map(height);
+    heights.fold(row_height(ui), f32::max)
+}
+
+fn row_height(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y + 2.0
+}
+
+/// Of the options each box, from the upper left corner on, and its words.
+struct Options {
+    boxes: Vec<(Rect, Arc<Galley>)>,
+    height: f32,
+}
+
+impl Options {
+    /// Beside each other, as many as have room; each by itself where they are long, or too many for digits.
+    fn of(app: &App, ui: &Ui, said: &[String], width: f32) -> Self {
+        let theme = app.look().theme;
+        let is_long = |text: &String| text.chars().count() > LONG;
+        let is_list = said.len() > DIGITS.len() || said.iter().any(is_long);
+        let chip = chip(None, 0).size(theme);
+        let around = 2.0 * AROUND + vec2(chip.x + GAP, 0.0);
+        let font = TextStyle::Body.resolve(ui.style());
+        let (mut boxes, mut at, mut height) = (Vec::new(), Pos2::ZERO, 0.0_f32);
+        for text in said {
+            let most = width - around.x;
+            let text = (ui.painter()).layout(text.clone(), font.clone(), theme.ink, most);
+            let size = text.size().max(vec2(0.0, chip.y)) + around;
+            if at.x > 0.0 && (is_list || at.x + size.x > width) {
+                at = pos2(0.0, height + GAP);
+            }
+            boxes.push((Rect::from_min_size(at, size), text));
+            height = height.max(at.y + size.y);
+            at.x += size.x + GAP;
         }
-        None => {
-            at_the_end(app, ui);
-            None
-        }
-    });
-    let height = shown.response.rect.height();
-    ui.add_space((known - height).max(0.0));
-    ui.data_mut(|data| data.insert_temp(id, known.max(height)));
-    shown.inner
+        Self { boxes, height }
+    }
 }
 
 fn said_live(ui: &mut Ui, look: Look<'_>, text: &str) {
@@ -61,51 +115,135 @@ fn said_live(ui: &mut Ui, look: Look<'_>, text: &str) {
     ui.ctx().accesskit_node_builder(label.id, live);
 }
 
+/// One line, with what is at its right end.
+fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
+    let size = vec2(ui.available_width(), row_height(ui));
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        right(ui);
+        ui.with_layout(Layout::left_to_right(Align::Center), left);
+    });
+}
+
 fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<Link> {
     let look = app.look();
-    ui.horizontal(|ui| {
+    ui.spacing_mut().item_spacing.y = GAP;
+    let words = |ui: &mut Ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
         Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
         let stroke = look.theme.stroke(1.5, look.theme.signal);
         ui.painter().circle_stroke(rect.center(), 10.0, stroke);
         said_live(ui, look, &look.say("practice-question"));
-        ui.label(soft(look, "practice-how"));
+        ui.add(Label::new(soft(look, "practice-how")).truncate());
+    };
+    line(ui, words, |ui| {
         if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
             app.push(Command::ShowMe);
         }
     });
-    ui.add_space(4.0);
     let said = asked.choice.said(look.catalog);
-    let is_list = said.len() > DIGITS.len() || said.iter().any(|it| it.chars().count() > 48);
-    let links = &asked.choice.links;
+    let width = ui.available_width();
+    let options = Options::of(app, ui, &said, width);
+    let (room, _) = ui.allocate_exact_size(vec2(width, options.height), egui::Sense::hover());
     let mut pointed = None;
-    let options = |ui: &mut Ui| {
-        for (nth, option) in said.iter().enumerate() {
-            let digit = (nth < DIGITS.len()).then(|| format!("{}\u{2002}", nth + 1));
-            let text = digit.unwrap_or_default() + option;
-            let is_lit = lit.is_some() && links[nth] == lit;
-            let stroke = if is_lit {
-                look.theme.stroke(2.0, look.theme.accent)
-            } else {
-                look.theme.stroke(1.0, look.theme.hairline)
-            };
-            let chip = Button::new(&text).wrap().stroke(stroke).corner_radius(4.0);
-            let button = ui.add(chip.fill(look.theme.background));
-            button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, false, &text));
-            if button.clicked() {
-                app.push(Command::Choose(nth));
-            }
-            if button.hovered() || button.has_focus() {
-                pointed = links[nth];
-            }
+    for (nth, (rect, text)) in options.boxes.into_iter().enumerate() {
+        let rect = rect.translate(room.min.to_vec2());
+        let link = asked.choice.links.get(nth).copied().flatten();
+        let response = ui.interact(
+            rect,
+            ui.scope_id().with(("option", nth)),
+            egui::Sense::click(),
+        );
+        let name = format!("{} {}", nth + 1, said[nth]);
+        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, false, &name));
+        let is_held = response.hovered() || response.has_focus();
+        let is_lit = is_held || (lit.is_some() && link == lit);
+        option(
+            app,
+            ui,
+            (rect, text),
+            (nth < DIGITS.len()).then_some(nth + 1),
+            is_lit,
+        );
+        if response.clicked() {
+            app.push(Command::Choose(nth));
         }
-    };
-    if is_list {
-        ui.vertical(options);
-    } else {
-        ui.horizontal_wrapped(options);
+        if is_held {
+            pointed = link;
+        }
     }
     pointed
+}
+
+const fn chip(link: Option<Link>, digit: usize) -> Chip {
+    let fate = ChipFate::Open;
+    Chip { link, digit, fate }
+}
+
+fn option(
+    app: &App,
+    ui: &Ui,
+    (rect, text): (Rect, Arc<Galley>),
+    digit: Option<usize>,
+    is_lit: bool,
+) {
+    let theme = app.look().theme;
+    let stroke = if is_lit {
+        theme.stroke(2.0, theme.accent)
+    } else {
+        theme.stroke(1.0, theme.hairline)
+    };
+    let painter = ui.painter();
+    painter.rect(rect, 4.0, theme.background, stroke, StrokeKind::Inside);
+    let size = chip(None, 0).size(theme);
+    let at = pos2(rect.left() + AROUND.x + 0.5 * size.x, rect.center().y);
+    if let Some(digit) = digit {
+        chip(None, digit).draw(painter, theme, at, is_lit);
+    }
+    let at = pos2(
+        at.x + 0.5 * size.x + GAP,
+        rect.center().y - 0.5 * text.size().y,
+    );
+    painter.galley(at, text, theme.ink);
+}
+
+/// What was said, beside the button that goes on; under it how many have been told.
+struct Answer {
+    said: String,
+    width: f32,
+    heights: [f32; 2],
+}
+
+impl Answer {
+    fn of(
+        app: &App,
+        ui: &Ui,
+        (key, [right, chosen]): (&'static str, [&str; 2]),
+        width: f32,
+    ) -> Self {
+        let look = app.look();
+        let message = Message::new(key)
+            .with("right", right.to_owned())
+            .with("chosen", chosen.to_owned());
+        let said = look.catalog.message(&message);
+        let button = look.say("practice-go-on");
+        let font = |style: TextStyle| style.resolve(ui.style());
+        let text = |text: String, style: TextStyle, most: f32| {
+            let galley = ui.painter().layout(text, font(style), look.theme.ink, most);
+            galley.size()
+        };
+        let button = text(button, TextStyle::Button, f32::INFINITY).x;
+        let width = (width - button - 2.0 * AROUND.x - 4.0 * GAP).max(0.0);
+        let told = text("0".to_owned(), TextStyle::Body, width).y;
+        Self {
+            width,
+            heights: [text(said.clone(), theme::strong(), width).y, told],
+            said,
+        }
+    }
+
+    fn height(&self) -> f32 {
+        self.heights.iter().sum::<f32>() + GAP
+    }
 }
 
 fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
@@ -119,38 +257,60 @@ fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
     } else {
         "practice-wrong"
     };
-    let message = Message::new(key)
-        .with("right", said[asked.choice.right].clone())
-        .with("chosen", said[chosen].clone());
-    ui.horizontal_wrapped(|ui| {
-        said_live(ui, look, &look.catalog.message(&message));
-        told(app, ui);
+    let both = [asked.choice.right, chosen].map(|nth| &*said[nth]);
+    let answer = Answer::of(app, ui, (key, both), ui.available_width());
+    ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+        // Why is the step's own sentence, over this.
+        let go_on = RichText::new(look.say("practice-go-on")).color(look.theme.background);
+        if ui.add(Button::new(go_on).fill(look.theme.accent)).clicked() {
+            app.push(Command::Play);
+        }
+        ui.with_layout(Layout::top_down(Align::Min), |ui| {
+            ui.set_max_width(answer.width);
+            ui.spacing_mut().item_spacing.y = GAP;
+            said_live(ui, look, &answer.said);
+            told(app, ui);
+        });
     });
-    // Why is the step's own sentence, over this.
-    let go_on = RichText::new(look.say("practice-go-on")).color(look.theme.background);
-    if ui.add(Button::new(go_on).fill(look.theme.accent)).clicked() {
-        app.push(Command::Play);
-    }
 }
 
 fn at_the_end(app: &App, ui: &mut Ui) {
-    ui.horizontal_wrapped(|ui| {
-        let transport = &app.playback.transport;
-        let is_at_end = transport.position() == transport.n_steps();
-        let key = if is_at_end {
-            "practice-done"
-        } else {
-            "practice-on"
+    let look = app.look();
+    if !app.practice.is_on {
+        let key = marks::key(app.told_of_step());
+        let again = |ui: &mut Ui| {
+            let again = Button::new(accent(look, "lesson-ask-again"));
+            if ui.add(again).clicked() {
+                app.push(Command::AskAgain);
+            }
         };
-        ui.label(soft(app.look(), key));
+        let words = |ui: &mut Ui| {
+            ui.label(soft(look, key));
+        };
+        line(ui, words, again);
+        return;
+    }
+    let transport = &app.playback.transport;
+    let is_at_end = transport.position() == transport.n_steps();
+    let key = if is_at_end {
+        "practice-done"
+    } else {
+        "practice-on"
+    };
+    let words = |ui: &mut Ui| {
+        ui.label(soft(look, key));
         told(app, ui);
-        if ui
-            .add(Button::new(accent(app.look(), "practice-leave")))
-            .clicked()
-        {
+    };
+    let is_marked_now = is_at_end && app.settings.marks_at_end;
+    line(ui, words, |ui| {
+        let leave = Button::new(accent(look, "practice-leave"));
+        if ui.add(leave).clicked() {
             app.push(Command::Practise);
         }
     });
+    if is_marked_now {
+        answers::table(app, ui);
+    }
 }
 
 fn told(app: &App, ui: &mut Ui) {

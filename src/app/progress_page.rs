@@ -109,6 +109,14 @@ fn step(app: &App, ui: &mut Ui, [lesson_idx, step_idx]: [usize; 2], lesson: &Les
         (None, None, true) => look.say("told-seen"),
         (None, None, false) => look.say("told-unseen"),
     };
+    let mark = app.settings.progress.mark(&lesson.id, &of.id);
+    let said = match mark.filter(|mark| mark.hints > 0) {
+        Some(mark) => {
+            let hints = Message::new("mark-hints").with("count", Value::Count(mark.hints));
+            format!("{said}, {}", look.catalog.message(&hints))
+        }
+        None => said,
+    };
     let title = lesson.step_title(step_idx, app.settings.lang);
     let name = format!("{}: {said}", title.unwrap_or_default());
     response.widget_info(|| WidgetInfo::selected(Role::Link, true, false, &name));

@@ -48,18 +48,31 @@ impl App {
     }
 
     pub(super) fn look(&self) -> Look<'static> {
+        let theme = Theme::sized(self.settings.theme, self.settings.text);
+        Look::new(theme, self.catalog())
+    }
+
+    /// With the numbers of the step on stage all written alike; while something is asked, without the signal's colour.
+    pub(super) fn look_at_step(&self) -> Look<'static> {
+        let catalog = self.catalog().alike(self.playback.notation());
+        let look = self.look();
+        let theme = if self.practice.is_asking() {
+            Theme::hushed(self.settings.theme, self.settings.text)
+        } else {
+            look.theme
+        };
         Look {
-            theme: Theme::sized(self.settings.theme, self.settings.text),
-            catalog: self.catalog(),
+            theme,
+            catalog,
+            ..look
         }
     }
 
-    /// With the numbers of the step on stage all written alike.
-    pub(super) fn look_at_step(&self) -> Look<'static> {
-        let catalog = self.catalog().alike(self.playback.notation());
+    /// With the chips of what is asked, or was just answered.
+    pub(super) fn look_on_stage(&self) -> Look<'_> {
         Look {
-            catalog,
-            ..self.look()
+            chips: self.practice.chips(),
+            ..self.look_at_step()
         }
     }
 

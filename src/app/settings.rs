@@ -30,6 +30,8 @@ pub struct Settings {
     pub snap: bool,
     /// Do steps of lessons ask what comes before they show it?
     pub asks: bool,
+    /// Does a practice mark its answers when the run is done, and not one by one?
+    pub marks_at_end: bool,
     /// Steps a second.
     pub speed: f32,
     /// How large text is, one of [`TEXT_SIZES`](crate::paint::theme::TEXT_SIZES). Before, all was enlarged.
@@ -68,6 +70,7 @@ impl Default for Settings {
             inspector: true,
             snap: true,
             asks: true,
+            marks_at_end: false,
             speed: 1.0,
             text: 1.0,
             board: 1.0,

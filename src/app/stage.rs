@@ -62,13 +62,13 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let focused = state.focused.take();
     state.canvas_ids.clear();
     state.handle_ids.clear();
-    let look = app.look_at_step();
+    let look = app.look_on_stage();
     let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
         look,
         spacing: &SPACING,
         headings: &headings,
-        difference: app.playback.difference,
+        difference: app.difference_told(),
     };
     let layout = lay_out(app, ui, state, (rect, &composition));
     let columns = frames.iter().zip(methods).zip(&layout.columns);

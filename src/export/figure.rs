@@ -229,10 +229,10 @@ impl<'a> Page<'a> {
         let own = own.fold(Notation::Own, Notation::max);
         let columns = halves.iter().flat_map(|half| &half.columns);
         let notation = notation(own, columns.map(|column| &column.frame));
-        let look = Look {
-            theme: Theme::of(picture.options.theme),
-            catalog: Catalog::of(picture.options.lang).alike(notation),
-        };
+        let look = Look::new(
+            Theme::of(picture.options.theme),
+            Catalog::of(picture.options.lang).alike(notation),
+        );
         Page {
             picture,
             look,

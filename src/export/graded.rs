@@ -36,10 +36,7 @@ pub struct Drawn {
 pub fn draw_graded(report: &Report, lang: Lang) -> Option<Drawn> {
     let wrong = report.wrong.first()?;
     let kind = ThemeKind::Light;
-    let look = Look {
-        theme: Theme::of(kind),
-        catalog: Catalog::of(lang),
-    };
+    let look = Look::new(Theme::of(kind), Catalog::of(lang));
     let page = Page {
         look,
         report,

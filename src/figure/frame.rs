@@ -146,7 +146,42 @@ pub struct Choice {
     pub right: usize,
 }
 
+/// An option on the picture: its digit at what it is about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Chip {
+    /// What it is about; none of an option that is nothing on the screen.
+    pub link: Option<Link>,
+    /// From 1 to 9.
+    pub digit: usize,
+    pub fate: ChipFate,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ChipFate {
+    Open,
+    Right,
+    Wrong,
+}
+
 impl Choice {
+    /// The chips of the first `most` options; once one is chosen, of that one and of the right one.
+    pub fn chips(&self, chosen: Option<usize>, most: usize) -> Vec<Chip> {
+        let fate = |nth: usize| match chosen {
+            None => Some(ChipFate::Open),
+            Some(_) if nth == self.right => Some(ChipFate::Right),
+            Some(chosen) => (nth == chosen).then_some(ChipFate::Wrong),
+        };
+        let links = self.links.iter().take(most).enumerate();
+        let chip = |(nth, link): (usize, &Option<Link>)| {
+            Some(Chip {
+                link: *link,
+                digit: nth + 1,
+                fate: fate(nth)?,
+            })
+        };
+        links.filter_map(chip).collect()
+    }
+
     /// Can more than one thing come?
     pub const fn is_open(&self) -> bool {
         self.options.len() > 1

@@ -25,6 +25,11 @@ pub struct Solids {
 
 impl Solids {
     pub fn faces(&self) -> Vec<Vec<[f64; 2]>> {
+        self.faces_of(None)
+    }
+
+    /// The outlines of the faces that are turned to the eye, of those about `link` where there is one.
+    pub fn faces_of(&self, link: Option<Link>) -> Vec<Vec<[f64; 2]>> {
         let Some(optics) = Optics::of(&self.lens) else {
             return Vec::new();
         };
@@ -36,7 +41,9 @@ impl Solids {
             is_seen.then(|| outline.collect())
         };
         let facets = self.facets.shown().map(|(facet, _)| facet);
+        let is_meant = |facet: &&Facet| link.is_none() || facet.link == link;
         let facets = facets.filter(|facet| !facet.corners.is_empty());
+        let facets = facets.filter(is_meant);
         facets.filter_map(face).collect()
     }
 

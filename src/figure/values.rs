@@ -13,6 +13,8 @@ use super::role::{Link, Role};
 pub struct Bits {
     /// Over the columns: the names of the sides, in the order in which bits are written.
     pub columns: Vec<Value>,
+    /// What each column is about; empty where that is nothing that is drawn.
+    pub links: Vec<Link>,
     pub rows: Vec<BitRow>,
     pub result: Option<BitRow>,
     pub deciding: Option<usize>,

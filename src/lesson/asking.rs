@@ -88,6 +88,16 @@ impl Goal {
         all
     }
 
+    /// What one of its parts compares, where that is two numbers: what is, the sign, and what should be.
+    pub fn compared(
+        &self,
+        part: usize,
+        scene: &Scene,
+        runs: &[(&'static str, &dyn Run)],
+    ) -> Option<(f64, &'static str, f64)> {
+        self.conditions.get(part)?.compared(scene, runs)
+    }
+
     /// The same of a scene by itself.
     pub fn met_by(&self, scene: &Scene) -> Vec<bool> {
         let recorded = scene.document().record();

@@ -31,6 +31,8 @@ pub struct Mark {
     pub told: Told,
     /// Has its goal been reached?
     pub reached: bool,
+    /// How many parts of the hint towards it have been seen.
+    pub hints: usize,
 }
 
 /// How a question was answered, the better the later.
@@ -149,12 +151,20 @@ impl Progress {
         !std::mem::replace(&mut mark.reached, true)
     }
 
+    /// Something new?
+    pub fn hint(&mut self, lesson: &str, step: &str, n_parts: usize) -> bool {
+        let mark = self.steps.entry(name(lesson, step)).or_default();
+        let seen = mark.hints.max(n_parts);
+        std::mem::replace(&mut mark.hints, seen) != seen
+    }
+
     /// With what another file of the same student has.
     pub fn merge(&mut self, other: &Self) {
         for (name, mark) in &other.steps {
             let own = self.steps.entry(name.clone()).or_default();
             own.told = own.told.max(mark.told);
             own.reached |= mark.reached;
+            own.hints = own.hints.max(mark.hints);
         }
     }
 
@@ -208,7 +218,12 @@ mod tests {
     fn with(begun: u64, marks: &[(&str, Told)]) -> Progress {
         let mark = |&(name, told): &(&str, Told)| {
             let reached = name.ends_with("goal");
-            (name.to_owned(), Mark { told, reached })
+            let mark = Mark {
+                told,
+                reached,
+                hints: 0,
+            };
+            (name.to_owned(), mark)
         };
         let steps = marks.iter().map(mark).collect();
         Progress { begun, steps }

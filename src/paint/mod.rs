@@ -2,6 +2,7 @@
 
 mod area;
 mod checker;
+mod chips;
 mod cpu;
 mod cut;
 pub mod fonts;

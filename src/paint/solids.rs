@@ -30,7 +30,7 @@ const MANY: usize = 20_000;
 struct Asked {
     solids: Solids,
     place: Place,
-    theme: ThemeKind,
+    theme: Theme,
     lit: Option<Link>,
 }
 
@@ -93,7 +93,7 @@ pub fn solids(
     let asked = Asked {
         solids: solids.clone(),
         place,
-        theme: theme.kind,
+        theme: theme.clone(),
         lit,
     };
     let mut drawn = match before {
@@ -131,13 +131,14 @@ impl Place {
 impl Asked {
     fn has_surface_of(&self, drawn: &Drawn) -> bool {
         let drawn = &drawn.asked;
-        self.solids.facets.are_shared_with(&drawn.solids.facets) && self.theme == drawn.theme
+        self.solids.facets.are_shared_with(&drawn.solids.facets)
+            && self.theme.kind == drawn.theme.kind
     }
 
     fn has_tones_of(&self, drawn: &Drawn) -> bool {
         let facets = &self.solids.facets;
         let lit = [self.lit, drawn.asked.lit].map(|lit| lit.filter(|&lit| facets.are_about(lit)));
-        lit[0] == lit[1] && *facets == drawn.asked.solids.facets
+        lit[0] == lit[1] && self.theme == drawn.asked.theme && *facets == drawn.asked.solids.facets
     }
 
     fn is_seen_in(&self, drawn: &Drawn) -> bool {
@@ -156,7 +157,7 @@ impl Asked {
     }
 
     fn tones(&self) -> Arc<[Color32]> {
-        let (theme, light) = (Theme::of(self.theme), LIGHT.normalize());
+        let (theme, light) = (&self.theme, LIGHT.normalize());
         let facets = &self.solids.facets;
         let colour = |(role, darkness, is_lit)| {
             let tone = tone(theme, role, darkness);
@@ -190,7 +191,7 @@ impl Asked {
         let is_doubled = is_fine && size.iter().all(has_room);
         let fine = if is_doubled { FINE as u32 } else { 1 };
         let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
-        let ink = Theme::of(self.theme).ink;
+        let ink = self.theme.ink;
         let facets = &self.solids.facets;
         let lined = |are_found| Lined {
             normals: &facets.mesh().normals,

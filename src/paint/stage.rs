@@ -2,7 +2,7 @@
 
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape as Egui, Stroke, vec2};
 
-use crate::figure::{Link, Mark};
+use crate::figure::{Link, Mark, Shape};
 
 use super::{
     Look, Theme, Viewport,
@@ -19,6 +19,8 @@ use super::{
 
 const CASING: f32 = 1.25;
 const FADE_PTS: f32 = 14.0;
+/// How strongly what is lit is filled.
+const LIT: f32 = 0.2;
 
 impl Look<'_> {
     /// Draws the marks, then their labels where they cover nothing: where they stand. What is about `lit` stands out.
@@ -56,7 +58,7 @@ impl Look<'_> {
             fade(painter, theme, viewport.rect);
         }
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
-        labels.draw(painter, theme);
+        labels.draw(painter, self, lit);
         labels.placed
     }
 
@@ -125,6 +127,9 @@ impl Stage<'_> {
         let ctx = self.painter.ctx();
         let shape = match part {
             Part::Wash(corners) => Egui::convex_polygon(corners.clone(), pen.wash, Stroke::NONE),
+            Part::Fill(outlines) if self.is_lit(mark) && matches!(mark.shape, Shape::Fill(_)) => {
+                self.fill(outlines, self.theme.accent.gamma_multiply(LIT))
+            }
             Part::Fill(outlines) => self.fill(outlines, pen.wash),
             Part::Texture(triangles) => textured(ctx, self.theme, self.viewport, triangles),
             Part::Solids(shown) => solids(ctx, self.theme, self.viewport, shown, self.lit),
@@ -143,6 +148,10 @@ impl Stage<'_> {
             Part::Marker(marker, at) => return self.marker(*marker, *at, mark, &pen),
         };
         self.painter.add(shape);
+    }
+
+    fn is_lit(&self, mark: &Mark) -> bool {
+        self.lit.is_some() && mark.link == self.lit
     }
 
     fn line(&self, line: &Line, pen: &Pen) {

@@ -12,7 +12,7 @@ use egui::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::text::Catalog;
+use crate::{figure::Chip, text::Catalog};
 
 use super::fonts::semibold;
 
@@ -72,14 +72,23 @@ pub struct Theme {
     pub title_scale: f32,
 }
 
-/// What everything is drawn with: the colours, and the words.
+/// What everything is drawn with: the colours, and the words; and while something is asked, the chips of what might come.
 #[derive(Clone, Copy)]
 pub struct Look<'a> {
     pub theme: &'a Theme,
     pub catalog: &'a Catalog,
+    pub chips: &'a [Chip],
 }
 
-impl Look<'_> {
+impl<'a> Look<'a> {
+    pub const fn new(theme: &'a Theme, catalog: &'a Catalog) -> Self {
+        Self {
+            theme,
+            catalog,
+            chips: &[],
+        }
+    }
+
     pub fn say(&self, key: &str) -> String {
         self.catalog.term(key)
     }
@@ -178,15 +187,33 @@ impl Theme {
 
     /// With text of one of [`TEXT_SIZES`].
     pub fn sized(kind: ThemeKind, text: f32) -> &'static Self {
-        static SIZED: LazyLock<Vec<Theme>> = LazyLock::new(|| {
-            let of_kind = |kind| TEXT_SIZES.map(|text| Theme::of(kind).with_text(text));
+        &Self::of_size(kind, text)[0]
+    }
+
+    /// The same without the signal's colour: while something is asked, nothing but the question has it, for it would point.
+    pub fn hushed(kind: ThemeKind, text: f32) -> &'static Self {
+        &Self::of_size(kind, text)[1]
+    }
+
+    fn of_size(kind: ThemeKind, text: f32) -> &'static [Self; 2] {
+        static SIZED: LazyLock<Vec<[Theme; 2]>> = LazyLock::new(|| {
+            let of_size = |kind, text| {
+                let theme = Theme::of(kind).with_text(text);
+                let (signal, signal_text) = (theme.ink, theme.ink);
+                let hushed = Theme {
+                    signal,
+                    signal_text,
+                    ..theme.clone()
+                };
+                [theme, hushed]
+            };
+            let of_kind = |kind| TEXT_SIZES.map(|text| of_size(kind, text));
             ThemeKind::ALL.into_iter().flat_map(of_kind).collect()
         });
         let nth = TEXT_SIZES.iter().position(|size| *size == text);
-        nth.map_or_else(
-            || Self::of(kind),
-            |nth| &SIZED[kind as usize * TEXT_SIZES.len() + nth],
-        )
+        let natural = || TEXT_SIZES.iter().position(|size| *size == 1.0);
+        let nth = nth.or_else(natural).unwrap_or_default();
+        &SIZED[kind as usize * TEXT_SIZES.len() + nth]
     }
 
     fn with_text(&self, text: f32) -> Self {

@@ -76,7 +76,7 @@ fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) ->
         FontId::new(part * font.size, font.family)
     };
     let set = |(formulas, part): (Vec<Vec<Piece>>, f32)| {
-        let Look { theme, catalog } = look;
+        let Look { theme, catalog, .. } = look;
         let strong = font(theme::caption_strong(), part);
         let decision = catalog.message_pieces(&caption.decision);
         let decision = Span::upright(decision, strong, theme.ink);

@@ -18,7 +18,32 @@ const fn key(view: CodeView) -> &'static str {
 pub struct CodeText {
     pub depth: usize,
     pub text: String,
+    /// So many bytes of it are told; a bar stands for the rest, as long whatever that is.
+    pub told: usize,
 }
+
+impl CodeText {
+    pub const fn new(depth: usize, text: String) -> Self {
+        let told = text.len();
+        Self { depth, text, told }
+    }
+
+    /// Without the rule: an assignment without its value, a condition without what is compared, a case without what is done.
+    pub fn without_rule(self) -> Self {
+        let after = |sign: char| Some(self.text.find(sign)? + sign.len_utf8());
+        let first_word = || self.text.find(' ').filter(|_| self.text.contains(COMPARED));
+        let told = after('←').or_else(first_word).or_else(|| after(':'));
+        let told = told.unwrap_or(self.text.len());
+        Self { told, ..self }
+    }
+
+    fn told(&self) -> &str {
+        &self.text[..self.told]
+    }
+}
+
+const COMPARED: [char; 6] = ['<', '>', '=', '≠', '≤', '≥'];
+const BAR: Vec2 = vec2(96.0, 8.0);
 
 pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Option<CodeView> {
     let mut chosen = None;
@@ -69,12 +94,20 @@ impl<'a> Pseudocode<'a> {
                 let indent = 4.0 + 14.0 * line.depth as f32;
                 // A line that is too long goes on under its own start.
                 let room = (ui.available_width() - indent - 4.0).max(48.0);
-                let text = Span::text(&line.text, font.clone(), Color32::PLACEHOLDER);
-                let text = Typeset::wrapped(ui.painter(), &[text], room);
+                let wrapped = |text: &str| {
+                    let text = Span::text(text, font.clone(), Color32::PLACEHOLDER);
+                    Typeset::wrapped(ui.painter(), &[text], room)
+                };
+                // Hidden or not, a line is as high.
+                let whole = wrapped(&line.text);
                 SetLine {
                     indent,
-                    height: (text.size().y.max(font.size * 1.2) + 4.0).round(),
-                    text,
+                    height: (whole.size().y.max(font.size * 1.2) + 4.0).round(),
+                    text: if line.told < line.text.len() {
+                        wrapped(line.told())
+                    } else {
+                        whole
+                    },
                 }
             };
             lines.iter().map(set).collect()
@@ -115,7 +148,7 @@ impl<'a> Pseudocode<'a> {
                 let is_lit = step.lit.contains(&i);
                 let size = vec2(ui.available_width(), set.height);
                 let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-                let info = || WidgetInfo::selected(Role::Label, true, is_current, &line.text);
+                let info = || WidgetInfo::selected(Role::Label, true, is_current, line.told());
                 response.widget_info(info);
                 if is_current {
                     let wash = rect.expand2(vec2(8.0, 0.0));
@@ -131,6 +164,11 @@ impl<'a> Pseudocode<'a> {
                 let at = pos2(rect.left() + set.indent, rect.center().y);
                 let (text, align) = (&set.text, Align2::LEFT_CENTER);
                 text.paint_in(ui.painter(), at, align, colour);
+                if line.told < line.text.len() {
+                    let left = (at.x + text.size().x + 6.0).min(rect.right() - BAR.x);
+                    let bar = Rect::from_min_size(pos2(left, at.y - 0.5 * BAR.y), BAR);
+                    ui.painter().rect_filled(bar, 2.0, theme.hairline);
+                }
                 if response.hovered() {
                     pointed = Some(i);
                 }

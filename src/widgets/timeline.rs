@@ -13,6 +13,7 @@ const ROOM_PTS: f32 = 24.0;
 const BAR_PTS: f32 = 4.0;
 const MARGIN: f32 = 14.0;
 const UNTOLD: f32 = 2.5;
+const QUESTION: f32 = 9.0;
 
 pub struct Timeline<'a> {
     pub n_steps: usize,
@@ -26,6 +27,8 @@ pub struct Timeline<'a> {
     pub difference: Option<usize>,
     /// Steps of a lesson that stop here: each one's number, and where.
     pub steps: &'a [(usize, usize)],
+    /// The step that is asked about: the only one in the signal's colour, while there is one.
+    pub asked: Option<usize>,
     /// A step's sentence, asked for only when the pointer rests on it.
     pub tip: &'a dyn Fn(usize) -> String,
     pub name: String,
@@ -99,18 +102,24 @@ impl Timeline<'_> {
         }
         if track.gap() < CROWD_PTS {
             self.bars(painter, track, y);
-            painter.circle(here, 6.0, theme.signal, Stroke::new(2.0, theme.panel));
+            let here = Stroke::new(2.0, theme.panel);
+            painter.circle(pos2(track.x(self.position), y), 6.0, self.now(), here);
+            self.question(painter, track, y);
             return;
         }
         let start = Rect::from_center_size(pos2(track.x(0), y), vec2(2.0, 10.0));
         painter.rect_filled(start, 0.0, theme.accent);
         if self.position == 0 {
-            painter.rect_filled(start, 0.0, theme.signal);
-            painter.circle_stroke(here, 8.0, Stroke::new(1.5, theme.signal));
+            painter.rect_filled(start, 0.0, self.now());
+            painter.circle_stroke(here, 8.0, Stroke::new(1.5, self.now()));
         }
         let size = (track.gap() / ROOM_PTS).clamp(0.45, 1.0);
         let each = |step: usize, when: When| {
-            let (at, tick) = (pos2(track.x(step), y), (self.tick)(step));
+            let tick = match when {
+                When::Untold => Tick::Test,
+                When::Past | When::Now | When::Future => (self.tick)(step),
+            };
+            let at = pos2(track.x(step), y);
             draw_tick(painter, at, tick, when, size, theme);
         };
         for step in 1..=self.n_steps {
@@ -121,13 +130,31 @@ impl Timeline<'_> {
             }
         }
         if (1..=self.n_steps).contains(&self.position) {
-            each(self.position, When::Now);
+            each(self.position, self.when(self.position));
         }
+        self.question(painter, track, y);
+    }
+
+    const fn now(&self) -> Color32 {
+        match self.asked {
+            Some(_) => self.look.theme.accent,
+            None => self.look.theme.signal,
+        }
+    }
+
+    fn question(&self, painter: &Painter, track: &Track, y: f32) {
+        let Some(step) = self.asked else { return };
+        let (theme, at) = (self.look.theme, pos2(track.x(step), y));
+        let rim = Stroke::new(1.5, theme.signal);
+        painter.circle(at, QUESTION, theme.panel, rim);
+        let font = FontId::proportional(1.5 * QUESTION);
+        painter.text(at, Align2::CENTER_CENTER, "?", font, theme.signal_text);
     }
 
     fn when(&self, step: usize) -> When {
         match step.cmp(&self.position) {
             Ordering::Less => When::Past,
+            Ordering::Equal if self.asked.is_some() => When::Past,
             Ordering::Equal => When::Now,
             Ordering::Greater if step > self.told => When::Untold,
             Ordering::Greater => When::Future,
@@ -282,9 +309,10 @@ mod tests {
             steps: &[],
             phases: &[],
             difference: None,
+            asked: None,
             tip: &|_| String::new(),
             name: String::new(),
-            look: Look { theme, catalog },
+            look: Look::new(theme, catalog),
         };
         let when = [1, 2, 4, 5].map(|step| timeline.when(step));
         assert_eq!(when, [When::Past, When::Now, When::Future, When::Untold]);

@@ -144,6 +144,7 @@ fn bits(step: &Step<'_, CornerCodes>) -> Bits {
     let shared = decides.and_then(|(.., side)| side);
     Bits {
         columns: SideCode::WRITTEN.map(side_name).to_vec(),
+        links: Vec::new(),
         rows: (0..8).map(row).collect(),
         result: decides.map(|(symbol, code, _)| BitRow {
             name: name(symbol),

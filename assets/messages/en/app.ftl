@@ -267,6 +267,11 @@ figure-now = Now
 lesson-waits = The rest opens with your answer, or with S.
 lesson-ask-again = Ask me this again
 settings-asks = Lessons ask before they show
+settings-marks-at-end = Marks at the end of the run
+answers-title = Asked in this run
+answer-right = Step { $step }: { $right }. Told beforehand.
+answer-wrong = Step { $step }: { $right }, not: { $chosen }.
+answer-shown = Step { $step }: { $right }. Shown.
 told-beforehand = told beforehand
 told-after = told after the numbers
 told-open = open
@@ -289,6 +294,22 @@ goal-part-met = holds
 goal-part-open = does not hold yet
 mark-reached = goal reached
 mark-goal = goal not reached yet
+goal-hint = Hint (T)
+goal-hint-part = { $part } of { $count } seen
+goal-hint-none = The run of this scene decides nothing: change the scene first.
+goal-hint-now = Now { $now }; the goal is { $sign } { $wanted }.
+goal-so-far = Where your runs ended
+goal-ended =
+    { $count ->
+        [one] { $said } { $count } run ended so.
+       *[other] { $said } { $count } runs ended so.
+    }
+action-hint = A hint towards the goal: what decides, then the equation
+mark-hints =
+    { $count ->
+        [one] { $count } part of the hint seen
+       *[other] { $count } parts of the hint seen
+    }
 action-smaller = A smaller scene with the same difference
 smaller-none = No smaller scene was found with the same difference.
 smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.

@@ -267,6 +267,11 @@ figure-now = Ahora
 lesson-waits = El resto se abre con tu respuesta, o con S.
 lesson-ask-again = Pregúntamelo otra vez
 settings-asks = Las lecciones preguntan antes de mostrar
+settings-marks-at-end = Marcas al final de la ejecución
+answers-title = Preguntas de esta ejecución
+answer-right = Paso { $step }: { $right }. Dicho de antemano.
+answer-wrong = Paso { $step }: { $right }, no: { $chosen }.
+answer-shown = Paso { $step }: { $right }. Mostrado.
 told-beforehand = dicho de antemano
 told-after = dicho después de los números
 told-open = pendiente
@@ -289,6 +294,22 @@ goal-part-met = se cumple
 goal-part-open = aún no se cumple
 mark-reached = objetivo alcanzado
 mark-goal = objetivo aún no alcanzado
+goal-hint = Pista (T)
+goal-hint-part = { $part } de { $count } vistas
+goal-hint-none = La ejecución de esta escena no decide nada: cambia primero la escena.
+goal-hint-now = Ahora { $now }; el objetivo es { $sign } { $wanted }.
+goal-so-far = Dónde acabaron tus ejecuciones
+goal-ended =
+    { $count ->
+        [one] { $said } { $count } ejecución acabó así.
+       *[other] { $said } { $count } ejecuciones acabaron así.
+    }
+action-hint = Una pista hacia el objetivo: qué decide y después la ecuación
+mark-hints =
+    { $count ->
+        [one] { $count } parte de la pista vista
+       *[other] { $count } partes de la pista vistas
+    }
 action-smaller = Una escena más pequeña con la misma diferencia
 smaller-none = No se ha encontrado una escena más pequeña con la misma diferencia.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.

@@ -267,6 +267,11 @@ figure-now = Agora
 lesson-waits = O resto se abre com a sua resposta, ou com S.
 lesson-ask-again = Pergunte-me de novo
 settings-asks = As lições perguntam antes de mostrar
+settings-marks-at-end = Marcas no fim da execução
+answers-title = Perguntas desta execução
+answer-right = Passo { $step }: { $right }. Dito de antemão.
+answer-wrong = Passo { $step }: { $right }, não: { $chosen }.
+answer-shown = Passo { $step }: { $right }. Mostrado.
 told-beforehand = respondido de antemão
 told-after = respondido depois dos números
 told-open = em aberto
@@ -289,6 +294,22 @@ goal-part-met = vale
 goal-part-open = ainda não vale
 mark-reached = meta alcançada
 mark-goal = meta ainda não alcançada
+goal-hint = Dica (T)
+goal-hint-part = { $part } de { $count } vistas
+goal-hint-none = A execução desta cena não decide nada: mude primeiro a cena.
+goal-hint-now = Agora { $now }; o objetivo é { $sign } { $wanted }.
+goal-so-far = Onde as suas execuções terminaram
+goal-ended =
+    { $count ->
+        [one] { $said } { $count } execução terminou assim.
+       *[other] { $said } { $count } execuções terminaram assim.
+    }
+action-hint = Uma dica para o objetivo: o que decide e depois a equação
+mark-hints =
+    { $count ->
+        [one] { $count } parte da dica vista
+       *[other] { $count } partes da dica vistas
+    }
 action-smaller = Uma cena menor com a mesma diferença
 smaller-none = Não foi encontrada uma cena menor com a mesma diferença.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.

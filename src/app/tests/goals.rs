@@ -103,3 +103,93 @@ fn a_difference_is_made_smaller_and_stays_the_same() {
     }
     assert!(n_differ > 1, "{n_differ}");
 }
+
+/// The first step of the course with a goal, opened.
+fn with_a_goal() -> Bench {
+    let course = Course::embedded();
+    let with_goal = course.lessons.iter().enumerate().find_map(|(i, lesson)| {
+        let step = lesson.steps.iter().position(|step| step.goal.is_some())?;
+        Some([i, step])
+    });
+    let mut bench = Bench::course(SIZE);
+    bench.ctx.enable_accesskit();
+    bench.command(Command::Open(with_goal.expect("a lesson has a goal")));
+    bench
+}
+
+#[test]
+fn a_hint_comes_in_two_parts_which_are_marked_as_seen_and_cost_nothing() {
+    let mut bench = with_a_goal();
+    let step = bench.app.bookmark.step().expect("it is open").clone();
+    let lesson = bench.app.bookmark.lesson().expect("it is open").clone();
+    let hints = |bench: &Bench| {
+        let mark = bench.app.settings.progress.mark(&lesson.id, &step.id);
+        mark.map_or(0, |mark| mark.hints)
+    };
+    assert_eq!(hints(&bench), 0);
+    for seen in [1, 2, 2] {
+        bench.key(Key::T);
+        assert_eq!((bench.app.goals.help.n_shown, hints(&bench)), (seen, seen));
+    }
+    let hint = bench.app.goals.help.hint.clone();
+    let decides = hint.decides.expect("its run decides something");
+    let decides = Catalog::of(Lang::En).message(&decides);
+    bench.frame(0.1, Vec::new());
+    let is_said = |(name, _): &(String, Rect)| *name == decides;
+    assert!(bench.names.iter().any(is_said), "{decides}");
+    let goal = step.goal.as_ref().expect("it has one");
+    bench.edit(Edit::Replace((*goal.reached).clone()));
+    assert_eq!(bench.app.reached_of(&lesson, &step), Some(true));
+    assert_eq!(hints(&bench), 2);
+    bench.key(Key::PageUp);
+    assert_eq!(bench.app.goals.help.n_shown, 0, "another step has its own");
+}
+
+#[test]
+fn where_runs_ended_is_counted_once_the_drag_is_over() {
+    let mut bench = with_a_goal();
+    let ended = |bench: &Bench| -> Vec<(usize, bool)> {
+        let ended = bench.app.goals.help.ended.iter();
+        ended.map(|it| (it.count, it.is_now)).collect()
+    };
+    assert_eq!(ended(&bench), [], "the step's own run is nobody's");
+    let goal = bench.app.bookmark.step().and_then(|step| step.goal.clone());
+    let reached = goal.expect("it has one").reached;
+    bench.edit(Edit::Replace((*reached).clone()));
+    bench.frame(0.1, Vec::new());
+    assert_eq!(ended(&bench), [(1, true)]);
+    bench.command(Command::Undo);
+    bench.frame(0.1, Vec::new());
+    let all: usize = ended(&bench).iter().map(|(count, _)| count).sum();
+    let now: Vec<_> = ended(&bench)
+        .into_iter()
+        .filter(|(_, is_now)| *is_now)
+        .collect();
+    assert_eq!((all, now.len()), (2, 1));
+}
+
+#[test]
+fn every_mistake_is_exposed_by_a_scene_of_the_course() {
+    use crate::labs::{Difference, LABS};
+    let course = Course::embedded();
+    let steps = course.lessons.iter().flat_map(|lesson| &lesson.steps);
+    let mut exposed = std::collections::BTreeSet::new();
+    for step in steps {
+        let reached = step.goal.iter().map(|goal| &*goal.reached);
+        for scene in std::iter::once(&*step.scene).chain(reached) {
+            let methods = scene.document().methods();
+            let wrong = methods.iter().find(|card| card.is_faulty);
+            let wrong = wrong.filter(|card| methods.len() > 1 && !exposed.contains(card.id));
+            if let Some(card) = wrong.filter(|_| Difference::kind_in(scene).is_some()) {
+                exposed.insert(card.id);
+            }
+        }
+    }
+    let all = LABS.iter().flat_map(|lab| (lab.methods)());
+    let hidden = all.filter(|card| card.is_faulty && !exposed.contains(card.id));
+    let hidden: Vec<&str> = hidden.map(|card| card.id).collect();
+    assert!(
+        hidden.is_empty(),
+        "nothing shows that these are wrong: {hidden:?}"
+    );
+}

@@ -1,5 +1,6 @@
 //! The window without a window: input goes in, frames come out.
 
+mod asked_on_stage;
 mod asking;
 mod composing;
 mod course;

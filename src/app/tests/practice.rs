@@ -90,6 +90,7 @@ fn a_wrong_answer_is_told_what_comes_and_one_that_is_shown_counts_for_nothing() 
 fn nothing_on_the_screen_tells_what_comes() {
     let mut bench = Bench::course(SIZE);
     bench.ctx.enable_accesskit();
+    bench.command(Command::Code(CodeView::Full));
     bench.key(Key::Home);
     bench.key(Key::Q);
     assert!(bench.app.practice.is_asking());
@@ -101,8 +102,90 @@ fn nothing_on_the_screen_tells_what_comes() {
             "{name} tells how long the run is"
         );
     }
+    assert_eq!(bench.app.n_steps_told() % 24, 0, "no tick tells it either");
+    // What is asked about is not told why, by click or by key.
+    let links = bench
+        .app
+        .practice
+        .open()
+        .map(|asked| asked.choice.links.clone());
+    for link in links.into_iter().flatten().flatten() {
+        bench.command(Command::Ask(Some(link)));
+        bench.command(Command::Verdict);
+        assert_eq!(bench.app.stage.asked, None);
+        assert!(bench.app.practice.is_asking());
+    }
+    // Pseudocode keeps its rule to itself, and so does its name for a screen reader.
+    bench.frame(0.1, Vec::new());
+    let method = bench.app.scene().document().methods()[0];
+    let rules = method
+        .code
+        .iter()
+        .map(|line| bench.app.look().say(line.code));
+    let rules: Vec<String> = rules.filter(|text| text.contains('\u{2190}')).collect();
+    for rule in rules.iter().filter(|rule| !rule.ends_with('\u{2190}')) {
+        let is_told = |(name, _): &(String, Rect)| name == rule;
+        assert!(!bench.names.iter().any(is_told), "{rule}");
+    }
     bench.key(Key::Escape);
     assert!(!bench.app.practice.is_on, "Escape asks no more");
+    bench.frame(0.1, Vec::new());
+    let are_told = |rule: &String| bench.names.iter().any(|(name, _)| name == rule);
+    assert!(rules.iter().any(are_told), "{rules:?}");
+}
+
+#[test]
+fn where_a_mistake_differs_is_told_after_the_answer() {
+    let mut bench = Bench::lab("polygons");
+    bench.edit(Edit::Method("faulty-open"));
+    bench.edit(Edit::Compare(Some("sutherland-hodgman")));
+    bench.key(Key::Home);
+    assert!(bench.app.difference_told().is_some());
+    bench.key(Key::Q);
+    assert!(bench.app.practice.is_asking());
+    assert_eq!(bench.app.difference_told(), None);
+    bench.key(digit(0));
+    assert!(bench.app.difference_told().is_some());
+}
+
+#[test]
+fn a_wrong_answer_stays_beside_the_right_one() {
+    let mut bench = Bench::lab("lines");
+    bench.ctx.enable_accesskit();
+    bench.key(Key::Home);
+    bench.key(Key::Q);
+    let steps = decisions(&bench);
+    let asked = choice(&bench, steps[0]);
+    let wrong = (asked.right + 1) % asked.options.len();
+    bench.key(digit(wrong));
+    bench.settle();
+    let said = asked.said(Catalog::of(Lang::En));
+    let kept = format!(
+        "Step {}: {}, not: {}.",
+        steps[0], said[asked.right], said[wrong]
+    );
+    let is_kept = |(name, _): &(String, Rect)| *name == kept;
+    assert!(bench.names.iter().any(is_kept), "{kept}");
+}
+
+#[test]
+fn marks_at_the_end_wait_for_the_end() {
+    let mut bench = Bench::lab("lines");
+    bench.ctx.enable_accesskit();
+    bench.command(Command::MarkAtEnd(true));
+    bench.key(Key::Home);
+    bench.key(Key::Q);
+    let steps = decisions(&bench);
+    for step in &steps {
+        assert!(bench.app.practice.is_asking(), "one after the other");
+        assert!(bench.app.answers_told().is_empty());
+        let asked = choice(&bench, *step);
+        bench.key(digit((asked.right + 1) % asked.options.len()));
+    }
+    assert!(!bench.app.practice.is_asking());
+    let told = bench.app.answers_told();
+    assert_eq!(told.iter().map(|it| it.step).collect::<Vec<_>>(), steps);
+    assert_eq!(bench.app.practice.told, [0, steps.len()]);
 }
 
 #[test]

@@ -35,6 +35,8 @@ impl Seen {
         let tint = Mark::new(mark.role, Shape::Fill(vec![corners]));
         // Several lie over each other.
         let strength = match mark.role {
+            // Seen only where it is lit.
+            _ if mark.is_fine => 0.0,
             Role::Signal => 1.0,
             Role::Ink | Role::Soft | Role::Faint | Role::Discarded => 0.5,
             Role::Accent | Role::Accepted => 0.3,

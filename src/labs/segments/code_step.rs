@@ -157,6 +157,10 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
         let column = |side| written.iter().position(|&of| of == side);
         Bits {
             columns: written.iter().map(|&side| I::column(side)).collect(),
+            links: written
+                .iter()
+                .filter_map(|&side| I::side(side).link)
+                .collect(),
             rows: End::BOTH.map(row).to_vec(),
             note: note.or_else(|| Some(input.rule(found))),
             result: combined.map(result),

@@ -55,6 +55,17 @@ impl Relation {
         (">", Self::More),
     ];
 
+    const fn sign(self) -> &'static str {
+        match self {
+            Self::Equal => "=",
+            Self::Unequal => "≠",
+            Self::Less => "<",
+            Self::More => ">",
+            Self::AtMost => "≤",
+            Self::AtLeast => "≥",
+        }
+    }
+
     fn holds(self, a: f64, b: f64) -> bool {
         let is_equal = (a - b).abs() <= EQUAL * a.abs().max(b.abs()).max(1.0);
         match self {
@@ -103,6 +114,18 @@ impl Condition {
             (Some(a), Some(b), Relation::Unequal) => a != b,
             _ => false,
         }
+    }
+}
+
+impl Condition {
+    /// Both sides, where they are numbers, with the sign between them.
+    pub fn compared(
+        &self,
+        scene: &Scene,
+        runs: &[(&'static str, &dyn Run)],
+    ) -> Option<(f64, &'static str, f64)> {
+        let [a, b] = [&self.left, &self.right].map(|side| side.number(scene, runs));
+        Some((a?, self.relation.sign(), b?))
     }
 }
 

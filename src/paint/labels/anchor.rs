@@ -3,7 +3,7 @@
 use egui::{Pos2, Rect};
 
 use crate::{
-    figure::{Mark, Shape},
+    figure::{Link, Mark, Shape},
     geom::pairs_around,
     paint::{
         Theme, Viewport,
@@ -79,6 +79,22 @@ impl Anchor {
                 is_seen.then_some(Self::Point(at, radius))
             }
         }
+    }
+
+    /// Of what is about this the first mark that has a place, else its face.
+    pub fn of_link(viewport: &Viewport, theme: &Theme, marks: &[Mark], link: Link) -> Option<Self> {
+        let own = marks.iter().filter(|mark| mark.link == Some(link));
+        let mut of_mark = own.filter_map(|mark| Self::of(viewport, theme, mark));
+        let of_face = || {
+            let solids = marks.iter().filter_map(|mark| match &mark.shape {
+                Shape::Solids(solids) => Some(solids),
+                _ => None,
+            });
+            let faces = solids.flat_map(|solids| solids.faces_of(Some(link)));
+            let faces: Vec<Vec<Pos2>> = faces.map(|face| viewport.all_to_screen(&face)).collect();
+            (!faces.is_empty()).then_some(Self::Within(faces))
+        };
+        of_mark.next().or_else(of_face)
     }
 
     pub fn middle(&self) -> Pos2 {

@@ -2,6 +2,7 @@
 //! distance and what it covers cost least. In a window a label would rather stay; in a figure there is no before.
 
 mod anchor;
+mod chips;
 mod obstacles;
 mod places;
 mod seating;
@@ -9,7 +10,7 @@ mod text;
 
 use egui::{Painter, Pos2, Rect, Vec2, vec2};
 
-use crate::figure::{Label, Link, Mark, Role, Shape};
+use crate::figure::{Chip, Label, Link, Mark, Role, Shape};
 
 use super::{Look, Theme, Viewport, layers::LayeredPart};
 
@@ -36,6 +37,10 @@ const AMBIGUOUS: f32 = 60.0;
 const STAY: f32 = 40.0;
 const SAME_PLACE: f32 = 2.0;
 const OFF_MARKERS: f32 = 10.0;
+/// A chip lies on what it is about, and may lie on a line or two more: they count so much.
+const UNDER_A_CHIP: f32 = 0.3;
+/// What costs more covers a label: the chip is left out.
+const MOST_OF_A_CHIP: f32 = 340.0;
 /// Points nearer than this are one, and its names one label.
 const SAME_POINT: f32 = 0.5;
 
@@ -63,16 +68,26 @@ pub struct Around<'a> {
 
 pub struct Labels {
     texts: Vec<Text>,
+    /// The labels, then the chips.
     pub placed: Vec<Placed>,
+    pub chips: Vec<Chip>,
     pub obstacles: Vec<Obstacle>,
+}
+
+/// What a label or a chip needs and would like.
+struct Seat {
+    anchor: Anchor,
+    size: Vec2,
+    plain: String,
+    toward: Option<Vec2>,
+    is_of_side: bool,
+    keeps_off_solids: bool,
+    is_chip: bool,
 }
 
 struct Waiting {
     text: Text,
-    anchor: Anchor,
-    toward: Option<Vec2>,
-    is_of_side: bool,
-    keeps_off_solids: bool,
+    seat: Seat,
     rank: u8,
     link: Option<Link>,
 }
@@ -96,43 +111,45 @@ impl Labels {
         waiting.truncate(MOST_LABELS);
         let obstacles = obstacles(viewport, look.theme, pieces);
         let stage = viewport.rect;
-        let candidates = |label| candidates(label, stage, &obstacles, around);
+        let candidates = |seat: &Seat| candidates(seat, stage, &obstacles, around);
         let mut table = Seating {
             stage,
-            places: waiting.iter().map(candidates).collect(),
+            places: waiting.iter().map(|it| candidates(&it.seat)).collect(),
             taken: Vec::new(),
         };
         table.fill();
+        // After all labels, which stay where they are.
+        let chips = chips::anchored(viewport, look, marks).into_iter();
+        let seated = chips.map(|(chip, anchor)| {
+            let seat = Seat::of_chip(chip, anchor, look.theme);
+            let place = table.seat(candidates(&seat));
+            (chip, seat, place)
+        });
+        let seated = seated.filter(|(.., place)| place.cost < MOST_OF_A_CHIP);
+        let seated: Vec<(Chip, Seat, Candidate)> = seated.collect();
         let places = waiting.into_iter().zip(table.taken);
         // What has a place only where it would be wrong, cut off, or over another is better not said.
         let places = places.filter(|(_, place)| place.cost < UNSEEN);
-        let (texts, placed) = places
-            .map(|(label, Candidate { rect, leader, .. })| {
-                let is_point = matches!(label.anchor, Anchor::Point(..));
-                let on = |is: &dyn Fn(&Obstacle) -> bool| obstacles.iter().any(is);
-                let placed = Placed {
-                    text: label.text.plain.clone(),
-                    rect,
-                    offset: rect.center() - label.anchor.middle(),
-                    has_halo: on(&|it| it.covers(rect)),
-                    has_plate: on(&|it| it.is_picture() && it.covers(rect)),
-                    leader,
-                    is_ambiguous: is_point
-                        && leader.is_none()
-                        && is_of_another(&label.anchor, &obstacles, rect),
-                    link: label.link,
-                };
+        let (texts, mut placed): (_, Vec<Placed>) = places
+            .map(|(label, place)| {
+                let placed = label.seat.placed(&place, label.link, &obstacles);
                 (label.text, placed)
             })
             .unzip();
+        let of_chip = |(chip, seat, place): &(Chip, Seat, Candidate)| {
+            seat.placed(place, chip.link, &obstacles)
+        };
+        placed.extend(seated.iter().map(of_chip));
         Self {
             texts,
             placed,
+            chips: seated.into_iter().map(|(chip, ..)| chip).collect(),
             obstacles,
         }
     }
 
-    pub fn draw(&self, painter: &Painter, theme: &Theme) {
+    pub fn draw(&self, painter: &Painter, look: Look<'_>, lit: Option<Link>) {
+        let theme = look.theme;
         for Placed { leader, .. } in &self.placed {
             if let Some(ends) = leader {
                 painter.line_segment(*ends, theme.stroke(1.0, theme.discarded));
@@ -150,6 +167,42 @@ impl Labels {
         }
         for (text, placed) in labels() {
             text.paint(painter, placed.rect);
+        }
+        for (chip, placed) in self.chips.iter().zip(&self.placed[self.texts.len()..]) {
+            let is_lit = lit.is_some() && chip.link == lit;
+            chip.draw(painter, theme, placed.rect.center(), is_lit);
+        }
+    }
+}
+
+impl Seat {
+    fn of_chip(chip: Chip, anchor: Anchor, theme: &Theme) -> Self {
+        Self {
+            anchor,
+            size: chip.size(theme),
+            plain: format!("[{}]", chip.digit),
+            toward: None,
+            is_of_side: false,
+            keeps_off_solids: false,
+            is_chip: true,
+        }
+    }
+
+    fn placed(&self, place: &Candidate, link: Option<Link>, obstacles: &[Obstacle]) -> Placed {
+        let Candidate { rect, leader, .. } = *place;
+        let is_point = matches!(self.anchor, Anchor::Point(..));
+        let on = |is: &dyn Fn(&Obstacle) -> bool| obstacles.iter().any(is);
+        Placed {
+            text: self.plain.clone(),
+            rect,
+            offset: rect.center() - self.anchor.middle(),
+            has_halo: on(&|it| it.covers(rect)),
+            has_plate: on(&|it| it.is_picture() && it.covers(rect)),
+            leader,
+            is_ambiguous: is_point
+                && leader.is_none()
+                && is_of_another(&self.anchor, obstacles, rect),
+            link,
         }
     }
 }
@@ -176,29 +229,42 @@ fn waiting(setter: Setter<'_>, viewport: &Viewport, marks: &[Mark]) -> Vec<Waiti
         let Some(text) = text else { continue };
         let rank = rank(label, &anchor, mark.role);
         let is_same = |other: &&mut Waiting| {
-            is_same_point(&other.anchor, &anchor) && can_join(&other.text, &text)
+            is_same_point(&other.seat.anchor, &anchor) && can_join(&other.text, &text)
         };
         match waiting.iter_mut().find(is_same) {
             Some(other) if other.text.plain == text.plain => {
                 // The later mark lies over the one before.
-                (other.text, other.rank) = (text, other.rank.min(rank));
+                other.says(text, rank);
             }
             Some(other) => {
-                other.text = setter.join(&other.text, &text);
-                other.rank = other.rank.min(rank);
+                let joined = setter.join(&other.text, &text);
+                other.says(joined, rank);
             }
             None => waiting.push(Waiting {
+                seat: Seat {
+                    anchor,
+                    size: text.size(),
+                    plain: text.plain.clone(),
+                    toward: toward(viewport, mark, label),
+                    is_of_side: label.toward.is_some(),
+                    keeps_off_solids: matches!(mark.shape, Shape::Label(_)),
+                    is_chip: false,
+                },
                 text,
-                anchor,
-                toward: toward(viewport, mark, label),
-                is_of_side: label.toward.is_some(),
-                keeps_off_solids: matches!(mark.shape, Shape::Label(_)),
                 rank,
                 link: mark.link,
             }),
         }
     }
     waiting
+}
+
+impl Waiting {
+    fn says(&mut self, text: Text, rank: u8) {
+        self.rank = self.rank.min(rank);
+        (self.seat.size, self.seat.plain) = (text.size(), text.plain.clone());
+        self.text = text;
+    }
 }
 
 /// This step's labels choose first, those that can stand anywhere choose last.
@@ -237,20 +303,21 @@ fn toward(viewport: &Viewport, mark: &Mark, label: &Label) -> Option<Vec2> {
 }
 
 fn candidates(
-    label: &Waiting,
+    label: &Seat,
     stage: Rect,
     obstacles: &[Obstacle],
     around: Around<'_>,
 ) -> Vec<Candidate> {
     let middle = label.anchor.middle();
     let stood = around.before.iter();
-    let stood = stood.filter(|it| it.text == label.text.plain);
+    let stood = stood.filter(|it| it.text == label.plain);
     let stood = stood.flat_map(|it| [it.rect.center(), middle + it.offset]);
     let stood: Vec<Pos2> = stood.collect();
-    let size = label.text.size();
+    let size = label.size;
     let lean = Lean {
         toward: label.toward,
         is_of_side: label.is_of_side,
+        is_on: label.is_chip,
         away: away(&label.anchor, obstacles),
     };
     let places = places(&label.anchor, size, stage, lean);
@@ -270,6 +337,7 @@ fn candidates(
         let near = rect.expand2(APART);
         let touching = nearby.iter().filter(|it| it.bounds().intersects(near));
         let covered: f32 = touching.map(|obstacle| obstacle.cost(rect)).sum();
+        let covered = covered * if label.is_chip { UNDER_A_CHIP } else { 1.0 };
         let is_free = |covered: &Rect| !covered.intersects(near);
         let is_seen = stage.shrink(3.0).contains_rect(rect) && around.covered.iter().all(is_free);
         let is_inside = match label.anchor {

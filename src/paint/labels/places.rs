@@ -56,6 +56,8 @@ const ALONG: [f32; 15] = [
 /// White space between an edge and its label; what holds on all of a side may stand further off.
 const ASIDE: [f32; 6] = [5.0, 9.0, 15.0, 24.0, 36.0, 50.0];
 const ASIDE_OF_AN_EDGE: usize = 3;
+/// Where on an edge a chip lies: near an end first, then farther in.
+const ON: [f32; 9] = [0.08, 0.16, 0.24, 0.32, 0.42, 0.52, 0.64, 0.78, 0.9];
 const ACROSS: [f32; 9] = [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86, 0.02, 0.98];
 const TURNED: f32 = 5.0;
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -63,6 +65,8 @@ pub struct Lean {
     pub toward: Option<Vec2>,
     pub away: Option<Vec2>,
     pub is_of_side: bool,
+    /// It lies on an edge, not beside it.
+    pub is_on: bool,
 }
 
 pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<LabelPlace> {
@@ -120,7 +124,22 @@ fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<LabelPlace> {
     places
 }
 
+/// Along an edge, from its lower or left end on.
+fn on([a, b]: [Pos2; 2], half: Vec2, stage: Rect, dislike: f32) -> Vec<LabelPlace> {
+    let low = |at: Pos2| at.y - at.x;
+    let [from, to] = if low(b) > low(a) { [b, a] } else { [a, b] };
+    let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));
+    let place = |(i, t): (usize, f32)| {
+        let at = seen.clamp(from.lerp(to, t));
+        LabelPlace::new(at, dislike + 4.0 * i as f32)
+    };
+    ON.into_iter().enumerate().map(place).collect()
+}
+
 fn beside([a, b]: [Pos2; 2], half: Vec2, stage: Rect, lean: Lean, dislike: f32) -> Vec<LabelPlace> {
+    if lean.is_on {
+        return on([a, b], half, stage, dislike);
+    }
     let normal = (b - a).normalized().rot90();
     let support = normal.x.abs() * half.x + normal.y.abs() * half.y;
     let seen = stage.shrink2((half + Vec2::splat(4.0)).min(stage.size() * 0.5));

@@ -34,6 +34,14 @@ impl Seating {
         }
     }
 
+    /// The place of one more, for whom nobody makes room.
+    pub fn seat(&mut self, places: Vec<Candidate>) -> Candidate {
+        self.places.push(places);
+        let place = self.best(self.places.len() - 1);
+        self.taken.push(place);
+        place
+    }
+
     fn best(&self, label: usize) -> Candidate {
         let mut best = Candidate {
             rect: Rect::from_center_size(self.stage.center(), Vec2::ZERO),

@@ -45,7 +45,7 @@ impl Setter<'_> {
     }
 
     pub fn set_at(&self, part: f32, label: &Label, role: Role) -> Text {
-        let Look { theme, catalog } = self.look;
+        let Look { theme, catalog, .. } = self.look;
         let plain = catalog.value(&label.text);
         let (mut font, colour) = (font(label, self.scale), text_colour(theme, role));
         font.size *= part;

@@ -60,8 +60,15 @@ impl<'b> Plan<'b> {
         Rect::from_min_size(self.origin + vec2(x, y), size)
     }
 
+    fn column(&self, slate: &Slate<'_>, column: usize) -> Rect {
+        let last = self.bits.rows.len() - usize::from(self.bits.result.is_none());
+        let cells = [0, last].map(|row| self.cell(slate, row, column));
+        cells[0].union(cells[1])
+    }
+
     fn code(&self, slate: &mut Slate<'_>, nth: usize, row: &BitRow, links: &mut Links) {
         let theme = slate.theme();
+        let lit = self.bits.links.iter().position(|it| links.lit == Some(*it));
         let n_columns = self.bits.columns.len();
         let cells = (0..n_columns).map(|column| self.cell(slate, nth, column));
         let cells: Vec<Rect> = cells.collect();
@@ -94,7 +101,7 @@ impl<'b> Plan<'b> {
                 // Of a code that is all zeros nothing stands out: it says that there is nothing.
                 Some(true) if is_now => (wash(theme, Role::Signal), theme.signal_text),
                 _ if is_deciding => (wash(theme, Role::Signal), theme.signal_text),
-                _ if is_lit => (theme.accent_wash, theme.ink),
+                _ if is_lit || lit == Some(column) => (theme.accent_wash, theme.ink),
                 _ => (theme.panel, theme.ink),
             };
             slate.painter.rect_filled(place, slate.pts(3.0), fill);
@@ -135,6 +142,13 @@ impl OnSlate for Bits {
         }
         for (i, row) in self.rows.iter().enumerate() {
             plan.code(slate, i, row, links);
+        }
+        // While a column is what might come, its cells are the column's and not the row's.
+        for (column, link) in self.links.iter().enumerate() {
+            let is_asked = links.chips.iter().any(|chip| chip.link == Some(*link));
+            if is_asked {
+                links.touch(plan.column(slate, column), Some(*link));
+            }
         }
         let n = self.rows.len();
         if let Some(result) = &self.result {

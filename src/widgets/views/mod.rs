@@ -46,12 +46,14 @@ pub fn view(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View, lit: Option<Link>
     let mut links = Links {
         lit,
         pointer: response.hover_pos(),
-        pointed: None,
+        chips: look.chips.to_vec(),
+        ..Links::default()
     };
     // Boxes and rings may reach a little beyond what they go round.
     let painter = ui.painter().with_clip_rect(rect.expand(6.0));
     let mut slate = body.slate(Slate::new(&painter, look), rect.size());
     body.draw(&mut slate, rect, &mut links);
+    links.draw_chips(ui.painter(), look.theme);
     links.pointed
 }
 

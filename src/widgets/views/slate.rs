@@ -4,7 +4,7 @@
 use egui::FontFamily;
 
 use crate::{
-    figure::Role,
+    figure::{Chip, Role},
     paint::{crosses, fonts::semibold, stroke_colour},
     text::Piece,
 };
@@ -16,6 +16,8 @@ pub const LEAST_SCALE: f32 = 0.6;
 /// Text is set in few sizes: glyphs of each are drawn once, and a run has many steps.
 const STEP: f32 = 1.0 / 64.0;
 const TITLE_PTS: f32 = 13.0;
+/// What is so many times as wide as high is a row.
+const ROW: f32 = 1.6;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Face {
@@ -299,6 +301,9 @@ pub struct Links {
     pub lit: Option<Link>,
     pub pointer: Option<Pos2>,
     pub pointed: Option<Link>,
+    /// What might come and has no place here yet, and what has one.
+    pub chips: Vec<Chip>,
+    pub placed: Vec<(Rect, Chip)>,
 }
 
 impl Links {
@@ -308,7 +313,28 @@ impl Links {
         if is_near && link.is_some() {
             self.pointed = link;
         }
+        let is_about = |chip: &Chip| link.is_some() && chip.link == link;
+        if let Some(nth) = self.chips.iter().position(is_about) {
+            self.placed.push((place, self.chips.swap_remove(nth)));
+        }
         link.is_some() && (is_near || link == self.lit)
+    }
+
+    /// The chips of what stands here: before a row, in the corner of what is as high as wide, or higher.
+    pub fn draw_chips(&self, painter: &Painter, theme: &Theme) {
+        for &(place, chip) in &self.placed {
+            let size = chip.size(theme);
+            let half = 0.5 * size;
+            let centre = if place.width() > ROW * place.height() {
+                place.left_center() - vec2(half.x + 3.0, 0.0)
+            } else if place.height() > ROW * place.width() {
+                place.min + half + Vec2::splat(3.0)
+            } else {
+                place.min
+            };
+            let is_lit = chip.link == self.lit;
+            chip.draw(painter, theme, centre, is_lit);
+        }
     }
 }
 

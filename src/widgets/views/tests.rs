@@ -13,10 +13,10 @@ use crate::{
 };
 
 fn look() -> Look<'static> {
-    Look {
-        theme: Headless::new(ThemeKind::Light).theme(),
-        catalog: Catalog::of(Lang::En),
-    }
+    Look::new(
+        Headless::new(ThemeKind::Light).theme(),
+        Catalog::of(Lang::En),
+    )
 }
 
 /// Draws a view in a room of this size; what is wrong with it.
@@ -28,7 +28,7 @@ fn drawn(
     view: &dyn OnSlate,
 ) -> Option<String> {
     let (theme, lang) = (table.theme(), catalog.lang());
-    let look = Look { theme, catalog };
+    let look = Look::new(theme, catalog);
     let rect = Rect::from_min_size(pos2(16.0, 16.0), room);
     let mut found = None;
     let image = table.draw(room + vec2(32.0, 32.0), 4.0 / 3.0, |ui| {

@@ -133,7 +133,8 @@ impl Asked<'_> {
     pub fn listed(&self, list: &str) -> Vec<Named> {
         if list == "planes" {
             let planes = 0..self.n_planes;
-            return planes.map(|i| plane_name(self.scenery, i).into()).collect();
+            let named = |i| Named::from(plane_name(self.scenery, i)).linked(plane_link(i));
+            return planes.map(named).collect();
         }
         let answers = self.answers.iter().enumerate();
         let named = |(i, (answer, _)): (usize, &(Value, Containment))| {

@@ -172,7 +172,7 @@ fn regions(shown: &Shown<'_>) -> Vec<Mark> {
         (ymax, f64::INFINITY, Some(Edge::Top)),
     ];
     let mut marks = Edge::ALL
-        .map(|edge| Mark::new(Role::Faint, border(&window, edge)))
+        .map(|edge| Mark::new(Role::Faint, border(&window, edge)).linked(edge_link(edge)))
         .to_vec();
     let deciding = shown.deciding();
     let column = deciding.and_then(|edge| order.written().iter().position(|&e| e == edge));

@@ -42,10 +42,14 @@ pub fn volume(camera: &Camera) -> Vec<Mark3> {
     let mut marks = Vec::new();
     for side in [VolumeSide::Near, VolumeSide::Far] {
         let outline = outline(camera, side);
-        let wash = Shape3::Wash(outline.clone());
-        marks.push(Mark3::new(Role::Accent, wash));
+        let wash = Mark3::new(Role::Accent, Shape3::Wash(outline.clone()));
+        marks.push(wash.linked(side_link(side)));
         let outline = Mark3::new(Role::Accent, Shape3::Outline(outline));
         marks.push(outline.fine().linked(side_link(side)));
+    }
+    for side in VolumeSide::ALL.into_iter().filter(|side| side.axis() < 2) {
+        let face = Mark3::new(Role::Faint, Shape3::Wash(outline(camera, side)));
+        marks.push(face.fine().linked(side_link(side)));
     }
     for i in 0..4 {
         let edge = Shape3::Segment([corners[i], corners[i + 4]]);

@@ -33,6 +33,7 @@ pub fn and_of_codes() -> Bits {
     let first = code("P₁", [1, 0, 0, 1], Role::Ink);
     Bits {
         columns: sides.map(Value::Term).to_vec(),
+        links: Vec::new(),
         rows: vec![first, code("P₂", [1, 0, 0, 0], Role::Ink)],
         result: Some(code("AND", [1, 0, 0, 0], Role::Signal)),
         deciding: Some(0),

@@ -58,6 +58,7 @@ pub fn bits(now: &Picture<'_>) -> Bits {
     };
     Bits {
         columns: SideCode::WRITTEN.map(side_name).to_vec(),
+        links: Vec::new(),
         rows: (0..3).map(row).collect(),
         result,
         deciding: known.and_then(deciding),

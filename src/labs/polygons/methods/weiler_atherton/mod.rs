@@ -285,7 +285,8 @@ impl Telling for WeilerAtherton {
                 .map(|it| label(it).into())
                 .into(),
             "nodes" => (0..held.lists.nodes.len())
-                .map(|node_idx| names::node(node_idx as u32).into())
+                .map(|idx| idx as u32)
+                .map(|idx| Named::from(names::node(idx)).linked(names::node_link(idx)))
                 .collect(),
             _ => Vec::new(),
         }

@@ -1,0 +1,96 @@
+//! What was asked of this run, what was answered, and what is right: a wrong answer stays beside the right one, struck out.
+
+use egui::{Color32, Role, Sense, TextFormat, TextStyle, WidgetInfo, text::LayoutJob};
+
+use crate::figure::Choice;
+
+use super::{App, prelude::*};
+
+const SIGN: f32 = 6.0;
+
+pub struct Answer {
+    pub step: usize,
+    pub choice: Choice,
+    pub chosen: usize,
+    pub is_shown: bool,
+}
+
+impl Answer {
+    const fn is_right(&self) -> bool {
+        self.chosen == self.choice.right
+    }
+}
+
+/// One row a question; nothing where marks come at the end, and it is not there yet.
+pub fn table(app: &App, ui: &mut Ui) {
+    for answer in app.answers_told() {
+        row(app, ui, answer);
+    }
+}
+
+impl App {
+    /// The answers of which it may be told whether they are right.
+    pub(super) fn answers_told(&self) -> &[Answer] {
+        let practice = &self.practice;
+        let waits = self.settings.marks_at_end && practice.asked.is_some() && practice.is_on;
+        if waits { &[] } else { &practice.answers }
+    }
+}
+
+fn row(app: &App, ui: &mut Ui, answer: &Answer) {
+    let look = app.look();
+    let theme = look.theme;
+    let said = answer.choice.said(look.catalog);
+    let [right, chosen] = [answer.choice.right, answer.chosen].map(|nth| &*said[nth]);
+    let (body, strong) = (TextStyle::Body.resolve(ui.style()), theme::strong());
+    let plain = |colour| TextFormat::simple(body.clone(), colour);
+    let mut job = LayoutJob::default();
+    job.append(&format!("{}\u{2002}", answer.step), 0.0, plain(theme.soft));
+    if !answer.is_right() {
+        let struck = TextFormat {
+            strikethrough: Stroke::new(1.0, theme.soft),
+            ..plain(theme.soft)
+        };
+        job.append(chosen, 0.0, struck);
+        job.append("\u{2002}", 0.0, plain(theme.soft));
+    }
+    let strong = TextFormat::simple(strong.resolve(ui.style()), theme.ink);
+    job.append(right, 0.0, strong);
+    let key = match (answer.is_shown, answer.is_right()) {
+        (true, _) => "answer-shown",
+        (false, true) => "answer-right",
+        (false, false) => "answer-wrong",
+    };
+    let name = Message::new(key)
+        .with("step", Value::Count(answer.step))
+        .with("right", right.to_owned())
+        .with("chosen", chosen.to_owned());
+    let name = look.catalog.message(&name);
+    ui.horizontal_top(|ui| {
+        let size = vec2(2.0 * SIGN + 4.0, body.size * 1.3);
+        let (place, _) = ui.allocate_exact_size(size, Sense::hover());
+        sign(ui, theme, place.center(), answer);
+        let label = ui.add(Label::new(job).wrap());
+        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+    });
+}
+
+/// Right is filled, with a tick; wrong is hollow, with a cross; what was shown is a ring.
+fn sign(ui: &Ui, theme: &Theme, at: Pos2, answer: &Answer) {
+    let painter = ui.painter();
+    let line = |ends: [[f32; 2]; 2], colour: Color32| {
+        let ends = ends.map(|[x, y]| at + 0.5 * SIGN * vec2(x, y));
+        painter.line_segment(ends, Stroke::new(1.5, colour));
+    };
+    if answer.is_shown {
+        painter.circle_stroke(at, SIGN - 1.0, Stroke::new(1.5, theme.soft));
+    } else if answer.is_right() {
+        painter.circle_filled(at, SIGN, theme.accent);
+        line([[-1.0, 0.0], [-0.25, 0.8]], theme.background);
+        line([[-0.25, 0.8], [1.0, -0.8]], theme.background);
+    } else {
+        painter.circle_stroke(at, SIGN - 0.5, Stroke::new(1.5, theme.ink));
+        line([[-0.8, -0.8], [0.8, 0.8]], theme.ink);
+        line([[-0.8, 0.8], [0.8, -0.8]], theme.ink);
+    }
+}

@@ -1,0 +1,319 @@
+//! A question on the picture: chips at what it might be, nothing that points at what it is, and one room for all of it.
+
+use super::*;
+use crate::{
+    figure::{ChipFate, Slot},
+    lesson::Asks,
+    paint::Placed,
+};
+
+const LABS: [&str; 4] = ["lines", "polygons", "frustum", "surfaces"];
+
+fn practising(lab: &'static str) -> Bench {
+    let mut bench = Bench::lab(lab);
+    bench.ctx.enable_accesskit();
+    bench.key(Key::Home);
+    bench.key(Key::Q);
+    bench.settle();
+    assert!(bench.app.practice.is_asking(), "{lab}");
+    bench
+}
+
+/// The next question; whether there is one.
+fn goes_on(bench: &mut Bench) -> bool {
+    let right = bench.app.practice.open().map(|asked| asked.choice.right);
+    bench.command(Command::Choose(right.expect("it asks")));
+    bench.command(Command::Play);
+    bench.app.practice.is_asking()
+}
+
+/// What labels and chips the first drawing had.
+fn placed(bench: &Bench) -> Vec<Placed> {
+    let id = bench.app.stage.canvas_ids[0].with("labels");
+    bench.ctx.data(|data| data.get_temp(id)).unwrap_or_default()
+}
+
+fn is_chip(placed: &Placed) -> bool {
+    placed.text.starts_with('[')
+}
+
+fn each_colour(shape: &egui::Shape, found: &mut dyn FnMut(egui::Color32, Rect)) {
+    use egui::{Shape, epaint::ColorMode};
+    let rect = shape.visual_bounding_rect();
+    match shape {
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| each_colour(shape, found)),
+        Shape::Circle(circle) => [circle.fill, circle.stroke.color]
+            .into_iter()
+            .for_each(|colour| found(colour, rect)),
+        Shape::LineSegment { stroke, .. } => found(stroke.color, rect),
+        Shape::Path(path) => {
+            found(path.fill, rect);
+            if let ColorMode::Solid(colour) = path.stroke.color {
+                found(colour, rect);
+            }
+        }
+        Shape::Rect(it) => [it.fill, it.stroke.color]
+            .into_iter()
+            .for_each(|colour| found(colour, rect)),
+        Shape::Text(text) => {
+            for section in &text.galley.job.sections {
+                let colour = text.override_text_color;
+                let own = Some(section.format.color).filter(|it| *it != egui::Color32::PLACEHOLDER);
+                found(colour.or(own).unwrap_or(text.fallback_color), rect);
+            }
+        }
+        Shape::Mesh(mesh) => {
+            for vertex in &mesh.vertices {
+                found(vertex.color, rect);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Where anything is vermilion: nothing else in the light theme is nearer to red than to blue.
+fn vermilion(bench: &mut Bench) -> Vec<Rect> {
+    let mut found = Vec::new();
+    for clipped in &bench.run(Vec::new(), Vec::new()).shapes {
+        each_colour(&clipped.shape, &mut |colour, rect| {
+            let rect = rect.intersect(clipped.clip_rect);
+            if colour.r() > colour.b().saturating_add(8) && rect.is_positive() {
+                found.push(rect);
+            }
+        });
+    }
+    found
+}
+
+#[test]
+fn while_it_asks_nothing_but_the_question_is_vermilion() {
+    for lab in LABS {
+        let mut bench = practising(lab);
+        for _ in 0..10 {
+            let texts = bench.texts();
+            let question = Catalog::of(Lang::En).term("practice-question");
+            let asked = texts.iter().find(|(text, _)| *text == question);
+            let top = asked.expect("it is asked").1.top() - 16.0;
+            let over: Vec<Rect> = vermilion(&mut bench);
+            let over: Vec<&Rect> = over.iter().filter(|rect| rect.top() < top).collect();
+            assert!(
+                over.is_empty(),
+                "{lab} at {}: {over:?}",
+                bench.app.position()
+            );
+            if !goes_on(&mut bench) {
+                break;
+            }
+        }
+        // The signal is there again at the step that was asked about.
+        bench.key(Key::Escape);
+        bench.key(Key::ArrowRight);
+        assert!(!vermilion(&mut bench).is_empty(), "{lab}");
+    }
+}
+
+#[test]
+fn every_option_that_is_drawn_has_a_chip_which_covers_no_label_and_answers() {
+    for lab in LABS {
+        let mut bench = practising(lab);
+        let (mut n_chips, mut n_linked) = (0, 0);
+        for _ in 0..10 {
+            let placed = placed(&bench);
+            let (chips, labels): (Vec<_>, Vec<_>) = placed.iter().partition(|it| is_chip(it));
+            for (i, chip) in chips.iter().enumerate() {
+                let others = labels.iter().chain(&chips[..i]);
+                for other in others {
+                    assert!(
+                        !chip.rect.intersects(other.rect),
+                        "{lab}: {chip:?} {other:?}"
+                    );
+                }
+                let nth = chip
+                    .link
+                    .and_then(|link| bench.app.practice.option_of(link));
+                assert_eq!(
+                    nth.map(|nth| format!("[{}]", nth + 1)),
+                    Some(chip.text.clone())
+                );
+            }
+            n_chips += chips.len();
+            let asked = &bench.app.practice.open().expect("it asks").choice;
+            n_linked += asked.links.iter().flatten().count();
+            // Nothing swims.
+            bench.frame(0.1, Vec::new());
+            assert_eq!(self::placed(&bench), placed, "{lab}");
+            if !goes_on(&mut bench) {
+                break;
+            }
+        }
+        assert!(n_chips > 0 || n_linked == 0, "{lab}: {n_linked}");
+    }
+}
+
+fn sides() -> Bench {
+    let page = Page::Step("04-cutting-with-outcodes".into(), "four-cuts".into());
+    let mut bench = asked_at(page, Lang::En, SIZE);
+    bench.settle();
+    bench
+}
+
+fn asked_at(page: Page, lang: Lang, size: Vec2) -> Bench {
+    let settings = Settings {
+        lang,
+        places: Places {
+            page: Some(page),
+            ..Places::default()
+        },
+        ..Settings::default()
+    };
+    let mut bench = Bench::with(App::new(Course::embedded(), settings), size);
+    bench.ctx.enable_accesskit();
+    bench.settle();
+    bench
+}
+
+#[test]
+fn a_chip_answers_and_tells_right_from_wrong() {
+    let mut bench = sides();
+    let chips: Vec<Placed> = placed(&bench).into_iter().filter(is_chip).collect();
+    assert_eq!(chips.len(), 4, "{chips:?}");
+    let right = bench.app.practice.open().expect("it asks").choice.right;
+    let wrong = (right + 1) % 4;
+    let chip = |nth: usize| chips.iter().find(|it| it.text == format!("[{}]", nth + 1));
+    bench.press_at(chip(wrong).expect("it is there").rect.center());
+    let fates: Vec<_> = bench
+        .app
+        .practice
+        .chips()
+        .iter()
+        .map(|it| (it.digit - 1, it.fate))
+        .collect();
+    let mut expected = [(right, ChipFate::Right), (wrong, ChipFate::Wrong)];
+    expected.sort_by_key(|(nth, _)| *nth);
+    assert_eq!(fates, expected);
+    assert_eq!(placed(&bench).into_iter().filter(is_chip).count(), 2);
+    bench.key(Key::Enter);
+    assert!(
+        !placed(&bench).iter().any(is_chip),
+        "gone with the question"
+    );
+}
+
+#[test]
+fn an_option_under_the_pointer_or_in_focus_is_lit_everywhere() {
+    let mut bench = sides();
+    let links = bench
+        .app
+        .practice
+        .open()
+        .expect("it asks")
+        .choice
+        .links
+        .clone();
+    let option = |bench: &Bench, nth: usize| {
+        let name = format!("{} ", nth + 1);
+        let is_it = |(name_of, _): &&(String, Rect)| name_of.starts_with(&name);
+        bench
+            .names
+            .iter()
+            .rev()
+            .find(is_it)
+            .expect("it is listed")
+            .1
+    };
+    bench.frame(0.1, Vec::new());
+    for nth in [0, 2] {
+        let at = option(&bench, nth).center();
+        bench.point(at);
+        bench.frame(0.1, Vec::new());
+        assert_eq!(bench.app.stage.lit, links[nth]);
+    }
+    bench.point(pos2(640.0, 3.0));
+    // By the keyboard, too.
+    let mut seen = std::collections::BTreeSet::new();
+    for _ in 0..120 {
+        bench.key(Key::Tab);
+        bench.frame(0.1, Vec::new());
+        seen.extend(
+            links
+                .iter()
+                .position(|link| link.is_some() && *link == bench.app.stage.lit),
+        );
+    }
+    assert_eq!(seen.len(), 4, "{seen:?}");
+}
+
+fn places(bench: &Bench) -> Vec<(ViewId, Slot)> {
+    bench.app.stage.places.clone()
+}
+
+#[test]
+fn question_answer_and_what_follows_leave_the_stage_as_high() {
+    let course = Course::embedded();
+    let all = course.lessons.iter().flat_map(|lesson| {
+        let asking = lesson
+            .steps
+            .iter()
+            .filter(|step| step.asks == Some(Asks::Decision));
+        asking.map(|step| Page::Step(lesson.id.clone(), step.id.clone()))
+    });
+    // Of all labs some, and each kind of question.
+    let pages: Vec<Page> = all.step_by(17).collect();
+    assert!(pages.len() > 6);
+    let windows = [SIZE, vec2(1024.0, 768.0)];
+    for (i, page) in pages.iter().enumerate() {
+        let (lang, size) = ([Lang::En, Lang::Es][i % 2], windows[i / 2 % 2]);
+        let mut bench = asked_at(page.clone(), lang, size);
+        let asked = bench.app.practice.open().map(|asked| asked.choice.clone());
+        let Some(choice) = asked else { continue };
+        let before = places(&bench);
+        let wrong = (choice.right + 1) % choice.options.len();
+        for (n, command) in [
+            Command::Choose(wrong),
+            Command::Play,
+            Command::Step(-1),
+            Command::AskAgain,
+            Command::ShowMe,
+            Command::Play,
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            bench.command(command);
+            assert_eq!(
+                places(&bench),
+                before,
+                "{page:?} {lang:?} {size:?} after {n}"
+            );
+        }
+    }
+}
+
+#[test]
+fn while_practising_the_stage_keeps_its_height() {
+    for lab in LABS {
+        for (lang, size) in [(Lang::En, SIZE), (Lang::Es, vec2(1024.0, 768.0))] {
+            let mut bench = Bench::new(size);
+            bench.command(Command::Language(lang));
+            bench.command(Command::Lab(lab));
+            bench.key(Key::Home);
+            bench.key(Key::Q);
+            bench.settle();
+            let before = places(&bench);
+            for _ in 0..10 {
+                assert_eq!(places(&bench), before, "{lab} {lang:?} asked");
+                let wrong = bench
+                    .app
+                    .practice
+                    .open()
+                    .map(|asked| (asked.choice.right + 1) % asked.choice.options.len());
+                bench.command(Command::Choose(wrong.expect("it asks")));
+                assert_eq!(places(&bench), before, "{lab} {lang:?} answered");
+                bench.command(Command::Play);
+                if !bench.app.practice.is_asking() {
+                    break;
+                }
+            }
+        }
+    }
+}
