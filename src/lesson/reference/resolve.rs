@@ -223,8 +223,8 @@ impl Place<'_> {
                 entries.filter(|entry| *entry == Some(wanted)).count() as f64
             }
             Function::Sum => self.list(of)?.into_iter().flatten().sum(),
-            Function::Min => number(0)?.min(number(1)?),
-            Function::Max => number(0)?.max(number(1)?),
+            Function::Min => self.of_all(of, f64::min)?,
+            Function::Max => self.of_all(of, f64::max)?,
             Function::Abs => number(0)?.abs(),
             Function::Sqrt => number(0)?.sqrt(),
             Function::Sin => libm::sin(number(0)?.to_radians()),
@@ -233,6 +233,16 @@ impl Place<'_> {
             Function::Acos => libm::acos(number(0)?).to_degrees(),
             Function::Atan => libm::atan(number(0)?).to_degrees(),
         })
+    }
+
+    fn of_all(
+        &self,
+        of: &[Expression],
+        choose: impl Fn(f64, f64) -> f64,
+    ) -> Result<f64, Diagnostic> {
+        let mut numbers = of.iter().map(|of| self.number(of));
+        let first = numbers.next().ok_or_else(unreadable)??;
+        numbers.try_fold(first, |best, next| Ok(choose(best, next?)))
     }
 
     /// The entries of the list that is named first; `None` for those that are no numbers.
