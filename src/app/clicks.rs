@@ -147,15 +147,50 @@ fn moved_by(
     let to = lens.deeper(to, moved.deeper);
     let gesture = match moved.by {
         Gesture::Drag => UndoGroup::Drag(moved.spot),
-        Gesture::Nudge => UndoGroup::Nudge(moved.spot),
+        Gesture::Nudge(_) => UndoGroup::Nudge(moved.spot),
     };
-    let edit = if is_flat || moved.is_free {
-        Edit::Drag(handle, to)
-    } else {
-        let step = round_step(STEP_PTS * lens.unit_at(hold.from) / viewport.scale);
-        rounded(scene, handle, (motion, to), step)?
+    let step = || round_step(STEP_PTS * lens.unit_at(hold.from) / viewport.scale);
+    let edit = match moved.by {
+        Gesture::Nudge(times) if !is_flat => {
+            nudged(scene, handle, (motion, [hold.from, to]), [step(), times])?
+        }
+        Gesture::Drag if !is_flat && !moved.is_free => {
+            rounded(scene, handle, (motion, to), step())?
+        }
+        Gesture::Drag | Gesture::Nudge(_) => Edit::Drag(handle, to),
     };
     Some(Command::Edit(edit, Some(gesture)))
+}
+
+/// The change that takes a handle so many round steps that way: of its measure, where it has one, else along the axis of space
+/// that goes most that way.
+fn nudged(
+    scene: &Scene,
+    handle: Handle,
+    (motion, [from, to]): (Motion, [[f64; 3]; 2]),
+    [step, times]: [f64; 2],
+) -> Option<Edit> {
+    if let Some(now) = scene.document().measure(handle) {
+        let mut there = scene.clone();
+        let document = there.document_mut();
+        document.drag(handle, to).ok()?;
+        let way = (document.measure(handle)? - now).signum();
+        let step = times * round_step(STEP_OF_MEASURE * now);
+        return Some(Edit::Measure(handle, snapped(now + way * step, step)));
+    }
+    let by: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
+    let n_axes = by.iter().filter(|by| **by != 0.0).count();
+    if n_axes == 0 {
+        return None;
+    }
+    if n_axes > 1 && matches!(motion, Motion::Axis(_)) {
+        return Some(Edit::Drag(handle, to));
+    }
+    let most = (0..3).max_by(|&i, &j| by[i].abs().total_cmp(&by[j].abs()))?;
+    let mut there = from;
+    let step = times * step;
+    there[most] = snapped(from[most] + by[most].signum() * step, step);
+    Some(Edit::Drag(handle, there))
 }
 
 /// The change that brings a handle to round numbers there, if it is one: to a round measure, where it has one.

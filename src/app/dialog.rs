@@ -52,6 +52,17 @@ impl Target {
     }
 }
 
+/// The path that was meant, where a whole one was typed over the name alone: what stands before it is not, and its ending only once.
+pub fn meant(path: &str) -> String {
+    let before = path.rfind("//").filter(|&at| at > 0);
+    let whole = before.map_or(path, |at| &path[at + 1..]);
+    let named = whole.rsplit_once('.').filter(|(stem, ending)| {
+        let before = stem.rsplit_once('.').map(|(_, before)| before);
+        before == Some(*ending)
+    });
+    named.map_or(whole, |(stem, _)| stem).to_owned()
+}
+
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Question {
     pub title: String,
@@ -165,6 +176,26 @@ impl App {
             }
             Answer::Cancelled if !matches!(dialog, Dialog::Export(..)) => {}
             Answer::Cancelled | Answer::NoDialog => self.shown.dialog = Some(dialog),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::meant;
+
+    #[test]
+    fn a_whole_path_typed_over_a_name_is_meant_alone() {
+        let cases = [
+            ("/work/own//tmp/a.toml.toml", "/tmp/a.toml"),
+            ("/work/own//tmp/a.toml", "/tmp/a.toml"),
+            ("/work/own/a.b.toml", "/work/own/a.b.toml"),
+            ("a.toml.toml", "a.toml"),
+            ("a", "a"),
+            ("", ""),
+        ];
+        for (path, expected) in cases {
+            assert_eq!(meant(path), expected, "{path}");
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::paint::Image;
 
 use super::{
     App, Dialog,
-    dialog::{Figures, Target},
+    dialog::{Figures, Target, meant},
     platform::StageFigure,
     prelude::*,
 };
@@ -157,6 +157,9 @@ impl App {
     /// Does what the open dialog is about; a file that the scene is not of is replaced only when told to a second time.
     pub(super) fn confirm(&mut self, ctx: &Context, now: f64) {
         let mut asked = self.shown.dialog.take();
+        if let Some(target) = asked.as_mut().and_then(Dialog::target_mut) {
+            target.path = meant(&target.path);
+        }
         if let Some(Dialog::Scene(act, name)) = &asked {
             self.act_on_scene(*act, name);
             return;

@@ -38,10 +38,11 @@ pub struct Spot {
 }
 
 /// What moved a handle: moves of one gesture are undone together.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Gesture {
     Drag,
-    Nudge,
+    /// So many lines of the grid, or steps of space.
+    Nudge(f64),
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -164,13 +165,14 @@ impl Handles<'_> {
                     ..EventFilter::default()
                 };
                 ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
-                let by @ [dx, dy, deeper] = nudge(ui, self.grid);
-                if by != [0.0; 3] && !spot.locked {
+                let presses = nudge(ui);
+                let [dx, dy, deeper] = presses.map(|by| by * self.grid);
+                if presses != [0.0; 3] && !spot.locked {
                     moved = Some(Moved {
                         spot: i,
                         to: [spot.at[0] + dx, spot.at[1] + dy],
                         deeper,
-                        by: Gesture::Nudge,
+                        by: Gesture::Nudge(presses.into_iter().map(f64::abs).fold(0.0, f64::max)),
                         is_free: true,
                     });
                 }
@@ -307,9 +309,9 @@ pub fn snapped(x: f64, grid: f64) -> f64 {
     }
 }
 
-/// The way that the pressed arrows go together, and full stop and comma, away from the eye and back; the presses are
-/// consumed.
-fn nudge(ui: &Ui, grid: f64) -> [f64; 3] {
+/// The way that the pressed arrows go together, in lines of the grid, and full stop and comma, away from the eye and back; the
+/// presses are consumed.
+fn nudge(ui: &Ui) -> [f64; 3] {
     let mut by = [0.0; 3];
     ui.input_mut(|input| {
         input.events.retain(|event| {
@@ -340,7 +342,7 @@ fn nudge(ui: &Ui, grid: f64) -> [f64; 3] {
                 (false, false) => 1.0,
             };
             for (by, direction) in by.iter_mut().zip(direction) {
-                *by += direction * factor * grid;
+                *by += direction * factor;
             }
             false
         });

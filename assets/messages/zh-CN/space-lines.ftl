@@ -58,7 +58,7 @@ w-lens-eye = 视点
 w-lens-screen = 屏幕，w = 1
 screen-divide-first = 先除以 w
 screen-clip-first = 先裁剪
-screen-wrong = 错误：这一段从来不存在
+screen-wrong = 错误：这一部分从来不存在
 screen-same = 结果相同：没有端点在视点后方
 screen-no-image = 有一个端点没有像：w = 0
 screen-so-far = 到目前为止剩下的部分

@@ -235,6 +235,43 @@ fn what_is_typed_first_replaces_the_place_and_the_keys_after_it_are_the_handles(
 }
 
 #[test]
+fn in_space_an_arrow_goes_a_round_step_along_one_axis() {
+    let mut bench = Bench::course(ROOMY);
+    let lessons = bench.app.bookmark.course.lessons.iter();
+    let lesson = lessons.map(|lesson| &*lesson.id);
+    let lesson = lesson
+        .into_iter()
+        .position(|id| id.ends_with("view-volume"));
+    bench.command(Command::Open([
+        lesson.expect("the view volume has a lesson"),
+        0,
+    ]));
+    bench.settle();
+    let handles = bench.document().handles();
+    let point = handles
+        .iter()
+        .position(|handle| handle.kind().id == "point");
+    let point = point.expect("a point is there");
+    let at = |bench: &Bench| bench.document().position(handles[point]).unwrap();
+    let ids = bench.app.stage.handle_ids.clone();
+    for key in [Key::ArrowRight, Key::ArrowUp, Key::ArrowLeft, Key::Period] {
+        bench.focus(ids[point]);
+        bench.settle();
+        let before = at(&bench);
+        bench.key(key);
+        let by: Vec<f64> = (0..3).map(|i| at(&bench)[i] - before[i]).collect();
+        let steps: Vec<f64> = by.iter().copied().filter(|by| *by != 0.0).collect();
+        assert_eq!(steps.len(), 1, "{key:?}: {by:?}");
+        let quarters = steps[0] * 20.0;
+        assert!(
+            (quarters - quarters.round()).abs() < 1e-9,
+            "{key:?}: {by:?}"
+        );
+        assert!(steps[0].abs() <= 1.0, "{key:?}: {by:?}");
+    }
+}
+
+#[test]
 fn a_plane_takes_one_number() {
     let mut bench = Bench::lab("frustum");
     let handles = bench.document().handles();

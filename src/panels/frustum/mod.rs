@@ -83,16 +83,24 @@ fn millis(look: Look<'_>, secs: f64) -> String {
 
 fn inequality(look: Look<'_>, costs: &Costs) -> Message {
     let [_, rough, exact] = costs;
-    let relation = |a: f64, b: f64| if a < b { "<" } else { "≥" }.to_owned();
-    let cull = relation(rough.cull_secs, exact.cull_secs);
-    let draw = relation(rough.draw_secs, exact.draw_secs);
+    let compared = |a: f64, b: f64| {
+        let written = [a, b].map(|secs| millis(look, secs));
+        let sign = match a < b {
+            _ if written[0] == written[1] => "≈",
+            true => "<",
+            false => ">",
+        };
+        (written, sign.to_owned())
+    };
+    let ([rough_cull, exact_cull], cull) = compared(rough.cull_secs, exact.cull_secs);
+    let ([rough_draw, exact_draw], draw) = compared(rough.draw_secs, exact.draw_secs);
     Message::new("culling-inequality")
-        .with("rough-cull", millis(look, rough.cull_secs))
+        .with("rough-cull", rough_cull)
         .with("cull-relation", cull)
-        .with("exact-cull", millis(look, exact.cull_secs))
-        .with("rough-draw", millis(look, rough.draw_secs))
+        .with("exact-cull", exact_cull)
+        .with("rough-draw", rough_draw)
         .with("draw-relation", draw)
-        .with("exact-draw", millis(look, exact.draw_secs))
+        .with("exact-draw", exact_draw)
 }
 
 fn lines(ui: &mut Ui, look: Look<'_>, costs: &CullingCosts, height: f32) {
