@@ -263,7 +263,7 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
     let words = step_told(app, steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
-    let text = if has_words || app.n_steps_told() != n_steps {
+    let text = if has_words || app.hides_length() {
         words.clone()
     } else {
         format!("{step} / {n_steps}")
@@ -276,13 +276,19 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
 }
 
 impl App {
-    /// How long the timeline is: while something is asked, however long the run is, a little longer than what is told.
+    /// Is it not to be told how long the run is, and what all of it costs?
+    pub(super) fn hides_length(&self) -> bool {
+        let transport = &self.playback.transport;
+        let is_over = transport.position() == transport.n_steps();
+        (self.practice.is_on && !is_over) || self.practice.is_asking()
+    }
+
+    /// How long the timeline is: however long the run is, a little longer than what is told, where that is not to be told.
     pub(super) fn n_steps_told(&self) -> usize {
         const AHEAD: usize = 8;
         const ROUND: usize = 24;
         let transport = &self.playback.transport;
-        let is_over = transport.position() == transport.n_steps();
-        if (self.practice.is_on && !is_over) || self.practice.is_asking() {
+        if self.hides_length() {
             (transport.position() + AHEAD).next_multiple_of(ROUND)
         } else {
             transport.n_steps()
@@ -292,7 +298,7 @@ impl App {
 
 /// While it is asked what comes, no total tells how much of it there is.
 fn step_told(app: &App, steps: [usize; 2]) -> String {
-    if app.n_steps_told() != steps[1] || app.practice.is_asking() {
+    if app.hides_length() {
         let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
         return app.look().catalog.message(&message);
     }

@@ -52,10 +52,10 @@ impl App {
     pub(super) fn look_at_goal(&mut self) {
         let page = self.bookmark.page();
         let was = self.goals.seen.as_ref().map(|(page, _)| page);
-        if was != page.as_ref() {
-            self.goals.help = Help::default();
-        } else {
+        if was == page.as_ref() {
             self.count_end();
+        } else {
+            self.goals.help = Help::default();
         }
         let seen = page.map(|page| (page, self.playback.recording));
         if self.goals.seen == seen || self.pending.is_some() || self.playback.is_late {

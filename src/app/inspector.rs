@@ -85,7 +85,7 @@ pub fn content(
     asked(app, ui);
     let cost_of_all = || app.scene().document().cost_of_all(column);
     let of_all = state.all_costs[column].get(app.on_stage(), ui, 0.0, cost_of_all);
-    if let Some(of_all) = of_all.as_ref().filter(|_| !app.practice.is_asking()) {
+    if let Some(of_all) = of_all.as_ref().filter(|_| !app.hides_length()) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -297,17 +297,14 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
         return;
     };
     // While it is asked what comes, the bars do not tell what all of it costs.
-    let end = if app.practice.is_asking() { now } else { end };
+    let end = if app.hides_length() { now } else { end };
     // Beside another method, both at this step; alone, with what brute force does in all.
     let methods = app.scene().document().methods();
     let mut others = costs.iter().zip(methods).enumerate();
     let beside = others.find(|(i, _)| *i != column);
     let beside = beside.map(|(_, ([counts, end], method))| (*counts, *end, method));
     let baseline = || {
-        let (method, counts) = app
-            .playback
-            .baseline
-            .filter(|_| !app.practice.is_asking())?;
+        let (method, counts) = app.playback.baseline.filter(|_| !app.hides_length())?;
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);

@@ -301,12 +301,14 @@ goal-hint-now = Agora { $now }; o objetivo é { $sign } { $wanted }.
 goal-so-far = Onde as suas execuções terminaram
 goal-ended =
     { $count ->
+        [0] { $said } { $count } execuções terminaram assim.
         [one] { $said } { $count } execução terminou assim.
        *[other] { $said } { $count } execuções terminaram assim.
     }
 action-hint = Uma dica para o objetivo: o que decide e depois a equação
 mark-hints =
     { $count ->
+        [0] { $count } partes da dica vistas
         [one] { $count } parte da dica vista
        *[other] { $count } partes da dica vistas
     }

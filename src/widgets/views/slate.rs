@@ -320,15 +320,14 @@ impl Links {
         link.is_some() && (is_near || link == self.lit)
     }
 
-    /// The chips of what stands here: before a row, in the corner of what is as high as wide, or higher.
+    /// The chips of what stands here: before a row, on the upper edge of a column, in the corner of what is as high as wide.
     pub fn draw_chips(&self, painter: &Painter, theme: &Theme) {
         for &(place, chip) in &self.placed {
             let size = chip.size(theme);
-            let half = 0.5 * size;
             let centre = if place.width() > ROW * place.height() {
-                place.left_center() - vec2(half.x + 3.0, 0.0)
+                place.left_center() - vec2(0.5 * size.x + 3.0, 0.0)
             } else if place.height() > ROW * place.width() {
-                place.min + half + Vec2::splat(3.0)
+                place.center_top()
             } else {
                 place.min
             };
