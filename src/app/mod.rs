@@ -110,7 +110,7 @@ pub struct App {
     playback: Playback,
     practice: practice::Practice,
     goals: goals::Goals,
-    compose: Option<compose::Compose>,
+    compose: Option<Box<compose::Compose>>,
     /// What takes the place of the playback once it is recorded.
     pending: Option<recording::Pending>,
     given_up: Option<errand::Errand<found::Found>>,

@@ -22,6 +22,7 @@ const MOST_STORED: usize = 200_000;
 impl App {
     /// Opens another page, where there is one; what was done on this one is put away.
     pub(super) fn turn_to(&mut self, open: impl FnOnce(&mut Bookmark) -> bool) {
+        self.check_before_turning();
         let (page, is_changed) = (self.bookmark.page(), self.is_the_readers());
         let is_open = open(&mut self.bookmark);
         if !is_open || self.bookmark.page() == page {

@@ -72,7 +72,7 @@ impl App {
                 });
             }
             Act::Source(source) => {
-                self.write_in(Kind::Lesson, now, |draft, _| draft.with_source(&source))
+                self.write_in(Kind::Lesson, now, |draft, _| draft.with_source(&source));
             }
             Act::Lang(lang) => {
                 if let Some(compose) = &mut self.compose {
@@ -205,10 +205,8 @@ impl App {
 
     fn delete_step(&mut self, nth: usize, now: f64) {
         let open = self.open_id();
-        let beside = [nth.checked_add(1), nth.checked_sub(1)]
-            .into_iter()
-            .flatten();
-        let next = beside.filter_map(|nth| self.id_at(nth)).next();
+        let beside = [nth.checked_add(1), nth.checked_sub(1)];
+        let next = beside.into_iter().flatten().find_map(|nth| self.id_at(nth));
         if let Some((id, next)) = self.id_at(nth).zip(next) {
             let next = if id == open { next } else { open };
             self.change_steps([&id, &next], now, |draft| draft.without_step(&id));

@@ -54,7 +54,7 @@ impl App {
         let (page, is_changed) = (self.bookmark.page(), self.is_the_readers());
         self.notices.clear();
         self.practice = Practice::default();
-        self.compose = Some(Compose {
+        self.compose = Some(Box::new(Compose {
             lesson: id,
             files,
             on_disk: draft.clone(),
@@ -71,7 +71,7 @@ impl App {
             offered: (None, Vec::new()),
             works: BTreeMap::new(),
             tried: None,
-        });
+        }));
         // What was done on its pages before is there again afterwards.
         let mut works = self.clear_composed_works();
         let before = self.enter();

@@ -83,9 +83,9 @@ impl Kind {
         }
     }
 
-    /// Is it written letter by letter?
-    const fn is_typed(self) -> bool {
-        matches!(self, Self::Title | Self::Body | Self::Lesson)
+    /// Do others like it follow at once, so that it is checked after a pause?
+    const fn waits(self) -> bool {
+        !matches!(self, Self::Once)
     }
 }
 
@@ -100,10 +100,11 @@ impl Compose {
 }
 
 impl App {
-    /// The lesson that is being made, where one of its steps is open and it is not only tried.
+    /// The lesson that is being made, where one of its steps is open and it is neither tried nor presented.
     pub(super) fn composed(&self) -> Option<&Compose> {
-        let compose = self.compose.as_ref().filter(|it| it.tried.is_none())?;
-        self.has_composed_open().then_some(compose)
+        let compose = self.compose.as_deref().filter(|it| it.tried.is_none())?;
+        let is_shown = self.has_composed_open() && !self.is_presenting();
+        is_shown.then_some(compose)
     }
 
     fn has_composed_open(&self) -> bool {
@@ -126,13 +127,14 @@ impl App {
         tried.unwrap_or(&self.settings.progress)
     }
 
-    /// Of the scene on the stage the steps that show it: each one's number, and where its run stands.
+    /// Of the open step's scene the steps that show it: each one's number, and where its run stands.
     pub(super) fn steps_on_timeline(&self) -> Vec<(usize, usize)> {
-        let Some((compose, lesson)) = self.composed().zip(self.bookmark.lesson()) else {
+        let lesson = self.composed().zip(self.bookmark.lesson());
+        let Some(((compose, lesson), open)) = lesson.zip(self.bookmark.step()) else {
             return Vec::new();
         };
         let steps = lesson.steps.iter().enumerate();
-        let shown = steps.filter(|(_, step)| *step.scene == *self.scene());
+        let shown = steps.filter(|(_, step)| step.scene == open.scene);
         let stands = shown.filter_map(|(i, step)| Some((i + 1, compose.stands.get(&step.id)?.0)));
         stands.collect()
     }
@@ -175,7 +177,7 @@ impl App {
                 Ok(())
             });
         compose.due = Some(now + PAUSE_SECS);
-        if changed.is_ok() && !kind.is_typed() {
+        if changed.is_ok() && !kind.waits() {
             self.check_composed();
         }
         true
@@ -241,6 +243,9 @@ impl App {
             self.clear_composed_works();
             self.take_stage(ctx, now);
             self.offer_goal();
+        } else if let Some(compose) = &mut self.compose {
+            // What is done on the stage of a student is not the lesson's.
+            compose.taken = None;
         }
         let due = self.compose.as_ref()?.due?;
         if due > now {
@@ -249,6 +254,13 @@ impl App {
         self.check_composed();
         self.write_composed(false);
         None
+    }
+
+    /// Before another page is open the lesson is what was made of it on this one.
+    pub(super) fn check_before_turning(&mut self) {
+        if self.compose.as_ref().is_some_and(|it| it.due.is_some()) {
+            self.check_composed();
+        }
     }
 
     fn offer_goal(&mut self) {

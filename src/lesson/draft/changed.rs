@@ -43,10 +43,11 @@ impl Draft {
                 .first()
                 .map_or(self.toml.len(), |first| first.lines.start),
         };
-        let mut lines = format!("[[step]]{nl}id = {}{nl}", quoted(&step.id));
-        if step.at != "start" {
-            lines += &format!("at = {}{nl}", quoted(&step.at));
-        }
+        let moment = match &*step.at {
+            "start" => String::new(),
+            at => format!("at = {}{nl}", quoted(at)),
+        };
+        let lines = format!("[[step]]{nl}id = {}{nl}{moment}", quoted(&step.id));
         let mut shown = self.scenes();
         shown.push((step.id.clone(), step.scene.clone()));
         self.toml = put(&self.toml, at, &lines);
@@ -129,17 +130,17 @@ impl Draft {
 
     /// The lesson with another title of a step, or its own where the id is none. A language that has no text begins with the English one.
     pub fn with_title(&self, id: &str, lang: Lang, title: &str) -> Option<Self> {
-        self.with_text(lang, with_title(self.text(lang), id, title)?)
+        Some(self.with_text(lang, with_title(self.text(lang), id, title)?))
     }
 
     pub fn with_body(&self, id: &str, lang: Lang, body: &str) -> Option<Self> {
-        self.with_text(lang, with_body(self.text(lang), id, body)?)
+        Some(self.with_text(lang, with_body(self.text(lang), id, body)?))
     }
 
-    fn with_text(&self, lang: Lang, text: String) -> Option<Self> {
+    fn with_text(&self, lang: Lang, text: String) -> Self {
         let mut draft = self.clone();
         draft.texts.insert(lang, text);
-        Some(draft)
+        draft
     }
 
     pub fn with_source(&self, source: &str) -> Option<Self> {
