@@ -301,7 +301,7 @@ goal-hint-now = Now { $now }; the goal is { $sign } { $wanted }.
 goal-so-far = Where your runs ended
 goal-ended =
     { $count ->
-        [one] { $said } { $count } run ended so.
+        [one] { $said } One run ended so.
        *[other] { $said } { $count } runs ended so.
     }
 action-hint = A hint towards the goal: what decides, then the equation

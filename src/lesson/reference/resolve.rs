@@ -211,10 +211,7 @@ impl Place<'_> {
     }
 
     fn call(&self, function: Function, of: &[Expression]) -> Result<f64, Diagnostic> {
-        let number = |i: usize| {
-            let of = of.get(i).ok_or_else(unreadable)?;
-            self.number(of)
-        };
+        let number = |i: usize| self.number(of.get(i).ok_or_else(unreadable)?);
         Ok(match function {
             Function::Len => self.list(of)?.len() as f64,
             Function::Count => {
@@ -235,11 +232,7 @@ impl Place<'_> {
         })
     }
 
-    fn of_all(
-        &self,
-        of: &[Expression],
-        choose: impl Fn(f64, f64) -> f64,
-    ) -> Result<f64, Diagnostic> {
+    fn of_all(&self, of: &[Expression], choose: fn(f64, f64) -> f64) -> Result<f64, Diagnostic> {
         let mut numbers = of.iter().map(|of| self.number(of));
         let first = numbers.next().ok_or_else(unreadable)??;
         numbers.try_fold(first, |best, next| Ok(choose(best, next?)))
