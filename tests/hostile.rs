@@ -159,7 +159,7 @@ fn a_mesh_is_read_once_and_its_texture_is_missed_aloud() {
     for name in ["l/x.png", "l/y.png"] {
         desk.write(name, black_png(8192));
     }
-    ends(&desk, &["check", "l"], 1, "134217728 texels together");
+    ends(&desk, &["check", "l"], 1, "134,217,728 texels together");
 }
 
 /// Each pixel one bit.
@@ -228,7 +228,7 @@ fn what_is_too_long_or_too_deep_has_its_place() {
     ends(&desk, &["check", "l"], 1, "en.md:5:1");
     let bold = "**a**".repeat(300_000);
     desk.write("l/en.md", format!("# T\n\n## a: A\n\n{bold}\n"));
-    ends(&desk, &["check", "l"], 1, "more than 20000");
+    ends(&desk, &["check", "l"], 1, "more than 20,000");
     let deep = format!("window = {}1{}", "[".repeat(200), "]".repeat(200));
     desk.write("deep.toml", deep);
     ends(&desk, &["check", "deep.toml"], 1, "deep.toml:1:");
@@ -362,7 +362,7 @@ fn work_beyond_a_budget_is_refused_before_it_takes_long() {
         (
             on_raster("occlusion", whole, &objects),
             1,
-            "The triangles cover 33554432000 pixels",
+            "The triangles cover 33,554,432,000 pixels",
         ),
         (
             format!(

@@ -151,7 +151,7 @@ fn moved_by(
     };
     let step = || round_step(STEP_PTS * lens.unit_at(hold.from) / viewport.scale);
     let edit = match moved.by {
-        Gesture::Nudge(times) if !is_flat => {
+        Gesture::Nudge(times) if !is_flat && moved.deeper == 0.0 => {
             nudged(scene, handle, (motion, [hold.from, to]), [step(), times])?
         }
         Gesture::Drag if !is_flat && !moved.is_free => {

@@ -254,7 +254,7 @@ fn in_space_an_arrow_goes_a_round_step_along_one_axis() {
     let point = point.expect("a point is there");
     let at = |bench: &Bench| bench.document().position(handles[point]).unwrap();
     let ids = bench.app.stage.handle_ids.clone();
-    for key in [Key::ArrowRight, Key::ArrowUp, Key::ArrowLeft, Key::Period] {
+    for key in [Key::ArrowRight, Key::ArrowUp, Key::ArrowLeft] {
         bench.focus(ids[point]);
         bench.settle();
         let before = at(&bench);

@@ -233,9 +233,11 @@ impl Place<'_> {
     }
 
     fn of_all(&self, of: &[Expression], choose: fn(f64, f64) -> f64) -> Result<f64, Diagnostic> {
-        let mut numbers = of.iter().map(|of| self.number(of));
-        let first = numbers.next().ok_or_else(unreadable)??;
-        numbers.try_fold(first, |best, next| Ok(choose(best, next?)))
+        let [first, second, others @ ..] = of else {
+            return Err(unreadable());
+        };
+        let others = [second].into_iter().chain(others).map(|of| self.number(of));
+        others.fold(self.number(first), |best, next| Ok(choose(best?, next?)))
     }
 
     /// The entries of the list that is named first; `None` for those that are no numbers.

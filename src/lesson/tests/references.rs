@@ -71,7 +71,7 @@ const FILLED: &str = "
 {cost.div by brute-force @ end} of {cost.div @ end} => 3 of 6 => 3 of 6
 {steps} steps, {len(scene.window)} sides => 16 steps, 4 sides => 16 steps, 4 sides
 {sum(scene.window)}, {count(scene.window, -1)} => 0, 2 => 0, 2
-{max(abs(P₁.x), sqrt(9))}, {min(3, 2)} => 3, 2 => 3, 2
+{max(abs(P₁.x), sqrt(9))}, {min(3, 2)}, {min(3, 2, 1)} => 3, 2, 1 => 3, 2, 1
 {sin(30) : 1}, {cos(0)}, {tan(45) : 0}, {acos(1)}, {atan(1) : 0} => 0.5, 1, 1, 0, 45 => 0,5, 1, 1, 0, 45
 {1234567 : grouped}, {-1234 : grouped}, {12 : grouped} => 1,234,567, −1,234, 12 => 1\u{a0}234\u{a0}567, −1\u{a0}234, 12
 {-0.001 : 2} => 0.00 => 0,00
