@@ -225,7 +225,7 @@ fn courses(app: &App, ui: &mut Ui) {
     padded(ui, |ui| ui.label(soft(look, "courses").small()));
     for &folder in &others {
         let title = match folder {
-            Some(path) => short_name(path, others.iter().flatten()),
+            Some(path) => short_name(path, &others),
             None => look.say("course-built-in"),
         };
         let other = Row {
@@ -244,10 +244,10 @@ fn courses(app: &App, ui: &mut Ui) {
 }
 
 /// A folder's own name, with those before it as far as another has the same: what tells folders apart stands at their end.
-fn short_name<'a>(path: &str, all: impl Iterator<Item = &'a &'a str> + Clone) -> String {
+fn short_name(path: &str, all: &[Option<&str>]) -> String {
     let own: Vec<&str> = from_its_end(path).collect();
     let is_of_another = |n: usize| {
-        let mut others = all.clone().filter(|other| **other != path);
+        let mut others = all.iter().flatten().filter(|other| **other != path);
         others.any(|other| from_its_end(other).take(n).eq(own.iter().copied().take(n)))
     };
     let n = (1..own.len()).find(|&n| !is_of_another(n));
@@ -367,13 +367,14 @@ mod tests {
 
     #[test]
     fn a_folder_is_named_by_what_tells_it_apart() {
-        let all = [
+        let paths = [
             "/home/a/course",
             "/home/b/course",
             "/home/b/lines",
             "C:\\own\\cuts",
         ];
-        let names = all.map(|path| short_name(path, all.iter()));
+        let all = paths.map(Some);
+        let names = paths.map(|path| short_name(path, &all));
         assert_eq!(names, ["a/course", "b/course", "lines", "cuts"]);
     }
 }
