@@ -201,7 +201,7 @@ fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
 fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {
     let n = costs.counts.len() as f32;
     // Of two a row has both; of more each has its own.
-    let rows = if n > 2.0 { n + 2.1 } else { 4.5 };
+    let rows = if n > 2.0 { 1.23 * n + 2.1 } else { 4.5 };
     let height = if n > 3.0 {
         2.0 * (1.4 * n + 2.1)
     } else {

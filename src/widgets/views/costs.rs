@@ -19,7 +19,7 @@ use super::{prelude::*, slate::Style};
 
 const SIZE: f32 = 13.0;
 /// A bar's height, of two methods, of more, and of many; what is left under a kind's bars, of two, and of more, which have a bar each.
-const BARS: [f32; 3] = [20.0, 11.0, 16.0];
+const BARS: [f32; 3] = [20.0, 14.0, 16.0];
 /// More methods are compared by their divisions and in total only.
 const MOST_WITH_KINDS: usize = 3;
 const LINE: f32 = 19.0;
@@ -86,7 +86,7 @@ impl Costs {
 }
 
 fn number(n: u64) -> Value {
-    Value::Name(n.to_string())
+    Value::Count(usize::try_from(n).unwrap_or(usize::MAX))
 }
 
 impl OnSlate for Costs {
