@@ -242,3 +242,77 @@ fn is_empty(seen: &Seen, is_dark: &[bool], left: usize, [width, n_rows]: [usize;
         n_seen == 0 && !is_dark[samples].contains(&true)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        figure::{Edging, Facet, Facets, Lens, Role, SolidScreen},
+        geom::Orbit,
+    };
+
+    /// A wavy ground of very many facets, seen from above.
+    fn ground() -> Facets {
+        const N: i32 = 60;
+        let at = |i: i32, j: i32| {
+            let [x, z] = [i, j].map(|i| 4.0 * f64::from(i) / f64::from(N) - 2.0);
+            [x, 0.2 * libm::sin(3.0 * x + z), z]
+        };
+        let facet = |corners: [[f64; 3]; 3]| Facet {
+            corners: corners.to_vec(),
+            role: Role::Soft,
+            link: None,
+            skin: None,
+            edging: Edging::Samples { is_open: true },
+            opacity: 1.0,
+        };
+        let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+        let both = places.flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+            [facet([a, b, c]), facet([a, c, d])]
+        });
+        both.collect::<Vec<_>>().into()
+    }
+
+    #[test]
+    fn what_was_seen_is_toned_again_as_if_it_were_drawn_anew() {
+        let facets = ground();
+        let lens = Lens::Eye(Orbit::new([0.0; 3], [25.0, 35.0], 9.0, 30.0));
+        let part = [[-1.5, -1.0], [1.5, 1.0]];
+        let (size, fine) = ([240, 160], 2);
+        let screen = SolidScreen::new(facets.mesh(), &lens, part, size.map(|side| side * fine));
+        let screen = screen.expect("the ground is seen");
+        let picture = SolidPicture::new(facets.mesh(), &screen);
+        let found = vec![true; facets.len()];
+        let tones_of = |shift: usize| -> Vec<Color32> {
+            let tone = |i: usize| Color32::from_gray(((i + shift) * 37 % 200) as u8);
+            (0..facets.len()).map(tone).collect()
+        };
+        let mut drawn = Vec::new();
+        for (shift, is_dashed) in [(0, false), (11, true)] {
+            let (tones, dashed) = (tones_of(shift), vec![is_dashed; facets.len()]);
+            let lined = Lined {
+                normals: &facets.mesh().normals,
+                are_found: &found,
+                are_dashed: &dashed,
+            };
+            let samples = Samples {
+                tones: &tones,
+                outline: Some((Color32::BLACK, lined)),
+                size,
+                fine,
+            };
+            let mut pixels = vec![Color32::TRANSPARENT; (size[0] * size[1]) as usize];
+            let bands = samples.draw(&picture, &mut pixels);
+            assert!(!bands.is_empty(), "so many facets are worth keeping");
+            drawn.push(bands);
+            for bands in &drawn {
+                let mut again = vec![Color32::TRANSPARENT; pixels.len()];
+                samples.draw_again(bands, &mut again);
+                assert!(again == pixels, "shift {shift}");
+            }
+            let n_seen = pixels.iter().filter(|pixel| pixel.a() > 0).count();
+            assert!(n_seen > pixels.len() / 10, "{n_seen} pixels");
+        }
+    }
+}
