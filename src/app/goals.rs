@@ -64,9 +64,7 @@ impl App {
         let goal = self.bookmark.step().and_then(|step| step.goal.as_ref());
         let met = goal.map(|goal| {
             let scene = self.playback.scene();
-            let ids = scene.document().methods().into_iter().map(|card| card.id);
-            let runs: Vec<_> = ids.zip(self.playback.runs()).collect();
-            goal.met(scene, &runs)
+            goal.met(scene, &scene.by_method(self.playback.runs()))
         });
         self.goals.met = met.unwrap_or_default();
         if let Some((Page::Step(lesson, step), _)) = seen.as_ref().filter(|_| self.is_reached()) {

@@ -86,8 +86,7 @@ impl App {
         let open = self.met().iter().position(|is_met| !is_met)?;
         let goal = self.bookmark.step()?.goal.as_ref()?;
         let scene = self.playback.scene();
-        let ids = scene.document().methods().into_iter().map(|card| card.id);
-        let runs: Vec<_> = ids.zip(self.playback.runs()).collect();
+        let runs = scene.by_method(self.playback.runs());
         let (now, sign, wanted) = goal.compared(open, scene, &runs)?;
         let message = Message::new("goal-hint-now").with("now", now);
         Some(message.with("sign", sign.to_owned()).with("wanted", wanted))

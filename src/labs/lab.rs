@@ -179,6 +179,12 @@ impl Scene {
         &mut *self.0
     }
 
+    /// What there is one of for each method, by the methods' ids.
+    pub fn by_method<T>(&self, all: impl IntoIterator<Item = T>) -> Vec<(&'static str, T)> {
+        let ids = self.document().methods().into_iter().map(|card| card.id);
+        ids.zip(all).collect()
+    }
+
     /// The document of a lab, if it is that lab's: for the lab's own rooms.
     pub fn get<D: Document>(&self) -> Option<&D> {
         let any: &dyn Any = &*self.0;

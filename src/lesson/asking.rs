@@ -80,8 +80,7 @@ impl Goal {
                 .iter()
                 .map(|(name, n)| format!("events({name}) = {n}")),
         );
-        let ids = scene.document().methods().into_iter().map(|card| card.id);
-        let runs: Vec<_> = ids.zip(recorded.iter().map(|run| &**run)).collect();
+        let runs = scene.by_method(recorded.iter().map(|run| &**run));
         let holds = |text: &String| Condition::parse(text).is_ok_and(|it| it.holds(scene, &runs));
         all.retain(holds);
         all.truncate(MAX_PARTS);
@@ -101,8 +100,7 @@ impl Goal {
     /// The same of a scene by itself.
     pub fn met_by(&self, scene: &Scene) -> Vec<bool> {
         let recorded = scene.document().record();
-        let ids = scene.document().methods().into_iter().map(|card| card.id);
-        let runs: Vec<_> = ids.zip(recorded.iter().map(|run| &**run)).collect();
+        let runs = scene.by_method(recorded.iter().map(|run| &**run));
         self.met(scene, &runs)
     }
 

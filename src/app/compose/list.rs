@@ -1,6 +1,6 @@
 //! The steps of a lesson that is made: each with its title and where its run stands, and between two of them a place for another.
 
-use egui::{Response, Role, Sense, StrokeKind, TextEdit, TextStyle, WidgetInfo};
+use egui::{Painter, Response, Role, Sense, StrokeKind, TextEdit, TextStyle, WidgetInfo};
 
 use crate::widgets::{rule, tick_sign};
 
@@ -179,22 +179,22 @@ impl Row {
         let said = look.catalog.message(&said);
         response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_open, &said));
         let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-        if is_open || response.hovered() {
-            let wash = if is_open {
-                theme.accent_wash
-            } else {
-                theme.hover
-            };
-            painter.rect_filled(rect, 6.0, wash);
-        }
-        if response.has_focus() {
-            painter.rect_stroke(
-                rect,
-                6.0,
-                theme.stroke(2.0, theme.accent),
-                StrokeKind::Inside,
-            );
-        }
+        ground(&painter, theme, (rect, &response), is_open);
+        self.write(ui, &painter, look, (rect, line), is_open);
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_text(&self.title)
+    }
+
+    fn write(
+        &self,
+        ui: &Ui,
+        painter: &Painter,
+        look: Look<'_>,
+        (rect, line): (Rect, f32),
+        is_open: bool,
+    ) {
+        let theme = look.theme;
         let colour = if is_open { theme.accent } else { theme.ink };
         let font = |style: TextStyle| style.resolve(ui.style());
         let left = rect.left() + 32.0;
@@ -215,7 +215,7 @@ impl Row {
             colour,
         );
         if let Some(tick) = self.tick {
-            tick_sign(&painter, pos2(left + 6.0, y(1.0)), tick, theme);
+            tick_sign(painter, pos2(left + 6.0, y(1.0)), tick, theme);
         }
         let small = font(TextStyle::Small);
         let mono = egui::FontId::new(small.size, egui::FontFamily::Monospace);
@@ -235,8 +235,25 @@ impl Row {
                 theme.soft,
             );
         }
-        response
-            .on_hover_cursor(CursorIcon::PointingHand)
-            .on_hover_text(&self.title)
+    }
+}
+
+/// What a row stands on, and its rim while it has the focus.
+fn ground(painter: &Painter, theme: &Theme, (rect, response): (Rect, &Response), is_open: bool) {
+    if is_open || response.hovered() {
+        let wash = if is_open {
+            theme.accent_wash
+        } else {
+            theme.hover
+        };
+        painter.rect_filled(rect, 6.0, wash);
+    }
+    if response.has_focus() {
+        painter.rect_stroke(
+            rect,
+            6.0,
+            theme.stroke(2.0, theme.accent),
+            StrokeKind::Inside,
+        );
     }
 }

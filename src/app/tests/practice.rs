@@ -26,6 +26,17 @@ fn digit(nth: usize) -> Key {
     Key::from_name(&(nth + 1).to_string()).expect("a digit")
 }
 
+/// Answers the first question of a run with another option than the right one: the steps that ask, the choice, and the answer.
+fn answer_wrongly(bench: &mut Bench) -> (Vec<usize>, crate::figure::Choice, usize) {
+    bench.key(Key::Home);
+    bench.key(Key::Q);
+    let steps = decisions(bench);
+    let asked = choice(bench, steps[0]);
+    let wrong = (asked.right + 1) % asked.options.len();
+    bench.key(digit(wrong));
+    (steps, asked, wrong)
+}
+
 #[test]
 fn every_decision_is_asked_before_it_is_shown() {
     for lab in ["lines", "polygons", "frustum", "surfaces"] {
@@ -62,12 +73,7 @@ fn every_decision_is_asked_before_it_is_shown() {
 fn a_wrong_answer_is_told_what_comes_and_one_that_is_shown_counts_for_nothing() {
     let mut bench = Bench::lab("lines");
     bench.ctx.enable_accesskit();
-    bench.key(Key::Home);
-    bench.key(Key::Q);
-    let steps = decisions(&bench);
-    let asked = choice(&bench, steps[0]);
-    let wrong = (asked.right + 1) % asked.options.len();
-    bench.key(digit(wrong));
+    let (steps, asked, wrong) = answer_wrongly(&mut bench);
     let said = asked.said(Catalog::of(Lang::En));
     let told = format!("× {}, not: {}.", said[asked.right], said[wrong]);
     bench.frame(0.1, Vec::new());
@@ -152,12 +158,7 @@ fn where_a_mistake_differs_is_told_after_the_answer() {
 fn a_wrong_answer_stays_beside_the_right_one() {
     let mut bench = Bench::lab("lines");
     bench.ctx.enable_accesskit();
-    bench.key(Key::Home);
-    bench.key(Key::Q);
-    let steps = decisions(&bench);
-    let asked = choice(&bench, steps[0]);
-    let wrong = (asked.right + 1) % asked.options.len();
-    bench.key(digit(wrong));
+    let (steps, asked, wrong) = answer_wrongly(&mut bench);
     bench.settle();
     let said = asked.said(Catalog::of(Lang::En));
     let kept = format!(

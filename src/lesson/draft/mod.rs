@@ -123,11 +123,8 @@ impl Draft {
     }
 
     pub fn scene_of(&self, id: &str) -> Option<String> {
-        let scenes = self.scenes().into_iter();
-        scenes
-            .into_iter()
-            .find(|(step, _)| step == id)
-            .map(|(_, scene)| scene)
+        let mut scenes = self.scenes().into_iter();
+        scenes.find(|(step, _)| step == id).map(|(_, scene)| scene)
     }
 
     /// The value of a step's field, as it is written.

@@ -179,10 +179,8 @@ mod tests {
         "#;
         let scene = SceneFormats::standard().read("", text.as_bytes());
         let scene = scene.expect("a scene").scene;
-        let document = scene.document();
-        let recorded = document.record();
-        let ids = document.methods().into_iter().map(|card| card.id);
-        let runs: Vec<_> = ids.zip(recorded.iter().map(|run| &**run)).collect();
+        let recorded = scene.document().record();
+        let runs = scene.by_method(recorded.iter().map(|run| &**run));
         for (text, holds) in [
             ("events(cut) = 2", true),
             ("events(cut left) = 1", true),

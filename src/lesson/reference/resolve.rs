@@ -98,11 +98,9 @@ impl<'a> Runs<'a> {
         if let Some(known) = all.iter().find(|known| Arc::ptr_eq(&known.scene, scene)) {
             return Rc::clone(known);
         }
-        let document = scene.document();
-        let ids = document.methods().into_iter().map(|card| card.id);
         let recorded = Rc::new(Recorded {
             scene: Arc::clone(scene),
-            runs: ids.zip(document.record()).collect(),
+            runs: scene.by_method(scene.document().record()),
         });
         all.push(Rc::clone(&recorded));
         recorded
