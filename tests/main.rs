@@ -18,6 +18,7 @@ mod ear_clipping;
 mod forms;
 mod grade;
 mod line_exactness;
+mod links;
 mod messages;
 mod moments;
 mod newcomer;

@@ -85,6 +85,7 @@ pub enum Command {
     OpenRecent(String),
     Export,
     CopyFigure,
+    CopyLink,
     Show(Option<Dialog>),
     Confirm,
     Help,
@@ -197,7 +198,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 57] = [
+pub static BINDINGS: [Binding; 58] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -236,6 +237,7 @@ pub static BINDINGS: [Binding; 57] = [
     (CTRL, Key::S, Command::Save, "action-save"),
     (CTRL, Key::E, Command::Export, "action-export"),
     (CTRL_SHIFT, Key::C, Command::CopyFigure, "action-copy"),
+    (CTRL_SHIFT, Key::L, Command::CopyLink, "action-link"),
     (NONE, Key::F6, Command::Course, "help-course"),
     (NONE, Key::F7, Command::Inspector, "help-inspector"),
     (NONE, Key::F8, Command::Free, "action-free"),

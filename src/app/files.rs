@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::ColorImage;
 
-use crate::paint::Image;
+use crate::{lesson::is_png, paint::Image};
 
 use super::{
     App, Dialog,
@@ -44,7 +44,9 @@ fn path_of(path: &str, figures: Figures, step: usize) -> String {
 }
 
 impl App {
-    pub(super) fn take_dropped_files(&mut self, ctx: &Context) {
+    /// What is dropped on the window or pasted into it.
+    pub(super) fn take_what_comes(&mut self, ctx: &Context) {
+        self.take_pasted(ctx);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
         #[cfg(not(target_arch = "wasm32"))]
         let has_mesh = dropped.iter().any(|file| is_mesh(file.path()));
@@ -88,9 +90,13 @@ impl App {
         self.complain(self.catalog().message(&message));
     }
 
-    /// Shows the scene in these bytes, in the free scene of its lab; what is wrong with them is shown, and all left as
-    /// it was.
+    /// Shows the scene in these bytes, in the free scene of its lab, or what a figure in them was drawn of; what is wrong with them is
+    /// shown, and all left as it was.
     pub fn open_bytes(&mut self, name: &str, bytes: &[u8]) {
+        if is_png(bytes) {
+            self.open_picture(name, bytes);
+            return;
+        }
         match self.kit.formats.read(name, bytes) {
             Ok(read) => {
                 self.notices.clear();
@@ -107,7 +113,9 @@ impl App {
     }
 
     pub(super) fn open_scene(&mut self, file: &str, opened: SceneFile) {
-        let SceneFile { scene, position } = opened;
+        let SceneFile {
+            scene, position, ..
+        } = opened;
         let lab = scene.document().lab();
         self.remember(file);
         self.open_free(lab);
@@ -261,7 +269,11 @@ impl App {
         };
         let path = path_of(&export.path, export.figures, export.next);
         let drawn = self.drawn(&export);
-        let written = drawn.and_then(|image| self.platform.write(&path, &image.to_png()));
+        let is_shown = export.scene == *self.scene();
+        let moment = self.playback.main().moment(export.next);
+        let link = is_shown.then(|| self.link_at(export.next, &moment).fitting());
+        let bytes = drawn.map(|image| image.to_linked_png(link.flatten().as_deref()));
+        let written = bytes.and_then(|bytes| self.platform.write(&path, &bytes));
         self.notices.clear();
         if written.is_ok() && export.next < export.last {
             export.next += 1;

@@ -190,7 +190,7 @@ fn changes(app: &App, ui: &mut Ui) {
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
     type Ask = fn(&App) -> Command;
-    let rows: [(&str, &str, Ask); 6] = [
+    let rows: [(&str, &str, Ask); 7] = [
         ("action-open", "Ctrl+O", |_| Command::OpenFile),
         ("action-open-path", "", |app| {
             Command::Show(Some(app.opened()))
@@ -201,6 +201,7 @@ fn files(app: &App, ui: &mut Ui) {
         }),
         ("action-export", "Ctrl+E", |_| Command::Export),
         ("action-copy", "Ctrl+Shift+C", |_| Command::CopyFigure),
+        ("action-link", "Ctrl+Shift+L", |_| Command::CopyLink),
     ];
     lessons(app, ui);
     if !app.settings.recent.is_empty() {

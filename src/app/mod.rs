@@ -37,6 +37,7 @@ mod inspector;
 mod keys;
 mod kit;
 mod layout;
+mod links;
 mod marks;
 #[cfg(not(target_arch = "wasm32"))]
 mod memory;
@@ -308,7 +309,7 @@ impl App {
         for command in self.pressed(&ctx) {
             self.apply(&ctx, command);
         }
-        self.take_dropped_files(&ctx);
+        self.take_what_comes(&ctx);
         self.take_answer(&ctx, now);
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);

@@ -20,6 +20,7 @@ pub struct Opening {
     pub folder: Option<Folder>,
     pub scene: Option<(String, SceneFile)>,
     pub mesh: Option<String>,
+    pub link: Option<String>,
 }
 
 /// Opens the window, and comes back when it has been closed.
@@ -86,6 +87,9 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
     let mut app = App::new(course, settings).with_platform(Desktop::with_dialogs());
     if let Some((file, scene)) = opening.scene {
         app = app.with_scene(&file, scene);
+    }
+    if let Some(link) = opening.link {
+        app.open_link(&link);
     }
     if let Some(path) = opening.mesh {
         app.load_mesh(&path, ctx);

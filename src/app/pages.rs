@@ -187,12 +187,7 @@ impl App {
             return Some(((free.lab.first_scene)(), 0));
         }
         let step = self.bookmark.step()?;
-        // The end of two runs side by side is that of the longer one.
-        let position = match step.moment {
-            Moment::End => usize::MAX,
-            Moment::Start | Moment::Event { .. } => step.position().unwrap_or_default(),
-        };
-        Some(((*step.scene).clone(), position))
+        Some(((*step.scene).clone(), step.opens_at()))
     }
 
     /// Has the text of the open step an answer?
@@ -309,12 +304,16 @@ impl App {
 
     /// The scene and its moment, as a file spells them.
     pub(super) fn as_file(&self) -> String {
-        let at = if self.pending.is_some() {
+        self.kit.formats.write(self.history.now(), &self.moment())
+    }
+
+    /// Where the run of the scene stands.
+    pub(super) fn moment(&self) -> Moment {
+        if self.pending.is_some() {
             Moment::Start
         } else {
             self.playback.main().moment(self.position())
-        };
-        self.kit.formats.write(self.history.now(), &at)
+        }
     }
 
     /// What is kept over a restart, and the scenes that are to be spelt for it.

@@ -10,12 +10,14 @@ use crate::{
     labs::Scene,
     lesson::Lesson,
     paint::Image,
-    text::{Diagnostic, SystemError},
+    text::{Diagnostic, Lang, SystemError},
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 use super::chooser::Chooser;
 use super::dialog::{Answer, Figures, Question};
+#[cfg(not(target_arch = "wasm32"))]
+use super::settings::Settings;
 
 #[derive(Clone, Copy, Debug)]
 pub struct StageFigure<'a> {
@@ -37,6 +39,16 @@ pub trait Platform {
 
     fn exists(&self, _path: &str) -> bool {
         false
+    }
+
+    /// The language in which the app begins where nobody has chosen one.
+    fn lang(&self) -> Lang {
+        Lang::default()
+    }
+
+    /// What a link is put behind: the address of a page; nothing where there is none.
+    fn address(&self) -> String {
+        String::new()
     }
 
     fn has_dialogs(&self) -> bool {
@@ -114,6 +126,10 @@ impl Platform for Desktop {
     fn suggest(&self, name: &str) -> String {
         let folder = std::env::current_dir().unwrap_or_default();
         folder.join(name).display().to_string()
+    }
+
+    fn lang(&self) -> Lang {
+        Settings::of_system().lang
     }
 
     fn exists(&self, path: &str) -> bool {

@@ -31,6 +31,8 @@ pub struct StageState {
     moved: BTreeMap<ViewId, PanZoom>,
     /// Eyes that were turned; others stand where their view has them.
     turned: Vec<Turned>,
+    /// The eye that a link has, until its drawing is there.
+    linked: Option<Orbit>,
     /// Where the views that were drawn last have their eyes.
     homes: BTreeMap<ViewId, Orbit>,
     /// What was to be seen when the scene was opened: dragging a handle does not move the view.
@@ -123,6 +125,16 @@ impl StageState {
         self.turned.push(Turned { id, home, now });
     }
 
+    /// The eye of the drawing, where it was turned.
+    pub fn turned_eye(&self) -> Option<Orbit> {
+        self.drawn.and_then(|(id, _)| self.turned(id))
+    }
+
+    /// Has the drawing seen from there, or from where it is seen by itself.
+    pub const fn see_from(&mut self, eye: Option<Orbit>) {
+        self.linked = eye;
+    }
+
     fn turned(&self, id: ViewId) -> Option<Orbit> {
         let home = *self.homes.get(&id)?;
         let mut turned = self.turned.iter();
@@ -192,6 +204,9 @@ impl StageState {
                 let lens = match space.seer {
                     Seer::Eye(eye) | Seer::Apart(eye) => {
                         self.homes.insert(*id, eye);
+                        if let Some(linked) = self.linked.take() {
+                            self.turn(*id, linked.wide(eye.aspect()));
+                        }
                         Lens::Eye(self.turned(*id).unwrap_or(eye))
                     }
                     Seer::Camera(camera) => Lens::Camera(camera),

@@ -224,5 +224,6 @@ fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args)
         Source::Step(..) | Source::File(_) => None,
     };
     app.seek(own.unwrap_or(job.position));
-    table.draw(size, args.scale, |ui| app.ui(ui)).to_png()
+    let image = table.draw(size, args.scale, |ui| app.ui(ui));
+    image.to_linked_png(app.link().fitting().as_deref())
 }

@@ -26,7 +26,10 @@ use clap::{
 
 use crate::{
     app::{Opening, Settings, is_mesh, run_native},
-    lesson::{Folder, MAX_SCENE_BYTES, Problem, SceneFormats, ask, read_file},
+    lesson::{
+        Course, Folder, Link, MAX_SCENE_BYTES, Problem, SceneFormats, ask, is_png, link_in,
+        read_file, said,
+    },
     text::{Catalog, Diagnostic, Lang, Message},
 };
 
@@ -57,12 +60,13 @@ Exit status: 0 done, 1 some of the input was refused, 2 wrong usage or nothing c
 
 #[derive(Subcommand)]
 enum Command {
-    /// Open a lesson folder, a scene file or a mesh in the app
+    /// Open a lesson folder, a scene file, a mesh, a figure or a link in the app
     #[command(
-        after_help = "Examples:\n  clipscope open my-course/01-outcodes\n  clipscope open cow.obj"
+        after_help = "Examples:\n  clipscope open my-course/01-outcodes\n  clipscope open cow.obj\n  \
+                      clipscope open figure.png\n  clipscope open '#05-intervals/entering'"
     )]
     Open {
-        /// A lesson folder, a folder of lessons, a scene file or a mesh
+        /// A lesson folder, a folder of lessons, a scene file, a mesh, an exported figure or a link
         path: PathBuf,
     },
     /// Draw figures to files: needs no display and no GPU
@@ -128,6 +132,9 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
         });
     }
     let name = path.display().to_string();
+    if !path.exists() && Link::is_one(&name) {
+        return linked(name, catalog);
+    }
     let unread = |error| {
         let message = Message::new("status-open-failed")
             .with("path", name.clone())
@@ -142,14 +149,34 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
         });
     }
     let bytes = read_file(path, MAX_SCENE_BYTES).map_err(unread)?;
-    let scene = SceneFormats::standard()
-        .read(&name, &bytes)
-        .map_err(|problems| {
-            let render = |problem: &Problem| problem.render(catalog);
-            problems.iter().map(render).collect::<Vec<_>>().join("\n")
-        })?;
+    if is_png(&bytes) {
+        let without = || {
+            let reason = Message::new("problem-picture-without-link");
+            let message = Message::new("status-open-failed").with("path", name.clone());
+            catalog.message(&message.with("reason", reason))
+        };
+        return linked(link_in(&bytes).ok_or_else(without)?, catalog);
+    }
+    let scene = SceneFormats::standard().read(&name, &bytes);
     Ok(Opening {
-        scene: Some((name, scene)),
+        scene: Some((name, scene.map_err(|problems| listed(&problems, catalog))?)),
+        ..Opening::default()
+    })
+}
+
+fn listed(problems: &[Problem], catalog: &Catalog) -> String {
+    let rendered = problems.iter().map(|problem| problem.render(catalog));
+    rendered.collect::<Vec<_>>().join("\n")
+}
+
+/// A link that leads somewhere in the embedded course, or to a scene.
+fn linked(link: String, catalog: &Catalog) -> Result<Opening, String> {
+    let read = link.parse().map_err(said);
+    let opened =
+        read.and_then(|link| Course::embedded().open_link(&link, SceneFormats::standard()));
+    opened.map_err(|problems| listed(&problems, catalog))?;
+    Ok(Opening {
+        link: Some(link),
         ..Opening::default()
     })
 }

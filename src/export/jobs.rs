@@ -14,9 +14,11 @@ use std::{
 };
 
 use crate::{
+    figure::Moment,
     labs::Scene,
-    lesson::{Lesson, LessonStep, SceneFile},
+    lesson::{Lesson, LessonStep, Link, SceneFile, SceneFormats, Stand},
     paint::ThemeKind,
+    text::Lang,
 };
 
 use super::{
@@ -34,6 +36,7 @@ pub enum Source<'a> {
 pub struct Job<'a> {
     pub source: Source<'a>,
     pub position: usize,
+    moment: Moment,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.
     pub path: String,
 }
@@ -63,25 +66,29 @@ pub fn jobs<'a>(lessons: impl IntoIterator<Item = &'a Lesson>, steps: Steps) -> 
 
 /// The pictures of one scene, of which the paths begin so.
 pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>> {
-    let job = |position, path| Job {
+    let job = |position, moment, path| Job {
         source,
         position,
+        moment,
         path,
     };
-    let at_step = |k| job(k, format!("{stem}-{k:03}.png"));
     match steps {
         Steps::Figures => {
-            let position = match source {
-                Source::Step(_, step) => step.drawn().position(),
-                Source::File(file) => Some(file.position),
+            let (position, moment) = match source {
+                Source::Step(_, step) => (step.drawn().position(), &step.drawn().moment),
+                Source::File(file) => (Some(file.position), &file.moment),
             };
-            let job = position.map(|position| job(position, format!("{stem}.png")));
+            let path = format!("{stem}.png");
+            let job = position.map(|position| job(position, moment.clone(), path));
             job.into_iter().collect()
         }
         Steps::All => {
             let runs = source.scene().document().record();
-            let n_steps = runs.first().map_or(0, |run| run.n_steps());
-            (0..=n_steps).map(at_step).collect()
+            let run = runs.first();
+            let path = |step| format!("{stem}-{step:03}.png");
+            let at_step = |step| Some(job(step, run?.moment(step), path(step)));
+            let n_steps = run.map_or(0, |run| run.n_steps());
+            (0..=n_steps).filter_map(at_step).collect()
         }
     }
 }
@@ -116,8 +123,26 @@ impl Job<'_> {
         }
     }
 
+    /// To what the picture shows.
+    pub fn link(&self, options: Options) -> Option<String> {
+        let stand = Stand {
+            scene: self.source.scene(),
+            position: self.position,
+            moment: &self.moment,
+            step: match self.source {
+                Source::Step(lesson, step) => Some((lesson, step)),
+                Source::File(_) => None,
+            },
+        };
+        let lang = Some(options.lang).filter(|lang| *lang != Lang::default());
+        let link = stand.link(SceneFormats::standard());
+        Link { lang, ..link }.fitting()
+    }
+
     pub fn png(&self, studio: &mut Studio, options: Options) -> Vec<u8> {
-        studio.draw(&self.picture(options)).to_png()
+        let link = self.link(options);
+        let image = studio.draw(&self.picture(options));
+        image.to_linked_png(link.as_deref())
     }
 
     fn write(&self, content: &Content, out: &Path) -> io::Result<()> {

@@ -22,6 +22,7 @@ mod folder;
 mod glossary;
 mod lesson_file;
 mod likeness;
+mod link;
 mod load;
 mod markdown;
 mod mentions;
@@ -54,6 +55,10 @@ pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use glossary::{Glossary, Term, Word, glossary};
+pub use link::{
+    LONG_LINK, Link, LinkError, MOST_LINK, Opened, Opens, Stand, StepName, is_png, link_in, said,
+    with_link,
+};
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline, StepText};
 pub use mesh_file::{
@@ -63,7 +68,7 @@ pub use problem::{Place, Problem, Severity};
 pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
-pub use scene_file::{SceneFile, SceneFormats, quoted, spot};
+pub use scene_file::{SceneFile, SceneFormats, exact, quoted, spot};
 pub use step::{CodeView, LessonStep};
 pub use stop::Stop;
 pub use translated::{TRANSLATED_FILE, translated};

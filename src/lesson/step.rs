@@ -2,7 +2,10 @@
 
 use std::ops::Deref;
 
-use crate::labs::{Handle, Lock, Scene};
+use crate::{
+    figure::Moment,
+    labs::{Handle, Lock, Scene},
+};
 
 use super::{
     asking::{Asks, Goal},
@@ -53,6 +56,14 @@ impl LessonStep {
             &[]
         } else {
             &self.locks
+        }
+    }
+
+    /// Where its run stands when it is opened: the end of two runs side by side is that of the longer one.
+    pub fn opens_at(&self) -> usize {
+        match self.moment {
+            Moment::End => usize::MAX,
+            Moment::Start | Moment::Event { .. } => self.position().unwrap_or_default(),
         }
     }
 

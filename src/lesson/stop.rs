@@ -50,6 +50,13 @@ impl Stop {
     }
 }
 
+/// The step of the first method's run at which this moment comes.
+pub(super) fn moment_in(scene: &Scene, moment: &Moment) -> Result<usize, Diagnostic> {
+    // There is one at least.
+    let run = &scene.document().record()[0];
+    run.find(moment).ok_or_else(|| never_comes(moment, &**run))
+}
+
 /// The most moments that an error lists.
 const MAX_MOMENTS: usize = 60;
 

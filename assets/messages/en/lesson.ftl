@@ -37,6 +37,14 @@ problem-toml-no-value = An “=” and a value are missing after the name.
 problem-toml-name = A name cannot have this character.
 problem-toml-unclosed = A closing { $closer } is missing.
 problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
+problem-no-link = This is no link of Clipscope.
+problem-link-version = The link was made by another version of Clipscope: { $version } cannot be read here.
+problem-link-damaged = The link was cut short or changed: its scene cannot be unpacked.
+problem-link-too-large = The scene in the link is too large.
+problem-link-value = “{ $value }” means nothing as the “{ $key }” of a link.
+problem-link-no-lesson = The course that is open has no lesson for “{ $name }”.
+problem-link-no-step = The lesson has no step “{ $name }”.
+problem-picture-without-link = The picture carries no link to a step.
 problem-no-lessons = There is no lesson here.
 problem-too-many-lessons = There are more than { $limit } lessons: the rest are left out.
 problem-missing-file = This file is missing.
@@ -121,6 +129,7 @@ expect-one-of = Expected: one of { $names }.
 expect-toml-value = Expected: text in straight "quotation marks", a number, true or false, or a list with commas between its values.
 expect-toml-name = Expected: the letters a–z and A–Z, digits, “-” and “_”.
 expect-utf8 = Expected: text saved as UTF-8.
+expect-link = Expected: “#lesson/step” or “#v1=” and a scene, perhaps behind an address.
 expect-lesson-folder = Expected: a folder with lesson.toml and en.md, or a folder of such folders.
 expect-text = Expected: text in quotation marks.
 expect-number = Expected: a number.

@@ -37,6 +37,14 @@ problem-toml-no-value = Faltan «=» y un valor después del nombre.
 problem-toml-name = Un nombre no puede tener este carácter.
 problem-toml-unclosed = Falta { $closer } para cerrar.
 problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
+problem-no-link = Esto no es un enlace de Clipscope.
+problem-link-version = El enlace se hizo con otra versión de Clipscope: { $version } no se puede leer aquí.
+problem-link-damaged = El enlace está cortado o cambiado: su escena no se puede descomprimir.
+problem-link-too-large = La escena del enlace es demasiado grande.
+problem-link-value = «{ $value }» no significa nada como «{ $key }» de un enlace.
+problem-link-no-lesson = El curso abierto no tiene ninguna lección para «{ $name }».
+problem-link-no-step = La lección no tiene el paso «{ $name }».
+problem-picture-without-link = La imagen no lleva ningún enlace a un paso.
 problem-no-lessons = Aquí no hay ninguna lección.
 problem-too-many-lessons = Hay más de { $limit } lecciones: las demás se omiten.
 problem-missing-file = Falta este archivo.
@@ -121,6 +129,7 @@ expect-one-of = Se esperaba: uno de { $names }.
 expect-toml-value = Se esperaba: texto entre comillas rectas "", un número, true o false, o una lista con comas entre sus valores.
 expect-toml-name = Se esperaba: las letras a–z y A–Z, cifras, «-» y «_».
 expect-utf8 = Se esperaba: texto guardado como UTF-8.
+expect-link = Se esperaba: «#lección/paso» o «#v1=» y una escena, quizá detrás de una dirección.
 expect-lesson-folder = Se esperaba: una carpeta con lesson.toml y en.md, o una carpeta de carpetas así.
 expect-text = Se esperaba: texto entre comillas.
 expect-number = Se esperaba: un número.

@@ -37,6 +37,14 @@ problem-toml-no-value = Faltam “=” e um valor depois do nome.
 problem-toml-name = Um nome não pode ter este caractere.
 problem-toml-unclosed = Falta { $closer } para fechar.
 problem-not-utf8 = O arquivo não é texto UTF-8: o byte { $byte } não pode estar aqui.
+problem-no-link = Isto não é um link do Clipscope.
+problem-link-version = O link foi feito por outra versão do Clipscope: { $version } não pode ser lido aqui.
+problem-link-damaged = O link foi cortado ou alterado: não é possível descompactar a cena dele.
+problem-link-too-large = A cena do link é grande demais.
+problem-link-value = “{ $value }” não significa nada como “{ $key }” de um link.
+problem-link-no-lesson = O curso aberto não tem nenhuma lição para “{ $name }”.
+problem-link-no-step = A lição não tem o passo “{ $name }”.
+problem-picture-without-link = A imagem não traz nenhum link para um passo.
 problem-no-lessons = Não há nenhuma lição aqui.
 problem-too-many-lessons = Há mais de { $limit } lições: as demais ficam de fora.
 problem-missing-file = Falta este arquivo.
@@ -121,6 +129,7 @@ expect-one-of = Esperado: um de { $names }.
 expect-toml-value = Esperado: texto entre aspas retas "", um número, true ou false, ou uma lista com vírgulas entre seus valores.
 expect-toml-name = Esperado: as letras a–z e A–Z, algarismos, “-” e “_”.
 expect-utf8 = Esperado: texto salvo como UTF-8.
+expect-link = Esperado: “#lição/passo” ou “#v1=” e uma cena, talvez depois de um endereço.
 expect-lesson-folder = Esperado: uma pasta com lesson.toml e en.md, ou uma pasta de pastas assim.
 expect-text = Esperado: texto entre aspas.
 expect-number = Esperado: um número.

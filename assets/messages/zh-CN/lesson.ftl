@@ -37,6 +37,14 @@ problem-toml-no-value = 名称之后缺少“=”和值。
 problem-toml-name = 名称中不能有这个字符。
 problem-toml-unclosed = 缺少右侧的 { $closer }。
 problem-not-utf8 = 文件不是 UTF-8 文本：此处不应出现字节 { $byte }。
+problem-no-link = 这不是 Clipscope 的链接。
+problem-link-version = 该链接由 Clipscope 的其他版本生成：这里无法读取 { $version }。
+problem-link-damaged = 链接被截断或改动过：无法解开其中的场景。
+problem-link-too-large = 链接中的场景太大。
+problem-link-value = “{ $value }”不能作为链接的“{ $key }”。
+problem-link-no-lesson = 当前打开的课程中没有“{ $name }”所指的课。
+problem-link-no-step = 该课中没有步骤“{ $name }”。
+problem-picture-without-link = 图片中没有指向某一步的链接。
 problem-no-lessons = 这里没有任何课。
 problem-too-many-lessons = 课超过了 { $limit } 节：其余的已略去。
 problem-missing-file = 缺少这个文件。
@@ -113,6 +121,7 @@ expect-one-of = 应为：{ $names } 之一。
 expect-toml-value = 应为：直引号 "" 中的文本、一个数、true 或 false，或各值之间有逗号的列表。
 expect-toml-name = 应为：字母 a–z 和 A–Z、数字、“-”和“_”。
 expect-utf8 = 应为：以 UTF-8 编码保存的文本。
+expect-link = 应为：“#课/步骤”，或“#v1=”加一个场景，前面可以有网址。
 expect-lesson-folder = 应为：含有 lesson.toml 和 en.md 的文件夹，或由这样的文件夹组成的文件夹。
 expect-text = 应为：引号中的文本。
 expect-number = 应为：一个数。

@@ -9,7 +9,7 @@ use crate::{
     labs::{Lab, Scene},
     lesson::{
         prelude::*,
-        stop::{moment, never_comes},
+        stop::{moment, moment_in},
         toml_errors::with_toml,
         toml_fields::{Node, TomlFields},
     },
@@ -23,6 +23,7 @@ pub struct SceneFile {
     pub scene: Scene,
     /// The step at which its run stands.
     pub position: usize,
+    pub moment: Moment,
 }
 
 pub(crate) struct SceneFormat {
@@ -60,8 +61,14 @@ impl SceneFormats {
             let known = [format.fields, &[AT]].concat();
             let fields = TomlFields::new(table, 0..0, &known, sink);
             let scene = (format.read)(&fields, &mut { format.room })?;
-            let position = fields.get(AT).map_or(Some(0), |at| position(&scene, at))?;
-            Some(SceneFile { scene, position })
+            let start = Some((Moment::Start, 0));
+            let stop = fields.get(AT).map_or(start, |at| stop(&scene, at));
+            let (moment, position) = stop?;
+            Some(SceneFile {
+                scene,
+                position,
+                moment,
+            })
         });
         match read {
             Some(read) if sink.n_errors() == 0 => Ok(read),
@@ -98,13 +105,8 @@ impl SceneFormats {
     }
 }
 
-fn position(scene: &Scene, at: Node<'_>) -> Option<usize> {
+fn stop(scene: &Scene, at: Node<'_>) -> Option<(Moment, usize)> {
     let moment = moment(at)?;
-    let runs = scene.document().record();
-    let run = runs.first()?;
-    let found = run.find(&moment);
-    if found.is_none() {
-        at.error(never_comes(&moment, &**run), []);
-    }
-    found
+    let position = at.accept(moment_in(scene, &moment))?;
+    Some((moment, position))
 }

@@ -9,7 +9,7 @@ mod space;
 
 pub(crate) use format::SceneFormat;
 pub use format::{SceneFile, SceneFormats};
-pub use prelude::quoted;
+pub use prelude::{exact, quoted};
 pub use space::spot;
 
 use crate::labs::{frustum::FRUSTUM, surfaces::SURFACES};

@@ -75,7 +75,7 @@ pub(super) fn array(numbers: &[f64]) -> String {
 }
 
 /// The shortest decimal that reads back as this number; −0 keeps its sign as a float.
-pub(super) fn exact(x: f64) -> String {
+pub fn exact(x: f64) -> String {
     if x.fract() == 0.0 && x.abs() < 1e15 && !(x == 0.0 && x.is_sign_negative()) {
         format!("{x:.0}")
     } else {

@@ -1,0 +1,111 @@
+//! Links: what is on the stage as one, and one that is opened, dropped in a picture, or pasted.
+
+use egui::Event;
+
+use crate::lesson::{self, LONG_LINK, LinkError, Stand, link_in, said};
+
+use super::{App, bookmark::FreeScene, keys::Focus, prelude::*};
+
+impl App {
+    /// What is on the stage, as it stands there.
+    pub fn link(&self) -> lesson::Link {
+        let moment = self.moment();
+        self.link_at(self.position(), &moment)
+    }
+
+    /// The scene on the stage, where its run stands at this moment.
+    pub(super) fn link_at(&self, position: usize, moment: &Moment) -> lesson::Link {
+        let stand = Stand {
+            scene: self.history.now(),
+            position,
+            moment,
+            step: self.bookmark.lesson().zip(self.bookmark.step()),
+        };
+        let lang = self.settings.lang;
+        let is_own = self.settings.theme == self.lasting_theme();
+        lesson::Link {
+            eye: self.stage.turned_eye(),
+            lang: Some(lang).filter(|lang| *lang != self.platform.lang()),
+            theme: (!is_own).then(|| self.settings.theme.id().to_owned()),
+            ..stand.link(self.kit.formats)
+        }
+    }
+
+    /// Puts the link on the system's clipboard: of a scene that is too large, that to its page.
+    pub(super) fn copy_link(&mut self, ctx: &Context, now: f64) {
+        let whole = self.link();
+        let Some(link) = whole.fitting() else {
+            self.complain(self.catalog().term("status-link-none"));
+            return;
+        };
+        let address = format!("{}{link}", self.platform.address());
+        let message = Message::new(match address.len() {
+            _ if link != whole.to_string() => "status-link-of-page",
+            LONG_LINK.. => "status-link-long",
+            _ => "status-link-copied",
+        });
+        self.tell(&message.with("count", address.chars().count()), now);
+        ctx.copy_text(address);
+    }
+
+    /// Opens what a link leads to; where it leads nowhere, that is said, and all stays as it was.
+    pub fn open_link(&mut self, text: &str) {
+        self.notices.clear();
+        let link = text.parse().map_err(said);
+        if let Err(problems) = link.and_then(|link| self.go_to(&link)) {
+            self.report_unfit(&problems);
+        }
+    }
+
+    fn go_to(&mut self, link: &lesson::Link) -> Result<(), Vec<Problem>> {
+        let theme = link.theme.as_ref().map(|id| {
+            let (key, value) = ("theme", id.clone());
+            ThemeKind::from_id(id).ok_or_else(|| said(LinkError::Value { key, value }))
+        });
+        let theme = theme.transpose()?;
+        let course = &self.bookmark.course;
+        let opened = course.open_link(link, self.kit.formats)?;
+        let lab = opened.scene.document().lab();
+        self.settings.theme = theme.unwrap_or(self.settings.theme);
+        self.settings.lang = link.lang.unwrap_or(self.settings.lang);
+        match opened.page {
+            Some(at) => self.turn_to(|bookmark| bookmark.open(at)),
+            None => self.open_page(&FreeScene::of(lab).page()),
+        }
+        self.history.leave(self.position());
+        self.history.replace(opened.scene);
+        self.rerecord();
+        self.fit();
+        self.seek(opened.position);
+        self.stage.see_from(link.eye);
+        Ok(())
+    }
+
+    /// A link that was copied elsewhere opens here, unless text is being written.
+    pub(super) fn take_pasted(&mut self, ctx: &Context) {
+        if Focus::now(ctx, &self.stage.canvas_ids, &self.stage.handle_ids) == Focus::Text {
+            return;
+        }
+        let pasted = ctx.input(|input| {
+            let mut events = input.events.iter();
+            events.find_map(|event| match event {
+                Event::Paste(text) if lesson::Link::is_one(text) => Some(text.clone()),
+                _ => None,
+            })
+        });
+        if let Some(link) = pasted {
+            self.open_link(&link);
+        }
+    }
+
+    /// Opens what a picture of ours was drawn of.
+    pub(super) fn open_picture(&mut self, name: &str, bytes: &[u8]) {
+        match link_in(bytes) {
+            Some(link) => self.open_link(&link),
+            None => {
+                let reason = Message::new("problem-picture-without-link");
+                self.report_unread(name, reason.into());
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Links that were made once: each later version opens them, on the same page, at the same step.
+
+use clipscope::{
+    lesson::{Course, LONG_LINK, Link, Opens, SceneFormats, StepName, said},
+    text::{Catalog, Lang},
+};
+
+/// A link a line, and what it opens. No line is ever taken out, and none is changed.
+const CORPUS: &str = include_str!("links/corpus.txt");
+
+fn opens(course: &Course, link: &str) -> String {
+    let read = link.parse().map_err(said);
+    let opened = read.and_then(|link: Link| course.open_link(&link, SceneFormats::standard()));
+    let opened = opened.unwrap_or_else(|problems| {
+        let said = problems.iter().map(|it| it.render(Catalog::of(Lang::En)));
+        panic!("{link}: {}", said.collect::<String>())
+    });
+    let document = opened.scene.document();
+    let ids: Vec<&str> = document.methods().iter().map(|card| card.id).collect();
+    let n_steps = document.record()[0].n_steps();
+    let page = match opened.page {
+        Some([lesson, step]) => {
+            let lesson = &course.lessons[lesson];
+            // Lessons and steps go by name: their numbers may change.
+            let name = lesson.id.trim_start_matches(|c: char| c.is_ascii_digit());
+            format!("{}/{}", &name[1..], lesson.steps[step].id)
+        }
+        None => "free".to_owned(),
+    };
+    format!(
+        "{page} {} {} of {n_steps}",
+        ids.join("+"),
+        opened.position.min(n_steps)
+    )
+}
+
+#[test]
+fn every_link_that_was_ever_made_opens_as_it_did() {
+    let course = Course::embedded();
+    let lines = CORPUS.lines().filter(|line| !line.is_empty());
+    let mut n_links = 0;
+    for line in lines {
+        let (link, expected) = line.split_once('\t').expect("a link and what it opens");
+        assert_eq!(opens(&course, link), expected, "{link}");
+        n_links += 1;
+    }
+    assert!(n_links >= 20, "{n_links} links");
+}
+
+#[test]
+fn a_link_to_any_scene_of_the_course_is_short_enough_to_be_sent() {
+    let course = Course::embedded();
+    let mut lengths = Vec::new();
+    for lesson in &course.lessons {
+        for step in &lesson.steps {
+            let text = SceneFormats::standard().write(&step.scene, &step.moment);
+            let of = StepName {
+                lesson: lesson.id.clone(),
+                step: Some(step.id.clone()),
+            };
+            let link = Link::to(Opens::Scene(text, Some(of))).to_string();
+            lengths.push((link.len(), format!("{}/{}", lesson.id, step.id)));
+        }
+    }
+    lengths.sort();
+    let (median, _) = lengths[lengths.len() / 2];
+    let (longest, of) = &lengths[lengths.len() - 1];
+    println!("links to changed scenes: median {median}, longest {longest} ({of})");
+    assert!(median <= 500, "{median}");
+    assert!(*longest < LONG_LINK, "{of}: {longest}");
+}
