@@ -54,6 +54,7 @@ fn picture(scene: &Scene, step: usize) -> Picture<'_> {
         lesson: None,
         step,
         before: None,
+        foot: None,
         options: Options {
             lang: Lang::En,
             theme: ThemeKind::Light,

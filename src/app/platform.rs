@@ -180,6 +180,7 @@ impl Platform for Desktop {
             lesson: picture.lesson,
             step: picture.position,
             before: None,
+            foot: None,
             options: export::Options {
                 size_px,
                 theme,

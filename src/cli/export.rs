@@ -29,6 +29,7 @@ Examples:
   clipscope export --out figuras --lang pt-BR --steps all
   clipscope export scene.toml --out figures
   clipscope export 03-outcodes --out handout --questions --alt
+  clipscope export 03-outcodes --out slides --link=https://example.org/clipscope/
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
 
@@ -65,6 +66,9 @@ pub(super) struct Args {
     /// Beside each picture a text file of its name: title and sentence, for who cannot see it
     #[arg(long)]
     pub alt: bool,
+    /// Prints in each figure's foot the link that opens it, behind the address of a page where one is given
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = "", conflicts_with = "window")]
+    pub link: Option<String>,
     /// What is asked instead of what is answered: the step before, and what might come
     #[arg(long, conflicts_with = "window")]
     pub questions: bool,
@@ -150,7 +154,7 @@ pub(super) fn export(args: &Args) -> Outcome {
         png: if args.window {
             window_png(job, &course, studio.table(), args)
         } else {
-            job.png(studio, options)
+            job.png(studio, options, args.link.as_deref())
         },
     };
     let done = || progress.advance(1);

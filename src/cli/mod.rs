@@ -7,6 +7,7 @@ mod export;
 mod grade;
 mod lessons;
 mod list;
+mod pack;
 mod progress;
 mod say;
 mod source;
@@ -79,6 +80,8 @@ enum Command {
     Check(lessons::Args),
     /// List lessons with their steps and figures, and the algorithms that `trace` knows
     List(list::Args),
+    /// Put the lessons of a folder into one file, for a page
+    Pack(pack::Args),
     /// Make one table of the progress that a class has handed in
     Progress(progress::Args),
 }
@@ -99,6 +102,7 @@ pub fn run() -> ExitCode {
         Some(Command::Grade(args)) => grade::grade(&args),
         Some(Command::Check(args)) => lessons::check(&args).into(),
         Some(Command::List(args)) => list::list(&args).into(),
+        Some(Command::Pack(args)) => pack::pack(&args).into(),
         Some(Command::Progress(args)) => progress::progress(&args).into(),
     }
 }

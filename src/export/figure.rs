@@ -4,7 +4,7 @@ mod halves;
 #[cfg(test)]
 mod tests;
 
-use egui::{Rect, Ui, Vec2, vec2};
+use egui::{FontId, Rect, Ui, Vec2, vec2};
 
 use crate::{
     figure::{Body, ColumnLayout, Layout, Mark, Need, Spacing, ViewId, notation},
@@ -29,6 +29,7 @@ const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 const ENLARGED_BY: f32 = 0.1;
 const MOST_ENLARGED: f32 = 1.4;
 const MARGIN_PTS: f32 = 24.0;
+const FOOT_PTS: f32 = 9.0;
 /// A sentence has room for two lines, in all themes: the body of the page is equally high.
 const CAPTION_PTS: f32 = 62.0;
 const SPACING: Spacing = Spacing {
@@ -81,6 +82,8 @@ pub struct Picture<'a> {
     pub step: usize,
     /// How it was: what is shown beside the scene.
     pub before: Option<&'a Stop>,
+    /// What stands in its foot: a link, say, where it is printed.
+    pub foot: Option<&'a str>,
     pub options: Options,
 }
 
@@ -284,7 +287,22 @@ impl<'a> Page<'a> {
                 bars.paint(ui.painter(), rect);
             }
         }
+        self.print_foot(ui);
         layout
+    }
+
+    /// In the margin, at the right.
+    fn print_foot(&self, ui: &Ui) {
+        let Some(foot) = self.picture.foot else {
+            return;
+        };
+        let page = ui.max_rect();
+        let font = FontId::monospace(FOOT_PTS * self.look.theme.text_scale);
+        let at = page.right_bottom() - vec2(SPACING.margin, 0.25 * MARGIN_PTS);
+        let soft = self.look.theme.soft;
+        let galley = ui.painter().layout_no_wrap(foot.to_owned(), font, soft);
+        let corner = at - galley.size();
+        ui.painter().galley(corner, galley, soft);
     }
 
     /// Where all stands, and whether the bars of the costs do: of what was and what is only where what differs has no room.

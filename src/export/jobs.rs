@@ -119,6 +119,7 @@ impl Job<'_> {
                 Source::Step(_, step) => step.before.as_ref(),
                 Source::File(_) => None,
             },
+            foot: None,
             options,
         }
     }
@@ -139,10 +140,15 @@ impl Job<'_> {
         Link { lang, ..link }.fitting()
     }
 
-    pub fn png(&self, studio: &mut Studio, options: Options) -> Vec<u8> {
+    /// With its link, behind the address of a page where there is one: then it is printed in the picture's foot, too.
+    pub fn png(&self, studio: &mut Studio, options: Options, page: Option<&str>) -> Vec<u8> {
         let link = self.link(options);
-        let image = studio.draw(&self.picture(options));
-        image.to_linked_png(link.as_deref())
+        let link = link.map(|link| page.unwrap_or_default().to_owned() + &link);
+        let picture = Picture {
+            foot: link.as_deref().filter(|_| page.is_some()),
+            ..self.picture(options)
+        };
+        studio.draw(&picture).to_linked_png(link.as_deref())
     }
 
     fn write(&self, content: &Content, out: &Path) -> io::Result<()> {

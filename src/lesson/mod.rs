@@ -28,6 +28,7 @@ mod markdown;
 mod mentions;
 mod mesh_file;
 mod names;
+mod packed;
 mod prelude;
 mod problem;
 mod progress;
@@ -64,6 +65,7 @@ pub use markdown::{Block, BlockMarker, Inline, StepText};
 pub use mesh_file::{
     ObjFile, PictureFault, picture_of, read_mtl, read_obj, read_obj_while, read_picture,
 };
+pub use packed::{PACKED_FILE, packed, unpacked};
 pub use problem::{Place, Problem, Severity};
 pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]

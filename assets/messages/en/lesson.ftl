@@ -37,6 +37,8 @@ problem-toml-no-value = An “=” and a value are missing after the name.
 problem-toml-name = A name cannot have this character.
 problem-toml-unclosed = A closing { $closer } is missing.
 problem-not-utf8 = The file is not UTF-8 text: the byte { $byte } does not belong here.
+problem-course-file = This is no packed course: { $reason }
+problem-course-version = The course was packed by another version of Clipscope: version { $version } cannot be read here.
 problem-no-link = This is no link of Clipscope.
 problem-link-version = The link was made by another version of Clipscope: { $version } cannot be read here.
 problem-link-damaged = The link was cut short or changed: its scene cannot be unpacked.

@@ -37,6 +37,8 @@ problem-toml-no-value = Faltan «=» y un valor después del nombre.
 problem-toml-name = Un nombre no puede tener este carácter.
 problem-toml-unclosed = Falta { $closer } para cerrar.
 problem-not-utf8 = El archivo no es texto UTF-8: el byte { $byte } no puede estar aquí.
+problem-course-file = Esto no es un curso empaquetado: { $reason }
+problem-course-version = El curso se empaquetó con otra versión de Clipscope: la versión { $version } no se puede leer aquí.
 problem-no-link = Esto no es un enlace de Clipscope.
 problem-link-version = El enlace se hizo con otra versión de Clipscope: { $version } no se puede leer aquí.
 problem-link-damaged = El enlace está cortado o cambiado: su escena no se puede descomprimir.

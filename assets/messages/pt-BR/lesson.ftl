@@ -37,6 +37,8 @@ problem-toml-no-value = Faltam “=” e um valor depois do nome.
 problem-toml-name = Um nome não pode ter este caractere.
 problem-toml-unclosed = Falta { $closer } para fechar.
 problem-not-utf8 = O arquivo não é texto UTF-8: o byte { $byte } não pode estar aqui.
+problem-course-file = Isto não é um curso empacotado: { $reason }
+problem-course-version = O curso foi empacotado por outra versão do Clipscope: a versão { $version } não pode ser lida aqui.
 problem-no-link = Isto não é um link do Clipscope.
 problem-link-version = O link foi feito por outra versão do Clipscope: { $version } não pode ser lido aqui.
 problem-link-damaged = O link foi cortado ou alterado: não é possível descompactar a cena dele.

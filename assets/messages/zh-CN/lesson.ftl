@@ -37,6 +37,8 @@ problem-toml-no-value = 名称之后缺少“=”和值。
 problem-toml-name = 名称中不能有这个字符。
 problem-toml-unclosed = 缺少右侧的 { $closer }。
 problem-not-utf8 = 文件不是 UTF-8 文本：此处不应出现字节 { $byte }。
+problem-course-file = 这不是打包的课程：{ $reason }
+problem-course-version = 该课程由 Clipscope 的其他版本打包：这里无法读取版本 { $version }。
 problem-no-link = 这不是 Clipscope 的链接。
 problem-link-version = 该链接由 Clipscope 的其他版本生成：这里无法读取 { $version }。
 problem-link-damaged = 链接被截断或改动过：无法解开其中的场景。

@@ -124,6 +124,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
             scene: bench.app.scene(),
             step,
             before: None,
+            foot: None,
             options: Options {
                 lang: figures.lang,
                 theme: figures.theme,
@@ -272,6 +273,7 @@ fn the_figure_goes_to_the_clipboard_as_an_export_writes_it() {
         scene: bench.app.scene(),
         step: bench.app.position(),
         before: None,
+        foot: None,
         options: Options {
             lang: Lang::En,
             theme: ThemeKind::Light,

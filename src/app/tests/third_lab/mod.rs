@@ -95,6 +95,7 @@ fn its_figure_is_a_cube_with_hidden_edges_dashed() {
         lesson: None,
         step,
         before: None,
+        foot: None,
         options: export::Options {
             lang: Lang::En,
             theme: ThemeKind::Light,
