@@ -12,7 +12,7 @@ part-hole = um furo
 part-clip = o polígono de recorte
 refused-not-convex = Este algoritmo exige uma região de recorte convexa, mas { $part } vira para o outro lado em { $vertex }.
 refused-winds-twice = Este algoritmo exige um contorno simples, mas em { $vertex } { $part } já deu mais de uma volta.
-refused-edges-meet = Este algoritmo exige um contorno simples, mas em { $part } as arestas { $first } e { $second } se encontram.
+refused-edges-meet = Este algoritmo exige um contorno simples, mas as arestas { $first } e { $second } se encontram: { $part } não tem um contorno assim.
 refused-misplaced-hole = Este algoritmo exige que cada furo fique dentro do polígono, sem tocar o contorno nem outros furos: { $part } não cumpre isso.
 refused-degenerate = Não há nada a recortar: { $part } não tem área.
 

@@ -155,7 +155,7 @@ why-error-parts = Meça os dois com uma mesma régua que tem 2a partes por pixel
 why-error-one-pixel = A reta começa e acaba no mesmo pixel: não há nada para escolher.
 why-error-line = Então a reta se afasta um número inteiro de partes em cada coluna.
 why-error-midpoint = O ponto médio também está a um número inteiro de partes.
-why-error-beyond = Coluna { $column }: a reta passa do ponto médio, então se toma o pixel ao lado, e o ponto médio avança um pixel.
+why-error-beyond = Coluna { $column }: a reta passa do ponto médio, então se toma o pixel da fileira seguinte, e o ponto médio avança um pixel.
 why-error-short = Coluna { $column }: a reta não passa do ponto médio, então se toma o pixel em frente.
 why-code-parts = um pixel = 2a partes
 why-words-parts = Divida cada pixel tão fino que não sobrem frações.
