@@ -42,7 +42,7 @@ words-pipeline-behind = Um ponto que não está diante do olho não tem imagem.
 
 ## Passos
 
-pipeline-opening = Um vértice é dado como quem o modelou o pôs: onde ficará na tela?
+pipeline-opening = Um vértice é dado tal como foi modelado: onde ficará na tela?
 pipeline-world-row = A linha { $row } da matriz do objeto escala, gira e leva o vértice ao seu lugar no mundo.
 pipeline-view-right = A linha 1 mede para a direita da câmera: P está { $value } à direita.
 pipeline-view-left = A linha 1 mede para a direita da câmera: P está { $value } à esquerda.

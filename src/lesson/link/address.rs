@@ -172,7 +172,7 @@ impl Link {
     }
 }
 
-/// `t left:2` is what lesson files write as `t left #2`.
+/// `interval:2` is what lesson files write as `interval #2`.
 fn moment(value: &str) -> Option<Moment> {
     value.replacen(':', "#", 1).parse().ok()
 }

@@ -2,7 +2,7 @@
 //! what differs from how that opens by itself. A link that was once made is read by every later version.
 //!
 //! ```text
-//! #05-intervals/entering&at=t+left:2&lang=es
+//! #05-intervals/entering&at=interval:2&lang=es
 //! #v1=q84vSszLTk0BAA&eye=0,0,0,30,20,5,35
 //! ```
 
