@@ -63,7 +63,10 @@ fn a_link_to_any_scene_of_the_course_is_short_enough_to_be_sent() {
     let (median, _) = lengths[lengths.len() / 2];
     let (longest, of) = &lengths[lengths.len() - 1];
     let n_long = lengths.iter().filter(|(n, _)| *n > LONG_LINK).count();
-    println!("median {median}, longest {longest} ({of}), {n_long} of {}", lengths.len());
+    println!(
+        "median {median}, longest {longest} ({of}), {n_long} of {}",
+        lengths.len()
+    );
     assert!(median <= 500, "{median}");
     // Of two hundred segments drawn by lot, as they stand after a change.
     assert!(n_long <= 3, "{n_long} links are long");

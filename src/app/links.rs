@@ -23,11 +23,15 @@ impl App {
         };
         let lang = self.settings.lang;
         let is_own = self.settings.theme == self.lasting_theme();
+        let link = stand.link(self.kit.formats);
+        // Where the step itself asks, that is how it opens.
+        let at = link.at.filter(|_| !self.practice.asks_for_a_step());
         lesson::Link {
+            at,
             eye: self.stage.turned_eye(),
             lang: Some(lang).filter(|lang| *lang != self.platform.lang()),
             theme: (!is_own).then(|| self.settings.theme.id().to_owned()),
-            ..stand.link(self.kit.formats)
+            ..link
         }
     }
 
@@ -77,6 +81,12 @@ impl App {
         self.rerecord();
         self.fit();
         self.seek(opened.position);
+        if link.at.is_none() {
+            self.ask_of_step(false);
+        } else if self.practice.asks_for_a_step() {
+            // What comes there is shown.
+            (self.practice.asked, self.practice.is_on) = (None, false);
+        }
         self.stage.see_from(link.eye);
         Ok(())
     }

@@ -87,7 +87,9 @@ pub fn unpacked(bytes: &[u8]) -> Result<BTreeMap<String, Vec<u8>>, Diagnostic> {
     let packed = read.map_err(|error| unfit(error.to_string()))?;
     if packed.version != VERSION {
         let version = packed.version.to_string();
-        return Err(Message::new("problem-course-version").with("version", version).into());
+        return Err(Message::new("problem-course-version")
+            .with("version", version)
+            .into());
     }
     let bytes = |(path, content)| {
         let bytes = match content {
@@ -121,7 +123,10 @@ mod tests {
             ("", "problem-course-file"),
             ("[1]", "problem-course-file"),
             (r#"{"files": {}}"#, "problem-course-file"),
-            (r#"{"clipscope-course": 2, "files": {}}"#, "problem-course-version"),
+            (
+                r#"{"clipscope-course": 2, "files": {}}"#,
+                "problem-course-version",
+            ),
             (
                 r#"{"clipscope-course": 1, "files": {"a": {"base64": "?"}}}"#,
                 "problem-course-file",

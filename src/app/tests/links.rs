@@ -164,3 +164,24 @@ fn an_exported_figure_opens_what_it_shows() {
     assert!(!bench.app.notices.is_empty());
     assert_eq!(bench.app.link().to_string(), link);
 }
+
+#[test]
+fn a_step_that_asks_does_so_when_a_link_opens_it_but_not_at_a_moment_of_its_own() {
+    let app = App::new(Course::embedded(), Settings::default());
+    let mut bench = Bench::with(app, SIZE);
+    let course = Course::embedded();
+    let mut steps = course.lessons.iter().flat_map(|lesson| {
+        let asks = lesson.steps.iter().filter(|step| step.asks.is_some());
+        asks.map(move |step| format!("#{}/{}", lesson.id, step.id))
+    });
+    let link = steps.next().expect("some step asks");
+    bench.app.open_link(&link);
+    bench.settle();
+    assert!(bench.app.practice.asks_for_a_step(), "{link}");
+    assert_eq!(bench.app.link().to_string(), link);
+    bench.app.open_link(&format!("{link}&at=end"));
+    bench.settle();
+    assert!(!bench.app.practice.asks_for_a_step(), "{link}");
+    let n_steps = bench.app.playback.transport.n_steps();
+    assert_eq!(bench.app.position(), n_steps);
+}
