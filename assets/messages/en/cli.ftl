@@ -204,3 +204,5 @@ grade-figure-plain = This case is drawn in numbers only.
 
 table-file = file
 table-score = score
+
+pack-one-folder = A page takes one course: name one folder.

@@ -200,3 +200,5 @@ grade-figure-plain = Este caso se muestra solo en números.
 
 table-file = archivo
 table-score = puntuación
+
+pack-one-folder = Una página admite un solo curso: indica una sola carpeta.

@@ -198,3 +198,5 @@ grade-figure-plain = Este caso é mostrado apenas em números.
 
 table-file = arquivo
 table-score = pontuação
+
+pack-one-folder = Uma página aceita um só curso: indique uma única pasta.

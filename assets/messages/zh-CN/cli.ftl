@@ -166,3 +166,5 @@ grade-figure-plain = 这一题只用数字表示。
 
 table-file = 文件
 table-score = 得分
+
+pack-one-folder = 一个网页只接受一门课程：请只写一个文件夹。
