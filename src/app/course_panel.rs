@@ -1,7 +1,9 @@
 //! The course: lessons, the steps of the open one, its text, its source.
 
+use std::sync::Arc;
+
 use egui::{
-    Frame, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, WidgetInfo,
+    Frame, Galley, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, WidgetInfo,
     style::ScrollAnimation,
     text::{LayoutJob, TextWrapping},
 };
@@ -286,9 +288,14 @@ struct Row<'a> {
     tally: &'a str,
 }
 
+/// A title has so many lines before it is cut.
+const MOST_LINES: usize = 2;
+
 fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
     let theme = look.theme;
-    let height = (28.0 * theme.text_scale.sqrt()).round();
+    let words = Words::of(ui, theme, row);
+    let least = 28.0 * theme.text_scale.sqrt();
+    let height = least.max(words.title.size().y + 10.0).round();
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
     let name = named(look, row.title, row.is_changed);
@@ -304,7 +311,8 @@ fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
         ui.painter()
             .rect_stroke(plate, 6.0, rim, StrokeKind::Inside);
     }
-    let is_cut = words(ui, theme, rect, row);
+    let is_cut = words.title.elided;
+    words.draw(ui, theme, rect, row);
     let response = response.on_hover_cursor(CursorIcon::PointingHand);
     if is_cut || row.is_changed {
         response.on_hover_text(name)
@@ -313,33 +321,57 @@ fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
     }
 }
 
-fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
-    let y = rect.center().y;
-    if row.is_changed {
-        let at = pos2(rect.right() - 6.0, y);
-        ui.painter().circle_filled(at, CHANGED, theme.accent);
+struct Words {
+    title: Arc<Galley>,
+    tally: Arc<Galley>,
+}
+
+impl Words {
+    /// From a row's left edge to its title.
+    const LEFT: f32 = 32.0;
+    /// At its right.
+    const MARGIN: f32 = 12.0;
+
+    fn of(ui: &Ui, theme: &Theme, row: Row<'_>) -> Self {
+        let small = TextStyle::Small.resolve(ui.style());
+        let tally = row.tally.to_owned();
+        let tally = (ui.painter()).layout_no_wrap(tally, small, theme.faint);
+        let (style, colour) = if row.is_open {
+            (theme::strong(), theme.ink)
+        } else {
+            (TextStyle::Body, theme.soft)
+        };
+        let format = TextFormat::simple(style.resolve(ui.style()), colour);
+        let mut job = LayoutJob::single_section(row.title.to_owned(), format);
+        let around = Self::LEFT + Self::MARGIN + tally.size().x + 4.0;
+        job.wrap = TextWrapping {
+            max_rows: MOST_LINES,
+            ..TextWrapping::wrap_at_width(ui.available_width() - around)
+        };
+        let title = ui.fonts_mut(|fonts| fonts.layout_job(job));
+        Self { title, tally }
     }
-    let small = TextStyle::Small.resolve(ui.style());
-    let (style, colour, of_number) = if row.is_open {
-        (theme::strong(), theme.ink, theme.accent)
-    } else {
-        (TextStyle::Body, theme.soft, theme.faint)
-    };
-    let at = pos2(rect.left() + 16.0, y);
-    ui.painter()
-        .text(at, Align2::CENTER_CENTER, row.number, small, of_number);
-    let left = rect.left() + 32.0;
-    let format = TextFormat::simple(style.resolve(ui.style()), colour);
-    let mut job = LayoutJob::single_section(row.title.to_owned(), format);
-    let small = TextStyle::Small.resolve(ui.style());
-    let at = pos2(rect.right() - 12.0, y);
-    let tally = (ui.painter()).text(at, Align2::RIGHT_CENTER, row.tally, small, theme.faint);
-    job.wrap = TextWrapping::truncate_at_width(tally.left() - 4.0 - left);
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let is_cut = galley.elided;
-    let at = pos2(left, y - 0.5 * galley.size().y);
-    ui.painter().galley(at, galley, colour);
-    is_cut
+
+    fn draw(self, ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) {
+        let (painter, y) = (ui.painter(), rect.center().y);
+        if row.is_changed {
+            let at = pos2(rect.right() - 6.0, y);
+            painter.circle_filled(at, CHANGED, theme.accent);
+        }
+        let of_number = if row.is_open {
+            theme.accent
+        } else {
+            theme.faint
+        };
+        let small = TextStyle::Small.resolve(ui.style());
+        let at = pos2(rect.left() + 16.0, y);
+        painter.text(at, Align2::CENTER_CENTER, row.number, small, of_number);
+        let at = |x: f32, galley: &Galley| pos2(x, y - 0.5 * galley.size().y);
+        let left = at(rect.left() + Self::LEFT, &self.title);
+        painter.galley(left, self.title, theme.ink);
+        let right = rect.right() - Self::MARGIN - self.tally.size().x;
+        painter.galley(at(right, &self.tally), self.tally, theme.faint);
+    }
 }
 
 /// All parts of the goal hold.

@@ -299,7 +299,14 @@ impl<'a> Page<'a> {
         let caption = self.caption_height(ui, width).max(CAPTION_PTS);
         let lay_out = |cost| {
             let heights = [caption, cost];
-            composition.lay_out(ui, area, self.picture.title, heights, &self.needs, 1.0)
+            composition.lay_out(
+                ui,
+                area,
+                self.picture.title,
+                heights,
+                &self.needs,
+                [1.0, 0.0],
+            )
         };
         if let [_, _] = self.halves[..] {
             let layout = lay_out(0.0);

@@ -53,6 +53,10 @@ pub struct Need {
     pub natural: [f32; 2],
     /// Width over height of what is drawn, which grows with its room: none of what has text alone.
     pub aspect: Option<f32>,
+    /// In a window text has a least size: as much of it as has room is read then.
+    pub whole: [f32; 2],
+    /// Is it to be as large as the drawing that it stands beside?
+    pub is_equal: bool,
 }
 
 impl View {
@@ -105,6 +109,15 @@ impl View {
             least,
             natural,
             aspect: self.aspect(),
+            whole: self.whole().unwrap_or_default(),
+            is_equal: false,
+        }
+    }
+
+    fn whole(&self) -> Option<[f32; 2]> {
+        match &self.body {
+            Body::Table(table) => Some(whole_table(table)),
+            _ => None,
         }
     }
 
@@ -196,6 +209,35 @@ fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
     ];
     let natural = [6.0 + 3.0 * columns + words, 3.0 + 3.2 * rows + 2.0 * notes];
     (Stand::Beside, least, natural)
+}
+
+/// All columns, and rows before notes, of text of 12 points: an em of these is as large as that.
+fn whole_table(table: &Table) -> [f32; 2] {
+    const SIZE: f32 = 12.0 / 13.0;
+    const DIGIT: f32 = 0.6;
+    const SHORT: f32 = 5.0 * DIGIT;
+    const MOST_ROWS: usize = 5;
+    let catalog = Catalog::of(Lang::En);
+    let column = |idx: usize| {
+        let values = table.rows.iter().filter_map(|row| match idx {
+            0 => Some(&row.name),
+            _ => row.cells.get(idx - 1)?.value.as_ref(),
+        });
+        let number = |value: &Value| {
+            let said = catalog.value(value);
+            // One number stands over the other.
+            let letters = said.chars().count() - 2 * said.matches('/').count();
+            DIGIT * letters as f32
+        };
+        let is_number = |value: &&Value| !matches!(value, Value::Term(_) | Value::Message(_));
+        let numbers = values.filter(is_number).map(number).fold(0.0, f32::max);
+        let least = if idx == 0 { 0.0 } else { SHORT };
+        words_width(table, idx).max(numbers).max(least)
+    };
+    let columns: f32 = (0..table.header.len()).map(column).sum();
+    let gaps = table.header.len().saturating_sub(1) as f32;
+    let rows = (table.rows.len().min(MOST_ROWS) + 1) as f32;
+    [SIZE * (columns + gaps + 1.7), SIZE * 2.5 * rows]
 }
 
 fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {
@@ -357,5 +399,6 @@ impl Need {
         let larger = |a: [f32; 2], b: [f32; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         self.least = larger(self.least, more.least);
         self.natural = larger(self.natural, more.natural);
+        self.whole = larger(self.whole, more.whole);
     }
 }
