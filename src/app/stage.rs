@@ -17,6 +17,7 @@ use crate::{
 
 use super::{
     App, Command, clicks, prelude::*, room::CoursePart, stage_state::StageState, typing::told_of,
+    ways_out::ways_out,
 };
 
 const INDENT: f32 = 24.0;
@@ -358,7 +359,10 @@ impl Column<'_> {
             clicks::draw_sketch(app, ui, viewport, drawn);
         }
         if self.index == 0 {
-            let buttons = is_refused.then(|| ways_out(app, ui, state, rect));
+            let buttons = is_refused.then(|| {
+                let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
+                ways_out(app, ui, state, place)
+            });
             if buttons != state.ways_out_at {
                 state.ways_out_at = buttons;
                 ui.ctx().request_repaint();
@@ -380,34 +384,4 @@ fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     if button.clicked() {
         app.push(Command::FitView);
     }
-}
-
-/// Where they are.
-fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) -> Rect {
-    let look = app.look();
-    let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
-    let shown = ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        ui.horizontal_wrapped(|ui| {
-            let way = |ui: &mut Ui, words: String, command: Command| {
-                let text = RichText::new(words).color(look.theme.accent);
-                let button = Button::new(text).fill(look.theme.background);
-                if ui.add(button).clicked() {
-                    app.push(command);
-                }
-            };
-            if app.history.can_undo() {
-                way(ui, look.say("action-undo"), Command::Undo);
-            }
-            let ways = state.ways_out(app.scene(), app.stage_revision());
-            if let Some((key, change)) = &ways.mended {
-                let edit = Edit::Own(change.clone());
-                way(ui, look.say(key), Command::Edit(edit, None));
-            }
-            for card in &ways.methods {
-                let edit = Edit::Method(card.id);
-                way(ui, look.say(card.name_key), Command::Edit(edit, None));
-            }
-        });
-    });
-    shown.response.rect
 }

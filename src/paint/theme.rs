@@ -70,12 +70,9 @@ pub struct Theme {
     pub text_scale: f32,
     /// The same of titles and captions: what is large already grows less, so that figures keep their room.
     pub title_scale: f32,
-    /// No text is set smaller, in points: on a page that can be enlarged anything, in a window what is read at arm's length.
+    /// No text is set smaller, in points; a page can be enlarged.
     pub least_text: f32,
 }
-
-/// In a window, and on a projector, whose last row has to read it, too.
-const LEAST_TEXT: f32 = 12.0;
 
 /// What everything is drawn with: the colours, and the words; and while something is asked, the chips of what might come.
 #[derive(Clone, Copy)]
@@ -156,7 +153,7 @@ const PROJECTOR: Theme = Theme {
     stroke_scale: 1.6,
     text_scale: 1.4,
     title_scale: 1.25,
-    least_text: LEAST_TEXT,
+    least_text: 12.0,
     ..LIGHT
 };
 
@@ -227,7 +224,7 @@ impl Theme {
         Self {
             text_scale: self.text_scale * text,
             title_scale: self.title_scale * text,
-            least_text: LEAST_TEXT * text.min(1.0),
+            least_text: PROJECTOR.least_text * text.min(1.0),
             ..self.clone()
         }
     }
@@ -237,7 +234,7 @@ impl Theme {
         self.text_scale > 1.0
     }
 
-    /// The size of text that is so large before any scale, and is scaled by so much.
+    /// Of text that is so large before any scale.
     pub fn pts(&self, natural: f32, scale: f32) -> f32 {
         (natural * scale).max(self.least_text)
     }
