@@ -17,8 +17,6 @@ use super::{
 const BETWEEN_TABS: f32 = 12.0;
 /// The program's name and a method's, before any scale.
 const BESIDE_TABS: f32 = 270.0;
-/// A method's name, before any scale.
-const METHOD: f32 = 130.0;
 /// Of the buttons for course and inspector.
 const SIDES_WIDTH: f32 = 80.0;
 
@@ -117,7 +115,10 @@ fn has_room_for_menus(app: &App, ui: &Ui, (panels, room): (&[Box<dyn LabPanel>],
         CoursePart::Hidden | CoursePart::Strip => 0.0,
     };
     let tabs = before_tabs + tabs_width(ui, app.look(), panels);
-    let method = METHOD * app.look().theme.text_scale;
+    let method = app.scene().document().methods().into_iter().take(1);
+    let method = method.map(|card| app.look().say(card.name_asked(app.hides_mistakes())));
+    let chevron = ui.spacing().icon_width + ui.spacing().icon_spacing;
+    let method = widths(ui, &TextStyle::Button, method, around + chevron);
     tabs + method + SIDES_WIDTH + menus < room
 }
 
@@ -210,7 +211,8 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         buttons(app, ui);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.available_width() > 400.0 * app.look().theme.text_scale {
+            let timeline = TIMELINE * app.look().theme.text_scale;
+            if ui.available_width() > hall_width(app, ui) + timeline {
                 hall(app, ui);
             } else {
                 let name = app.look().say("menu-more");
@@ -222,6 +224,12 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
             number_and_timeline(app, ui);
         });
     });
+}
+
+fn hall_width(app: &App, ui: &Ui) -> f32 {
+    let names = HALL.map(|key| app.look().say(key)).into_iter();
+    let around = 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x;
+    widths(ui, &TextStyle::Button, names, around)
 }
 
 fn hall(app: &App, ui: &mut Ui) {
@@ -359,6 +367,15 @@ fn timeline(app: &App, ui: &mut Ui) {
 }
 
 const LEAST_TIMELINE: f32 = 48.0;
+/// In a presentation the step's number and the timeline have so much before what else there is stands in a row, before any scale.
+const TIMELINE: f32 = 280.0;
+/// What else there is.
+const HALL: [&str; 4] = [
+    "practice",
+    "action-present-leave",
+    "theme-projector",
+    "action-notes",
+];
 
 const SIDES: [(Icon, &str, Command); 2] = [
     (Icon::LeftPanel, "panel-course", Command::Course),

@@ -1,10 +1,6 @@
 //! The course: lessons, the steps of the open one, its text, its source.
 
-use egui::{
-    Frame, Panel, Response, Role, Sense, StrokeKind, TextFormat, TextStyle, WidgetInfo,
-    style::ScrollAnimation,
-    text::{LayoutJob, TextWrapping},
-};
+use egui::{Frame, Panel, Response, Stroke, style::ScrollAnimation};
 
 use crate::{
     lesson::{Block, StepText},
@@ -13,7 +9,8 @@ use crate::{
 
 use super::{
     App, Command,
-    course_steps::{CHANGED, discs, is_changed, named, steps},
+    course_row::{Row, row},
+    course_steps::{discs, is_changed, steps},
     goal_panel,
     prelude::*,
     question::{answer_button, question_button, shown_answer},
@@ -273,73 +270,6 @@ fn bring_into_view(ui: &Ui, open: usize, rect: Rect) {
 
 fn has_changes(app: &App, idx: usize, lesson: &Lesson) -> bool {
     (0..lesson.steps.len()).any(|step| is_changed(app, idx, step))
-}
-
-/// A lesson in the list.
-#[derive(Clone, Copy, Default)]
-struct Row<'a> {
-    number: &'a str,
-    title: &'a str,
-    is_open: bool,
-    is_changed: bool,
-    /// In the list: how many of a lesson's questions have been told.
-    tally: &'a str,
-}
-
-fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
-    let theme = look.theme;
-    let height = (28.0 * theme.text_scale.sqrt()).round();
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
-    let name = named(look, row.title, row.is_changed);
-    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, row.is_open, &name));
-    let plate = rect.shrink2(vec2(0.0, 1.0));
-    if row.is_open {
-        ui.painter().rect_filled(plate, 6.0, theme.accent_wash);
-    } else if response.hovered() {
-        ui.painter().rect_filled(plate, 6.0, theme.hover);
-    }
-    if response.has_focus() {
-        let rim = theme.stroke(2.0, theme.accent);
-        ui.painter()
-            .rect_stroke(plate, 6.0, rim, StrokeKind::Inside);
-    }
-    let is_cut = words(ui, theme, rect, row);
-    let response = response.on_hover_cursor(CursorIcon::PointingHand);
-    if is_cut || row.is_changed {
-        response.on_hover_text(name)
-    } else {
-        response
-    }
-}
-
-fn words(ui: &Ui, theme: &Theme, rect: Rect, row: Row<'_>) -> bool {
-    let y = rect.center().y;
-    if row.is_changed {
-        let at = pos2(rect.right() - 6.0, y);
-        ui.painter().circle_filled(at, CHANGED, theme.accent);
-    }
-    let small = TextStyle::Small.resolve(ui.style());
-    let (style, colour, of_number) = if row.is_open {
-        (theme::strong(), theme.ink, theme.accent)
-    } else {
-        (TextStyle::Body, theme.soft, theme.faint)
-    };
-    let at = pos2(rect.left() + 16.0, y);
-    ui.painter()
-        .text(at, Align2::CENTER_CENTER, row.number, small, of_number);
-    let left = rect.left() + 32.0;
-    let format = TextFormat::simple(style.resolve(ui.style()), colour);
-    let mut job = LayoutJob::single_section(row.title.to_owned(), format);
-    let small = TextStyle::Small.resolve(ui.style());
-    let at = pos2(rect.right() - 12.0, y);
-    let tally = (ui.painter()).text(at, Align2::RIGHT_CENTER, row.tally, small, theme.faint);
-    job.wrap = TextWrapping::truncate_at_width(tally.left() - 4.0 - left);
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let is_cut = galley.elided;
-    let at = pos2(left, y - 0.5 * galley.size().y);
-    ui.painter().galley(at, galley, colour);
-    is_cut
 }
 
 /// All parts of the goal hold.

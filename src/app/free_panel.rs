@@ -11,7 +11,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let margin = Margin::symmetric(8, 0);
     Frame::new().inner_margin(margin).show(ui, |ui| {
         let name = app.scene_name().unwrap_or_default();
-        let scenes = list("free scenes", name).truncate();
+        let scenes = list(ui, "free scenes", name).truncate();
         let scenes = scenes.width(ui.available_width());
         scenes.show_ui(ui, |ui| free_scenes::menu(app, ui));
         ui.add_space(4.0);

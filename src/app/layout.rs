@@ -26,7 +26,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
         if !app.is_narrow() {
             sides(app, ui, state, panels);
         }
-        notice::show(app, ui);
+        state.taken = notice::show(app, ui);
         let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
         let panel = CentralPanel::no_frame().frame(frame);
         match app.room() {
@@ -80,7 +80,7 @@ fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Bo
     if !app.practice.is_on && app.practice.asked.is_none() {
         question::show(app, ui);
     }
-    notice::show(app, ui);
+    state.taken = notice::show(app, ui);
     if app.shown.controls.are_presented() {
         let frame = Frame::new().fill(app.look().theme.panel);
         Panel::right("presented controls")

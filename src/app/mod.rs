@@ -21,6 +21,7 @@ mod command;
 mod compose;
 mod controls;
 mod course_panel;
+mod course_row;
 mod course_steps;
 mod desk;
 mod dialog;
@@ -69,6 +70,7 @@ mod stage_state;
 #[cfg(test)]
 mod tests;
 mod typing;
+mod ways_out;
 #[cfg(target_arch = "wasm32")]
 mod web;
 mod window;

@@ -20,14 +20,15 @@ pub struct Notice {
 /// Of the window's height they take this part at most.
 const MOST: f32 = 0.4;
 
-pub fn show(app: &App, ui: &mut Ui) {
+/// How high they are.
+pub fn show(app: &App, ui: &mut Ui) -> f32 {
     if app.notices.is_empty() {
-        return;
+        return 0.0;
     }
     let (look, notices) = (app.look(), &app.notices);
     let most = MOST * app.shown.size.y;
     let frame = Frame::new().fill(look.theme.panel);
-    Panel::top("notices")
+    let shown = Panel::top("notices")
         .resizable(false)
         .frame(frame.inner_margin(Margin::symmetric(16, 6)))
         .show(ui, |ui| {
@@ -51,6 +52,7 @@ pub fn show(app: &App, ui: &mut Ui) {
                 }
             });
         });
+    shown.response.rect.height()
 }
 
 fn text(ui: &mut Ui, look: Look<'_>, notice: &Notice) {
@@ -89,9 +91,13 @@ impl App {
         self.notices.drain(..surplus);
     }
 
-    /// Says to someone new what to press first, and that things can be dragged, until they do.
+    /// Says to someone new what to press first, and that things can be dragged, until they do: what is pressed has to do something.
     pub(super) fn greet(&mut self) {
         if !self.settings.is_greeted {
+            let transport = &self.playback.transport;
+            if transport.position() == transport.n_steps() {
+                self.seek(0);
+            }
             self.notify(Notice {
                 text: self.catalog().term("greeting"),
                 is_problem: false,

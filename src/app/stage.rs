@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::InputState;
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Raster, Seer, Spacing},
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer, Spacing, Stand},
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
@@ -17,6 +17,7 @@ use crate::{
 
 use super::{
     App, Command, clicks, prelude::*, room::CoursePart, stage_state::StageState, typing::told_of,
+    ways_out::ways_out,
 };
 
 const INDENT: f32 = 24.0;
@@ -130,12 +131,16 @@ fn lay_out(
     let mut needs = Cow::Borrowed(&playback.needs);
     if app.settings.picture_beside {
         for need in needs.to_mut().iter_mut().flatten() {
-            *need = need.enlarged();
+            let is_equal = need.stand == Stand::Inset;
+            *need = Need {
+                is_equal,
+                ..need.enlarged()
+            };
         }
     }
     let title = title(app);
-    let board = app.settings.board;
-    let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, board);
+    let given = [app.settings.board, state.taken];
+    let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, given);
     if let Some(eyes) = &playback.eyes {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
             place_inset(ui, composition.look, places, &frame.views, eyes);
@@ -288,6 +293,7 @@ impl Column<'_> {
         let (app, frame, drawing) = (self.app, self.frame, self.drawing);
         let look = self.composition.look;
         let space = frame.space();
+        let buttons = state.ways_out_at.filter(|_| self.index == 0);
         let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
         let viewport = state.viewport(drawing, seen_in);
         let lit = state.lit;
@@ -306,6 +312,7 @@ impl Column<'_> {
         };
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
+        covered.extend(buttons);
         covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
         let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
@@ -347,10 +354,19 @@ impl Column<'_> {
         rect: Rect,
     ) {
         let app = self.app;
+        let is_refused = app.playback.main().is_refused() && state.sketch.is_none();
         if let Some(drawn) = &state.sketch {
             clicks::draw_sketch(app, ui, viewport, drawn);
-        } else if self.index == 0 && app.playback.main().is_refused() {
-            ways_out(app, ui, state, rect);
+        }
+        if self.index == 0 {
+            let buttons = is_refused.then(|| {
+                let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
+                ways_out(app, ui, state, place)
+            });
+            if buttons != state.ways_out_at {
+                state.ways_out_at = buttons;
+                ui.ctx().request_repaint();
+            }
         }
         if state.is_moved(self.drawing.0) {
             fit(app, ui, rect);
@@ -368,32 +384,4 @@ fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     if button.clicked() {
         app.push(Command::FitView);
     }
-}
-
-fn ways_out(app: &App, ui: &mut Ui, state: &mut StageState, rect: Rect) {
-    let look = app.look();
-    let place = rect.shrink2(vec2(INDENT, 0.5 * INDENT));
-    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        ui.horizontal_wrapped(|ui| {
-            let way = |ui: &mut Ui, words: String, command: Command| {
-                let text = RichText::new(words).color(look.theme.accent);
-                let button = Button::new(text).fill(look.theme.background);
-                if ui.add(button).clicked() {
-                    app.push(command);
-                }
-            };
-            if app.history.can_undo() {
-                way(ui, look.say("action-undo"), Command::Undo);
-            }
-            let ways = state.ways_out(app.scene(), app.stage_revision());
-            if let Some((key, change)) = &ways.mended {
-                let edit = Edit::Own(change.clone());
-                way(ui, look.say(key), Command::Edit(edit, None));
-            }
-            for card in &ways.methods {
-                let edit = Edit::Method(card.id);
-                way(ui, look.say(card.name_key), Command::Edit(edit, None));
-            }
-        });
-    });
 }

@@ -60,6 +60,10 @@ pub struct StageState {
     pub inspected: usize,
     drawn: Option<(ViewId, Lens)>,
     pub seen: BTreeMap<ViewId, Viewport>,
+    /// So much of the stage's height is taken by what comes and goes over it.
+    pub taken: f32,
+    /// Where buttons lie over the drawing that lead out of a scene that is refused.
+    pub ways_out_at: Option<Rect>,
     /// Where the views of the stage stood last, column by column.
     pub places: Vec<(ViewId, Slot)>,
     layers: Vec<Layers>,

@@ -296,13 +296,11 @@ impl<'a> Page<'a> {
         let Some(foot) = self.picture.foot else {
             return;
         };
-        let page = ui.max_rect();
         let font = FontId::monospace(FOOT_PTS * self.look.theme.text_scale);
-        let at = page.right_bottom() - vec2(SPACING.margin, 0.25 * MARGIN_PTS);
+        let at = ui.max_rect().right_bottom() - vec2(SPACING.margin, 0.25 * MARGIN_PTS);
         let soft = self.look.theme.soft;
         let galley = ui.painter().layout_no_wrap(foot.to_owned(), font, soft);
-        let corner = at - galley.size();
-        ui.painter().galley(corner, galley, soft);
+        ui.painter().galley(at - galley.size(), galley, soft);
     }
 
     /// Where all stands, and whether the bars of the costs do: of what was and what is only where what differs has no room.
@@ -317,7 +315,14 @@ impl<'a> Page<'a> {
         let caption = self.caption_height(ui, width).max(CAPTION_PTS);
         let lay_out = |cost| {
             let heights = [caption, cost];
-            composition.lay_out(ui, area, self.picture.title, heights, &self.needs, 1.0)
+            composition.lay_out(
+                ui,
+                area,
+                self.picture.title,
+                heights,
+                &self.needs,
+                [1.0, 0.0],
+            )
         };
         if let [_, _] = self.halves[..] {
             let layout = lay_out(0.0);

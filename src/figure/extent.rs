@@ -1,8 +1,8 @@
 //! How much room views want, from their data alone: so that it is settled for a whole run before anything is drawn.
 
-use std::ops::ControlFlow;
+mod tables;
 
-use crate::text::{Catalog, Lang, Value};
+use std::ops::ControlFlow;
 
 use super::{
     frame::{Caption, Shown},
@@ -10,10 +10,12 @@ use super::{
     lens::Lens,
     run::Run,
     small_pictures::{Multiples, Raster, Tiles},
-    values::{Bits, Costs, Lists, Table},
+    values::{Bits, Costs, Lists},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
 };
+
+use tables::{table_need, whole_table};
 
 /// Steps of a run that are asked what they show: a view that comes or grows is there at one of them.
 const MOST_ASKED: usize = 24;
@@ -53,6 +55,10 @@ pub struct Need {
     pub natural: [f32; 2],
     /// Width over height of what is drawn, which grows with its room: none of what has text alone.
     pub aspect: Option<f32>,
+    /// In a window text has a least size: as much of it as has room is read then.
+    pub whole: [f32; 2],
+    /// Is it to be as large as the drawing that it stands beside?
+    pub is_equal: bool,
 }
 
 impl View {
@@ -82,7 +88,10 @@ impl View {
             Body::NumberLine(_) => (Stand::Under, [14.0, 6.0], [f32::MAX, 8.0]),
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
             Body::Bits(bits) => bits_need(bits),
-            Body::Table(table) => table_need(table),
+            Body::Table(table) => {
+                let [least, natural] = table_need(table);
+                (Stand::Beside, least, natural)
+            }
             Body::Costs(costs) => costs_need(costs),
             Body::Graph(graph) => graph_need(graph),
             Body::Story(story) => {
@@ -105,6 +114,15 @@ impl View {
             least,
             natural,
             aspect: self.aspect(),
+            whole: self.whole().unwrap_or_default(),
+            is_equal: false,
+        }
+    }
+
+    fn whole(&self) -> Option<[f32; 2]> {
+        match &self.body {
+            Body::Table(table) => Some(whole_table(table)),
+            _ => None,
         }
     }
 
@@ -164,37 +182,6 @@ fn bits_need(bits: &Bits) -> (Stand, [f32; 2], [f32; 2]) {
     let rows = bits.rows.len() as f32 + 1.0;
     let least = [4.2 + 2.5 * columns, 5.8 + 2.9 * rows];
     let natural = [3.6 + 4.7 * columns, 7.4 + 4.6 * rows];
-    (Stand::Beside, least, natural)
-}
-
-/// What a column of names has room for, in ems.
-const WORD: f32 = 5.0;
-/// A letter, in ems: in English, whose words other languages' are as long as, give or take a few.
-const LETTER: f32 = 0.52;
-
-/// In ems, of what a column says in words.
-fn words_width(table: &Table, idx: usize) -> f32 {
-    let catalog = Catalog::of(Lang::En);
-    let values = table.rows.iter().filter_map(|row| match idx {
-        0 => Some(&row.name),
-        _ => row.cells.get(idx - 1)?.value.as_ref(),
-    });
-    let words = values.filter(|value| matches!(value, Value::Term(_) | Value::Message(_)));
-    let letters = words.map(|value| catalog.value(value).chars().count());
-    LETTER * letters.max().unwrap_or(0) as f32
-}
-
-fn table_need(table: &Table) -> (Stand, [f32; 2], [f32; 2]) {
-    let columns = table.header.len().saturating_sub(1) as f32;
-    let (rows, notes) = (table.rows.len() as f32, table.notes.len() as f32);
-    let columns_of_words = (0..table.header.len()).map(|idx| words_width(table, idx));
-    let words: f32 = columns_of_words.map(|it| (it - WORD).max(0.0)).sum();
-    // Rows are folded where there is no room for all.
-    let least = [
-        4.5 + 2.8 * columns + 0.6 * words,
-        3.0 + 1.8 * rows.min(4.0) + 1.5 * notes,
-    ];
-    let natural = [6.0 + 3.0 * columns + words, 3.0 + 3.2 * rows + 2.0 * notes];
     (Stand::Beside, least, natural)
 }
 
@@ -357,5 +344,6 @@ impl Need {
         let larger = |a: [f32; 2], b: [f32; 2]| [a[0].max(b[0]), a[1].max(b[1])];
         self.least = larger(self.least, more.least);
         self.natural = larger(self.natural, more.natural);
+        self.whole = larger(self.whole, more.whole);
     }
 }

@@ -22,6 +22,8 @@ mod stand;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
+
 use super::{extent::Need, view::ViewId};
 
 use arranged::{Arranged, drawings, drop_last};
@@ -66,6 +68,8 @@ pub struct Sheet {
     pub cost: f32,
     /// What stands beside the drawing, or under it, is so many times as large as it is where nobody has moved the boundary.
     pub board: f32,
+    /// What comes and goes over the area takes so much of its height away: it moves nothing to another side.
+    pub taken: f32,
 }
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -100,7 +104,8 @@ impl Sheet {
             board: 1.0,
             ..*self
         };
-        let (views, board) = self.moved(settled.views(&stages, needs), &stages, needs);
+        let (needs, settled) = settled.settled(&stages, needs);
+        let (views, board) = self.moved(settled, &stages, &needs);
         for (column, views) in columns.iter_mut().zip(views) {
             column.views = views;
         }
@@ -109,6 +114,57 @@ impl Sheet {
             board,
             columns,
         }
+    }
+
+    /// The needs that all have room, and how they stand. In a window, whose text has a least size, with the room that all of their
+    /// text has then, if there is as much; else rows are folded, else columns left out.
+    fn settled<'n>(
+        &self,
+        stages: &[Slot],
+        needs: &'n [Vec<Need>],
+    ) -> (Cow<'n, [Vec<Need>]>, Arranged) {
+        const SIDES: [[bool; 2]; 3] = [[true, true], [true, false], [false, true]];
+        let whole = |sides: [bool; 2]| {
+            let whole = |need: &Need| {
+                let least = |i: usize| if sides[i] { need.whole[i] } else { 0.0 };
+                let least = [0, 1].map(|i| need.least[i].max(least(i)));
+                Need { least, ..*need }
+            };
+            let whole = |needs: &Vec<Need>| needs.iter().map(whole).collect();
+            needs.iter().map(whole).collect::<Vec<Vec<Need>>>()
+        };
+        let is_more = |need: &Need| (0..2).any(|i| need.whole[i] > need.least[i]);
+        let has_more = self.spacing.is_fixed && needs.iter().flatten().any(is_more);
+        for sides in SIDES.into_iter().filter(|_| has_more) {
+            let whole = whole(sides);
+            let arranged = self.settle(stages, &whole);
+            if arranged.reads_all(&whole) {
+                return (whole.into(), arranged);
+            }
+        }
+        (needs.into(), self.settle(stages, needs))
+    }
+
+    /// The views in the way in which they stand where nothing has been taken away, as long as they have room.
+    fn settle(&self, stages: &[Slot], needs: &[Vec<Need>]) -> Arranged {
+        let whole = |stage: &Slot| Slot {
+            min: [stage.min[0], stage.min[1] - self.taken],
+            ..*stage
+        };
+        if self.taken > 0.0 {
+            let whole: Vec<Slot> = stages.iter().map(whole).collect();
+            let mut settled = self.views(&whole, needs);
+            let views = settled.how.map(|how| self.views_in(how, stages, needs));
+            let views = views.unwrap_or_default();
+            let ids = |views: &[Vec<(ViewId, Slot)>]| -> Vec<ViewId> {
+                views.iter().flatten().map(|(id, _)| *id).collect()
+            };
+            if ids(&views) == ids(&settled.views) {
+                settled.views = views;
+                return settled;
+            }
+        }
+        self.views(stages, needs)
     }
 
     /// The same views in the same way, with the boundary as near to where it was dragged as they have room.
@@ -207,7 +263,7 @@ impl Sheet {
     fn largest_of(&self, part: f32, stages: &[Slot], needs: &[Vec<Need>]) -> Arranged {
         let mut best = Arranged::default();
         for way in Way::ALL {
-            if way == Way::Low && !self.spacing.is_fixed {
+            if matches!(way, Way::Low | Way::Board) && !self.spacing.is_fixed {
                 continue;
             }
             for share in way.shares(needs) {

@@ -14,6 +14,8 @@ pub struct MethodCard {
     pub is_faulty: bool,
     /// Does it show where a formula comes from, and answers nothing?
     pub is_proof: bool,
+    /// The key of the heading under which lists of methods have it; those without one come first.
+    pub group_key: Option<&'static str>,
 }
 
 impl MethodCard {

@@ -111,13 +111,19 @@ pub trait Telling:
 
 impl MethodCard {
     pub const fn of<M: Telling>() -> Self {
+        let is_faulty = M::DIFFERS_KEY.is_some();
         Self {
             id: M::ID,
             name_key: M::NAME_KEY,
             source: M::SOURCE,
             code: M::CODE,
-            is_faulty: M::DIFFERS_KEY.is_some(),
+            is_faulty,
             is_proof: M::IS_PROOF,
+            group_key: match (is_faulty, M::IS_PROOF) {
+                (true, _) => Some("faulty-title"),
+                (false, true) => Some("methods-why"),
+                (false, false) => None,
+            },
         }
     }
 }

@@ -70,6 +70,8 @@ pub struct Theme {
     pub text_scale: f32,
     /// The same of titles and captions: what is large already grows less, so that figures keep their room.
     pub title_scale: f32,
+    /// No text is set smaller, in points; a page can be enlarged.
+    pub least_text: f32,
 }
 
 /// What everything is drawn with: the colours, and the words; and while something is asked, the chips of what might come.
@@ -116,6 +118,7 @@ const LIGHT: Theme = Theme {
     stroke_scale: 1.0,
     text_scale: 1.0,
     title_scale: 1.0,
+    least_text: 0.0,
 };
 
 const DARK: Theme = Theme {
@@ -150,6 +153,7 @@ const PROJECTOR: Theme = Theme {
     stroke_scale: 1.6,
     text_scale: 1.4,
     title_scale: 1.25,
+    least_text: 12.0,
     ..LIGHT
 };
 
@@ -185,7 +189,7 @@ impl Theme {
         }
     }
 
-    /// With text of one of [`TEXT_SIZES`].
+    /// That of a window, with text of one of [`TEXT_SIZES`].
     pub fn sized(kind: ThemeKind, text: f32) -> &'static Self {
         &Self::of_size(kind, text)[0]
     }
@@ -220,6 +224,7 @@ impl Theme {
         Self {
             text_scale: self.text_scale * text,
             title_scale: self.title_scale * text,
+            least_text: PROJECTOR.least_text * text.min(1.0),
             ..self.clone()
         }
     }
@@ -229,12 +234,9 @@ impl Theme {
         self.text_scale > 1.0
     }
 
-    /// No text is set smaller, in points: it could not be read from the last row.
-    pub const fn least_text(&self) -> f32 {
-        match self.kind {
-            ThemeKind::Light | ThemeKind::Dark => 0.0,
-            ThemeKind::Projector => 12.0,
-        }
+    /// Of text that is so large before any scale.
+    pub fn pts(&self, natural: f32, scale: f32) -> f32 {
+        (natural * scale).max(self.least_text)
     }
 
     /// A line of a figure, `width` px wide before the theme's factor.
@@ -270,7 +272,7 @@ impl Theme {
     }
 
     fn text_styles(&self) -> BTreeMap<TextStyle, FontId> {
-        let font = |size: f32, family| FontId::new(size * self.text_scale, family);
+        let font = |size: f32, family| FontId::new(self.pts(size, self.text_scale), family);
         let said = |family| FontId::new(14.5 * self.title_scale, family);
         [
             (TextStyle::Small, font(11.0, FontFamily::Proportional)),

@@ -1,8 +1,9 @@
 //! A section of the inspector: rows with a name at the left and at the right what can be set.
 
 use egui::{
-    Align, Area, Checkbox, ComboBox, CornerRadius, Frame, Id, Key, Label, Layout, Order, Response,
-    RichText, Sense, Shape, Stroke, StrokeKind, Ui, UiBuilder, epaint::RectShape, vec2,
+    Align, Area, Checkbox, Color32, ComboBox, CornerRadius, Frame, Id, Key, Label, Layout, Order,
+    Response, RichText, Sense, Shape, Stroke, StrokeKind, TextStyle, Ui, UiBuilder,
+    epaint::RectShape, vec2,
 };
 
 use crate::{
@@ -49,8 +50,11 @@ impl Form<'_> {
         let scope = UiBuilder::new().scope_id(Id::unique(("control", id)));
         let content = |ui: &mut Ui| {
             ui.spacing_mut().item_spacing.x = GAP;
-            self.name(ui, &name, ui.available_width() - room - GAP);
-            ui.spacing_mut().interact_size.x = (room + GAP) / n_fields.max(2) as f32 - GAP;
+            let field_width = (room + GAP) / n_fields.max(2) as f32 - GAP;
+            let fields = n_fields as f32 * (field_width + GAP);
+            let all = ui.available_width();
+            self.name(ui, &name, [all - room - GAP, all - fields]);
+            ui.spacing_mut().interact_size.x = field_width;
             fields_look(ui, self.look);
             for i in 0..n_fields {
                 let (to, field) = ui.add_enabled_ui(!is_locked, |ui| field(ui, i)).inner;
@@ -113,7 +117,12 @@ impl Form<'_> {
             });
     }
 
-    fn name(&self, ui: &mut Ui, name: &str, width: f32) {
+    /// As wide as in other rows; a longer one takes what the fields leave.
+    fn name(&self, ui: &mut Ui, name: &str, [width, most]: [f32; 2]) {
+        let font = TextStyle::Body.resolve(ui.style());
+        let painter = ui.painter();
+        let text = painter.layout_no_wrap(name.to_owned(), font, Color32::PLACEHOLDER);
+        let width = text.size().x.clamp(width, most.max(width));
         let size = vec2(width, ui.spacing().interact_size.y);
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         let layout = Layout::left_to_right(Align::Center);

@@ -1,36 +1,34 @@
 //! Which methods are on stage: the same for every lab.
 
 use egui::{
-    ComboBox, Rect, Shape, Stroke, Ui,
+    Align, Color32, ComboBox, Layout, Rect, Sense, Shape, Stroke, Ui, UiBuilder, Vec2,
     style::{StyleModifier, WidgetVisuals},
     vec2,
 };
 
 use crate::{
     labs::{Edit, MethodCard, Scene},
+    paint::theme,
     widgets::{Look, menu_style, section},
 };
 
-/// A list of methods may be this high: all of a lab's are seen at once, where the window has room.
-const LIST_PTS: f32 = 560.0;
+/// Beside and under a list of methods, as far as the edges of the window.
+const AROUND: Vec2 = vec2(48.0, 96.0);
+const BETWEEN_COLUMNS: f32 = 16.0;
 
 /// The scene's method; the change that was asked for.
 /// Where `asks` first, a faulty one is not called by its fault.
 pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
-    let mut asked = None;
-    let name = |card: &MethodCard| look.say(card.name_key);
     let now = *scene.document().methods().first()?;
     let shown = look.say(now.name_asked(asks));
-    let combo = list("method", shown).truncate().show_ui(ui, |ui| {
+    let whole = format!("{}: {shown}", look.say("panel-algorithm"));
+    let combo = list(ui, "method", shown).truncate().show_ui(ui, |ui| {
         let methods = (scene.document().lab().methods)().into_iter();
-        for card in methods.filter(|card| !card.is_faulty) {
-            if ui.selectable_label(card.id == now.id, name(card)).clicked() {
-                asked = Some(Edit::Method(card.id));
-            }
-        }
+        let right = methods.filter(|card| !card.is_faulty).collect();
+        choices(ui, look, right, |card| card.id == now.id)
     });
-    combo.response.on_hover_text(look.say("panel-algorithm"));
-    asked
+    combo.response.on_hover_text(whole);
+    combo.inner.flatten().map(|card| Edit::Method(card.id))
 }
 
 /// Where `asks` first, the faulty one that stands beside is not told.
@@ -42,7 +40,7 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) ->
     } else {
         names.join(" + ")
     };
-    let combo = list("compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene, asks));
+    let combo = list(ui, "compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene, asks));
     combo.response.on_hover_text(look.say("cost-compare"));
     combo.inner.flatten()
 }
@@ -55,30 +53,116 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -
     if ui.selectable_label(beside.is_empty(), none).clicked() {
         asked = Some(Edit::Compare(None));
     }
-    // The ones that are wrong on purpose come last, under their question.
     let others = (scene.document().lab().methods)().into_iter();
-    let others = others.filter(|card| card.id != main.id);
-    let (faulty, right): (Vec<&MethodCard>, Vec<_>) = others.partition(|card| card.is_faulty);
-    let first_faulty = faulty.first().map(|card| card.id);
-    for card in right.into_iter().chain(faulty) {
-        if first_faulty == Some(card.id) {
-            ui.separator();
-            section(ui, look, &look.say("faulty-title"));
+    let others = others.filter(|card| card.id != main.id).collect();
+    let is_beside = |card: &MethodCard| beside.iter().any(|beside| beside.id == card.id);
+    let chosen = choices(ui, look, others, |card| {
+        is_beside(card) && !(asks && card.is_faulty)
+    });
+    chosen.map(|card| Edit::Compare(Some(card.id))).or(asked)
+}
+
+enum Row {
+    Heading(&'static str),
+    Choice(&'static MethodCard),
+}
+
+/// The methods under their headings, in rows of one height and as many columns as show them all; which one was pressed.
+fn choices(
+    ui: &mut Ui,
+    look: Look<'_>,
+    methods: Vec<&'static MethodCard>,
+    is_chosen: impl Fn(&MethodCard) -> bool,
+) -> Option<&'static MethodCard> {
+    let groups = grouped(methods);
+    let rows = || groups.iter().flatten();
+    let said = |row: &Row| match row {
+        Row::Heading(key) => look.say(key),
+        Row::Choice(card) => look.say(card.name_key),
+    };
+    let height = ui.spacing().interact_size.y;
+    let widths = rows().map(|row| {
+        let font = theme::strong().resolve(ui.style());
+        let painter = ui.painter();
+        painter
+            .layout_no_wrap(said(row), font, Color32::PLACEHOLDER)
+            .size()
+            .x
+    });
+    let padding = 2.0 * ui.spacing().button_padding.x;
+    let width = widths.fold(ui.available_width(), f32::max) + padding;
+    let room = ui.ctx().content_rect().size() - AROUND;
+    let most = (room.x / (width + BETWEEN_COLUMNS)) as usize;
+    let n_columns = (rows().count() as f32 * height / room.y).ceil() as usize;
+    let n_columns = n_columns.clamp(1, most.max(1));
+    let mut pressed = None;
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = BETWEEN_COLUMNS;
+        for column in columns(groups, n_columns) {
+            ui.vertical(|ui| {
+                for row in column {
+                    let size = vec2(width, height);
+                    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+                    let layout = Layout::top_down_justified(Align::Min);
+                    let inside = UiBuilder::new().max_rect(rect).layout(layout);
+                    let mut ui = ui.new_child(inside);
+                    match &row {
+                        Row::Heading(_) => {
+                            ui.add_space(0.25 * height);
+                            ui.horizontal(|ui| {
+                                ui.add_space(0.5 * padding);
+                                section(ui, look, &said(&row));
+                            });
+                        }
+                        Row::Choice(card) => {
+                            if ui.selectable_label(is_chosen(card), said(&row)).clicked() {
+                                pressed = Some(*card);
+                            }
+                        }
+                    }
+                }
+            });
         }
-        let chosen = beside.iter().any(|beside| beside.id == card.id);
-        let chosen = chosen && !(asks && card.is_faulty);
-        let name = look.say(card.name_key);
-        if ui.selectable_label(chosen, name).clicked() {
-            asked = Some(Edit::Compare(Some(card.id)));
+    });
+    pressed
+}
+
+/// In the order in which they are taught; groups in that of their first methods, and the one of mistakes last.
+fn grouped(methods: Vec<&'static MethodCard>) -> Vec<Vec<Row>> {
+    let mut groups: Vec<(Option<&str>, Vec<Row>)> = Vec::new();
+    for card in methods {
+        let key = card.group_key;
+        if !groups.iter().any(|(known, _)| *known == key) {
+            groups.push((key, key.map(Row::Heading).into_iter().collect()));
+        }
+        let group = groups.iter_mut().find(|(known, _)| *known == key);
+        group
+            .into_iter()
+            .for_each(|(_, rows)| rows.push(Row::Choice(card)));
+    }
+    groups.sort_by_key(|(key, _)| *key == Some("faulty-title"));
+    groups.into_iter().map(|(_, rows)| rows).collect()
+}
+
+/// Groups in so many columns, or fewer, of about one height.
+fn columns(groups: Vec<Vec<Row>>, n_columns: usize) -> Vec<Vec<Row>> {
+    let n_rows: usize = groups.iter().map(Vec::len).sum();
+    let most = n_rows.div_ceil(n_columns);
+    let mut columns: Vec<Vec<Row>> = Vec::new();
+    for group in groups {
+        let is_last = columns.len() == n_columns;
+        match columns.last_mut() {
+            Some(column) if is_last || column.len() + group.len() <= most => column.extend(group),
+            _ => columns.push(group),
         }
     }
-    asked
+    columns
 }
 
 /// A button that opens a list of choices.
-pub fn list(id: &str, shown: String) -> ComboBox<'_> {
+pub fn list<'a>(ui: &Ui, id: &'a str, shown: String) -> ComboBox<'a> {
     ComboBox::from_id_salt(id)
-        .height(LIST_PTS)
+        .height(ui.ctx().content_rect().height() - AROUND.y)
         .icon(chevron)
         .popup_style(StyleModifier::new(menu_style))
         .selected_text(shown)

@@ -1,6 +1,6 @@
 //! Plots of costs: bars without axes, and counts or times over a number, both by their logarithms.
 
-use egui::{Align2, Color32, RichText, Stroke, Ui, Vec2b};
+use egui::{Align2, Color32, Rect, RichText, Stroke, TextStyle, Ui, Vec2, Vec2b, vec2};
 use egui_plot::{BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
 
 use crate::widgets::Look;
@@ -75,26 +75,65 @@ pub fn power_plot(
         .include_x(0.0)
         .include_x(5.4)
         .show_grid([false, true]);
+    let font = TextStyle::Small.resolve(ui.style());
+    let size = |key: &str| {
+        let name = ui
+            .painter()
+            .layout_no_wrap(look.say(key), font.clone(), look.theme.ink);
+        name.size()
+    };
+    let sizes: Vec<Vec2> = lines.iter().map(|line| size(line.name_key)).collect();
     plot.show(ui, |plot| {
+        let last = |line: &PowerLine| line.points.last().map(|at| at.map(libm::log10));
+        let place = |(line, size): (&PowerLine, &Vec2)| {
+            let [x, y] = last(line)?;
+            let at = plot.screen_from_plot(PlotPoint::new(x + 0.05, y));
+            Some(Align2::LEFT_CENTER.anchor_size(at, *size))
+        };
+        let places = apart(lines.iter().zip(&sizes).map(place).collect());
+        let places = places
+            .into_iter()
+            .map(|place| Some(plot.plot_from_screen(place?.left_center())));
+        let places: Vec<Option<PlotPoint>> = places.collect();
         for PowerLine {
             name_key,
             color,
             style,
             points,
-        } in lines
+        } in &lines
         {
             let points: Vec<[f64; 2]> = points.iter().map(|at| at.map(libm::log10)).collect();
-            let last = points.last().copied();
             let line = Line::new(look.say(name_key), points);
-            let line = line.stroke(Stroke::new(2.0, color)).style(style);
+            let line = line.stroke(Stroke::new(2.0, *color)).style(*style);
             plot.line(line.allow_hover(false));
-            if let Some([x, y]) = last {
-                let name = RichText::new(look.say(name_key)).small().color(color);
-                let text = Text::new("name", PlotPoint::new(x + 0.05, y), name);
+        }
+        for (line, place) in lines.iter().zip(places) {
+            if let Some(place) = place {
+                let name = RichText::new(look.say(line.name_key)).small();
+                let text = Text::new("name", place, name.color(line.color));
                 plot.text(text.anchor(Align2::LEFT_CENTER).allow_hover(false));
             }
         }
     });
+}
+
+/// Names at the ends of lines, each moved down until it lies on none of those that are higher.
+fn apart(mut places: Vec<Option<Rect>>) -> Vec<Option<Rect>> {
+    let top = |place: &Option<Rect>| place.map_or(f32::INFINITY, |place| place.top());
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    order.sort_by(|&a, &b| top(&places[a]).total_cmp(&top(&places[b])));
+    for nth in 1..order.len() {
+        for before in 0..nth {
+            let [over, under] = [before, nth].map(|nth| places[order[nth]]);
+            if let (Some(over), Some(under)) = (over, under)
+                && over.intersects(under)
+            {
+                let down = vec2(0.0, over.bottom() - under.top());
+                places[order[nth]] = Some(under.translate(down));
+            }
+        }
+    }
+    places
 }
 
 /// A mark of a logarithmic axis: of whole powers only.
@@ -103,5 +142,32 @@ fn whole(value: f64, power: impl Fn(f64) -> String) -> String {
         power(value)
     } else {
         String::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_at_the_ends_of_lines_lie_on_none_of_the_others() {
+        let name = |x: f32, y: f32| Some(Rect::from_min_size(egui::pos2(x, y), vec2(60.0, 14.0)));
+        let places = vec![
+            name(10.0, 40.0),
+            None,
+            name(12.0, 38.0),
+            name(200.0, 39.0),
+            name(0.0, 45.0),
+        ];
+        let apart: Vec<Rect> = apart(places.clone()).into_iter().flatten().collect();
+        for (i, place) in apart.iter().enumerate() {
+            // What only touches lies on nothing.
+            let inside = place.shrink(0.01);
+            assert!(
+                apart[..i].iter().all(|other| !other.intersects(inside)),
+                "{apart:?}"
+            );
+        }
+        assert_eq!(apart[2], places[3].expect("a name"), "what has room stays");
     }
 }

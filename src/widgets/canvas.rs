@@ -127,7 +127,8 @@ impl Canvas<'_> {
             let said = handles.coordinates(ui, &response, step);
             self.say_place(&painter, said, &labels);
         } else {
-            handles.draw_names(ui, &painter, &response, self.reads_pointer);
+            let beside = (&labels[..], self.reads_pointer);
+            handles.draw_names(ui, &painter, &response, beside);
         }
         focus_ring(
             &painter,
@@ -217,7 +218,7 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
 /// In the first corner in which they cover nothing, else in the first.
 fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, (said, taken): (String, &[Rect])) {
     let theme = look.theme;
-    let font = FontId::monospace(11.0 * theme.text_scale.sqrt());
+    let font = FontId::monospace(theme.pts(11.0, theme.text_scale.sqrt()));
     let text = painter.layout_no_wrap(said, font, theme.soft);
     let inner = rect.shrink(8.0);
     let corners = [Align2::RIGHT_TOP, Align2::RIGHT_BOTTOM, Align2::LEFT_TOP];
@@ -271,7 +272,7 @@ fn scale(painter: &Painter, viewport: &Viewport, step: f64, (look, labels): (Loo
     // Of grids of 1, 2 or 5 every fifth line has a round number, of others it has one, too.
     let mut round = [1.0, 2.0, 5.0, 10.0].into_iter();
     let every = step * round.find(|&n| n >= lines).unwrap_or(lines);
-    let font = FontId::monospace(9.5 * libm::powf(look.theme.text_scale, 0.7));
+    let font = FontId::monospace(look.theme.pts(9.5, libm::powf(look.theme.text_scale, 0.7)));
     let [left, top] = viewport.to_world(rect.min);
     let [right, bottom] = viewport.to_world(rect.max);
     let room = f64::from(font.size) * 1.5 / viewport.scale;

@@ -38,7 +38,7 @@ impl Composition<'_> {
         title: Option<&str>,
         [caption, cost]: [f32; 2],
         needs: &[Vec<Need>],
-        board: f32,
+        [board, taken]: [f32; 2],
     ) -> Layout {
         let (theme, spacing) = (self.look.theme, self.spacing);
         let width = area.width() - 2.0 * (spacing.margin + spacing.inset);
@@ -54,12 +54,13 @@ impl Composition<'_> {
             em: TEXT_PTS * theme.text_scale,
             spacing,
             title: height.map_or(0.0, |height| {
-                (height + LEAST_UNDER_TITLE).max(spacing.titled)
+                (0.5 * spacing.inset + height + LEAST_UNDER_TITLE).max(spacing.titled)
             }),
             name: name * theme.title_scale,
             caption,
             cost,
             board,
+            taken,
         };
         let layout = sheet.lay_out(needs);
         if let Some(title) = title {

@@ -22,6 +22,7 @@ pub fn column_title(
     [moment, note]: [Option<&str>; 2],
 ) {
     let theme = look.theme;
+    let least = theme.least_text.max(LEAST_PTS);
     let mut size = SIZE_PTS;
     let (name, note, is_beside) = loop {
         let strong = FontId::new(size * theme.title_scale, semibold());
@@ -38,7 +39,7 @@ pub fn column_title(
         let is_beside = name.size().x + note_width <= width;
         let n_note = note.as_ref().map_or(0, Typeset::n_rows);
         size -= 1.0;
-        if is_beside || name.n_rows() + n_note <= MAX_ROWS || size < LEAST_PTS {
+        if is_beside || name.n_rows() + n_note <= MAX_ROWS || size * theme.title_scale < least {
             break (name, note, is_beside);
         }
     };

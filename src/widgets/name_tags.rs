@@ -1,5 +1,7 @@
 //! The names of handles in space, beside them: of those in use with their numbers, of those that the lesson asks for.
 
+use crate::paint::Placed;
+
 use super::{
     handles::{Handles, Spot, gripped},
     prelude::*,
@@ -11,7 +13,15 @@ const PLATE: Vec2 = vec2(4.0, 2.0);
 
 impl Handles<'_> {
     /// While one is dragged its name stands beside the pointer. Those under it are named only where that `is_read`.
-    pub fn draw_names(&self, ui: &Ui, painter: &Painter, canvas: &Response, is_read: bool) {
+    /// They cover none of the `labels`, where there is room beside them.
+    pub fn draw_names(
+        &self,
+        ui: &Ui,
+        painter: &Painter,
+        canvas: &Response,
+        (labels, is_read): (&[Placed], bool),
+    ) {
+        let mut taken: Vec<Rect> = labels.iter().map(|label| label.rect).collect();
         let focused = ui.memory(egui::Memory::focused);
         let held = gripped(ui, self.id);
         let pointer = canvas.hover_pos().filter(|_| is_read && held.is_none());
@@ -31,7 +41,8 @@ impl Handles<'_> {
             } else {
                 continue;
             };
-            name(painter, self.viewport.rect, (self.look, at), said);
+            let room = self.viewport.rect;
+            taken.push(name(painter, (room, &taken), (self.look, at), said));
         }
     }
 
@@ -50,17 +61,33 @@ impl Handles<'_> {
     }
 }
 
-fn name(painter: &Painter, rect: Rect, (look, at): (Look<'_>, Pos2), said: String) {
+fn name(
+    painter: &Painter,
+    (room, taken): (Rect, &[Rect]),
+    (look, at): (Look<'_>, Pos2),
+    said: String,
+) -> Rect {
+    const SIDES: [(Align2, Vec2); 4] = [
+        (Align2::LEFT_CENTER, vec2(BESIDE, 0.0)),
+        (Align2::RIGHT_CENTER, vec2(-BESIDE, 0.0)),
+        (Align2::CENTER_BOTTOM, vec2(0.0, -BESIDE)),
+        (Align2::CENTER_TOP, vec2(0.0, BESIDE)),
+    ];
     let theme = look.theme;
-    let font = FontId::proportional(12.0 * theme.text_scale.sqrt());
+    let font = FontId::proportional(theme.pts(12.0, theme.text_scale));
     let text = painter.layout_no_wrap(said, font, theme.ink);
-    let aside = vec2(BESIDE, 0.0);
-    let right = Align2::LEFT_CENTER.anchor_size(at + aside, text.size());
-    let place = if rect.right() < right.right() {
-        Align2::RIGHT_CENTER.anchor_size(at - aside, text.size())
-    } else {
-        right
+    let place = |(align, aside): (Align2, Vec2)| {
+        let place = align.anchor_size(at + aside, text.size());
+        place.expand2(PLATE)
     };
-    painter.rect_filled(place.expand2(PLATE), PLATE.x, theme.background);
-    painter.galley(place.min, text, theme.ink);
+    let mut inside = SIDES
+        .map(place)
+        .into_iter()
+        .filter(|it| room.contains_rect(*it));
+    let first = inside.clone().next();
+    let free = inside.find(|place| !taken.iter().any(|other| other.intersects(*place)));
+    let plate = free.or(first).unwrap_or_else(|| place(SIDES[0]));
+    painter.rect_filled(plate, PLATE.x, theme.background);
+    painter.galley(plate.min + PLATE, text, theme.ink);
+    plate
 }

@@ -112,10 +112,11 @@ impl<'a> Pseudocode<'a> {
             };
             lines.iter().map(set).collect()
         };
-        let mut sizes = SIZES.into_iter().map(set);
+        let least = look.theme.least_text / natural.size;
+        let sizes = SIZES.map(|part| part.max(least));
         let height = |set: &[SetLine]| set.iter().map(|line| line.height).sum::<f32>();
-        let fitting = sizes.find(|set| height(set) <= most);
-        let set = fitting.unwrap_or_else(|| set(SIZES[SIZES.len() - 1]));
+        let fitting = sizes.into_iter().map(set).find(|set| height(set) <= most);
+        let set = fitting.unwrap_or_else(|| set(sizes[SIZES.len() - 1]));
         let heights = set.iter().map(|line| line.height).collect();
         Self {
             look,

@@ -29,8 +29,12 @@ pub struct WatchRoom {
 struct SectionRoom {
     header: Vec<Value>,
     names: f32,
+    /// The widest word of a name.
+    word: f32,
     columns: Vec<f32>,
-    known: BTreeSet<(Option<usize>, String)>,
+    /// Of its natural size text keeps so much.
+    least: f32,
+    known: BTreeSet<(usize, String)>,
 }
 
 impl WatchRoom {
@@ -40,7 +44,7 @@ impl WatchRoom {
             let known = self.section_idx(section).unwrap_or_else(|| {
                 self.sections.push(SectionRoom {
                     header: section.header.clone(),
-                    names: NAME_WIDTH - GAP,
+                    least: SMALLEST.max(look.theme.least_text / table.mono.size),
                     ..SectionRoom::default()
                 });
                 self.sections.len() - 1
@@ -64,41 +68,57 @@ impl SectionRoom {
         // A title counts as well: that of the names comes first where they have one.
         let skip = section.header.len().saturating_sub(n_columns);
         for (i, title) in section.header.iter().skip(skip).enumerate() {
-            self.measure(table, ui, Some(i), title);
+            let width = table.widest_word(ui, title);
+            self.columns[i] = self.columns[i].max(width);
         }
         for row in &section.rows {
-            self.measure(table, ui, None, &row.name);
+            let is_table = !section.header.is_empty();
+            let name = table.name(ui, (&row.name, is_table), Color32::PLACEHOLDER);
+            self.names = self.names.max(name.size().x);
+            self.word = self.word.max(if is_words(&row.name, is_table) {
+                table.widest_word(ui, &row.name)
+            } else {
+                name.size().x
+            });
             for (i, cell) in row.cells.iter().enumerate() {
                 if let Some(value) = cell {
-                    self.measure(table, ui, Some(i), value);
+                    self.measure(table, ui, i, value);
                 }
             }
         }
     }
 
-    fn measure(&mut self, table: &Table<'_>, ui: &Ui, column: Option<usize>, value: &Value) {
+    fn measure(&mut self, table: &Table<'_>, ui: &Ui, column: usize, value: &Value) {
         if !self.known.insert((column, table.look.catalog.value(value))) {
             return;
         }
         let width = table.set(ui, value, Color32::PLACEHOLDER).size().x;
-        let most = match column {
-            Some(i) => &mut self.columns[i],
-            None => &mut self.names,
-        };
-        *most = most.max(width);
+        self.columns[column] = self.columns[column].max(width);
     }
 
-    fn fit(&self, width: f32) -> f32 {
+    /// For names, and for names and values. Short names have as much as long ones if there is room; words of long ones stand over
+    /// each other if there is none.
+    fn wanted(&self, room: f32) -> [f32; 2] {
+        let values = self.columns.iter().sum::<f32>();
+        let widths = [self.names.max(NAME_WIDTH - GAP), self.names];
+        let names = widths.into_iter().find(|names| names + values <= room);
+        let names = names.unwrap_or(self.word);
+        [names, names + values]
+    }
+
+    /// The width of names, and what part of its natural size all text has.
+    fn fit(&self, width: f32) -> [f32; 2] {
         let room = width - DOT_ROOM - GAP * self.columns.len() as f32;
-        let text = self.names + self.columns.iter().sum::<f32>();
-        (room / text).clamp(SMALLEST, 1.0)
+        let [names, text] = self.wanted(room);
+        let scale = (room / text).clamp(self.least, 1.0);
+        [scale * names, scale]
     }
 
     /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
     /// value onto the next, each as far along as the values before it need.
     fn columns(&self, width: f32) -> Vec<f32> {
-        let scale = self.fit(width);
-        let first = DOT_ROOM + GAP + scale * self.names;
+        let [names, scale] = self.fit(width);
+        let first = DOT_ROOM + GAP + names;
         let n = self.columns.len();
         let step = ((width - first) / n.max(1) as f32).max(24.0);
         let fits = |column: &f32| scale * column + 0.5 * GAP <= step;
@@ -113,6 +133,11 @@ impl SectionRoom {
         };
         self.columns.iter().map(&mut place).collect()
     }
+}
+
+/// Words in a table are set in the type of words, which is less wide.
+const fn is_words(value: &Value, is_table: bool) -> bool {
+    is_table && matches!(value, Value::Term(_) | Value::Message(_))
 }
 
 pub struct WatchTable<'a> {
@@ -181,7 +206,16 @@ impl<'a> Table<'a> {
         for (i, section) in watch.iter().enumerate() {
             let n = section.rows.len() + usize::from(!section.header.is_empty());
             let gap = if i > 0 { SECTION_GAP } else { 0.0 };
-            heights.extend((0..n).map(|row| self.height + if row == 0 { gap } else { 0.0 }));
+            let first = heights.len();
+            heights.resize(first + n, self.height);
+            if !section.header.is_empty() {
+                heights[first] = self.header_height(section);
+            }
+            heights
+                .iter_mut()
+                .skip(first)
+                .take(1)
+                .for_each(|height| *height += gap);
         }
         heights
     }
@@ -199,7 +233,7 @@ impl<'a> Table<'a> {
                 ui.add_space(SECTION_GAP);
             }
             // Where the columns do not fit, smaller digits are better than digits in each other's place.
-            self.mono.size = natural * known.fit(width);
+            self.mono.size = natural * known.fit(width)[1];
             let columns = known.columns(width);
             if !section.header.is_empty() {
                 self.header(ui, section, &columns);
@@ -225,8 +259,46 @@ impl<'a> Table<'a> {
         Typeset::line(ui.painter(), &[span])
     }
 
+    /// Of a title or a name in words, which stand over each other where they have no room; of another its width.
+    fn widest_word(&self, ui: &Ui, title: &Value) -> f32 {
+        if !is_words(title, true) {
+            return self.set(ui, title, Color32::PLACEHOLDER).size().x;
+        }
+        let said = self.look.catalog.value(title);
+        let width = |word: &str| {
+            let (word, font) = (word.to_owned(), self.small.clone());
+            let galley = (ui.painter()).layout_no_wrap(word, font, Color32::PLACEHOLDER);
+            galley.size().x
+        };
+        said.split(' ').map(width).fold(0.0, f32::max)
+    }
+
+    /// A name in one line: of a table, if it is words, in the type of words.
+    fn name(&self, ui: &Ui, (name, is_table): (&Value, bool), colour: Color32) -> Typeset {
+        if is_words(name, is_table) {
+            self.words(ui, name, colour, f32::INFINITY)
+        } else {
+            self.set(ui, name, colour)
+        }
+    }
+
+    fn words(&self, ui: &Ui, words: &Value, colour: Color32, room: f32) -> Typeset {
+        let span = Span::value(self.look.catalog, words, self.small.clone(), colour);
+        Typeset::wrapped(ui.painter(), &[span], room)
+    }
+
+    fn header_height(&self, section: &WatchSection) -> f32 {
+        const LINES: f32 = 2.5;
+        let is_words = |title: &Value| self.look.catalog.value(title).contains(' ');
+        if section.header.iter().any(is_words) {
+            self.height.max((LINES * self.small.size).round())
+        } else {
+            self.height
+        }
+    }
+
     fn header(&self, ui: &mut Ui, section: &WatchSection, columns: &[f32]) {
-        let size = vec2(ui.available_width(), self.height);
+        let size = vec2(ui.available_width(), self.header_height(section));
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         // A header may name the column of names too.
         let skip = section.header.len().saturating_sub(columns.len());
@@ -235,7 +307,13 @@ impl<'a> Table<'a> {
         let names = section.header[..skip].iter().zip([DOT_ROOM]);
         for (title, x) in names.chain(titles) {
             let at = pos2(rect.left() + x, rect.center().y);
-            let title = self.set(ui, title, colour);
+            let next = columns.iter().copied().find(|next| *next > x);
+            let room = next.map_or(rect.width(), |next| next - GAP) - x;
+            let title = if is_words(title, true) {
+                self.words(ui, title, colour, room)
+            } else {
+                self.set(ui, title, colour)
+            };
             title.paint(ui.painter(), at, Align2::LEFT_CENTER);
         }
     }
@@ -267,7 +345,11 @@ impl<'a> Table<'a> {
             ui.painter().circle_filled(dot, 2.5, theme.signal);
         }
         let at = |x: f32| pos2(rect.left() + x, y);
-        let name = self.set(ui, &row.name, theme.soft);
+        let mut name = self.name(ui, (&row.name, is_table), theme.soft);
+        let room = columns.first().map_or(rect.width(), |first| first - GAP) - DOT_ROOM;
+        if is_words(&row.name, is_table) && name.size().x > room {
+            name = self.words(ui, &row.name, theme.soft, room);
+        }
         name.paint(ui.painter(), at(DOT_ROOM), Align2::LEFT_CENTER);
         let mut end = rect.left();
         let nothing = Value::Name(if is_table { "" } else { "–" }.to_owned());

@@ -312,6 +312,8 @@ bsp-opening = { $triangles ->
     [one] One triangle becomes
    *[other] { $triangles } triangles become
   } a tree of planes, which is built once and walked for each position of the eye.
+bsp-plane = plane of { $triangle }
+bsp-eye = eye
 bsp-node-root = The plane of { $triangle } is the first node.
 bsp-node-front = The first triangle in front of { $parent } is { $triangle }: its plane is the next node.
 bsp-node-back = The first triangle behind { $parent } is { $triangle }: its plane is the next node.

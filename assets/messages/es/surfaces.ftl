@@ -309,6 +309,8 @@ bsp-opening = { $triangles ->
     [one] Un triángulo se convierte
    *[other] { $triangles } triángulos se convierten
   } en un árbol de planos, que se construye una vez y se recorre para cada punto de vista.
+bsp-plane = plano de { $triangle }
+bsp-eye = ojo
 bsp-node-root = El plano de { $triangle } es el primer nodo.
 bsp-node-front = De lo que está delante de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.
 bsp-node-back = De lo que está detrás de { $parent }, el primero es { $triangle }: su plano es el siguiente nodo.

@@ -309,6 +309,8 @@ bsp-opening = { $triangles ->
     [1] Um triângulo vira
    *[other] { $triangles } triângulos viram
   } uma árvore de planos, construída uma vez e percorrida para cada ponto de vista.
+bsp-plane = plano de { $triangle }
+bsp-eye = olho
 bsp-node-root = O plano de { $triangle } é o primeiro nó.
 bsp-node-front = Do que está na frente de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.
 bsp-node-back = Do que está atrás de { $parent }, o primeiro é { $triangle }: o seu plano é o próximo nó.

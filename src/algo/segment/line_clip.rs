@@ -200,31 +200,18 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
                 };
                 let wins_tie = |first| bounds.wins_tie(plane, first);
                 let moves = interval.shrink(param, distances, wins_tie);
-                let ([u_min, u_max], r) = (interval.values(), param.u.get());
-                let bound = match (param.leaving, moves) {
-                    (false, raises) => Event::Enter {
-                        plane,
-                        r,
-                        raises,
-                        u_min,
-                    },
-                    (true, lowers) => Event::Leave {
-                        plane,
-                        r,
-                        lowers,
-                        u_max,
-                    },
-                };
-                tell.tell(held, bound)?;
-                let empty = interval.is_empty(distances);
+                let [u_min, u_max] = interval.values();
                 tell.tell(
                     held,
-                    Event::Interval {
-                        u_min,
-                        u_max,
-                        empty,
-                    },
+                    bound((plane, param.u.get()), param.leaving, moves, [u_min, u_max]),
                 )?;
+                let empty = interval.is_empty(distances);
+                let left = Event::Interval {
+                    u_min,
+                    u_max,
+                    empty,
+                };
+                tell.tell(held, left)?;
                 !empty
             };
             if !visible {
@@ -244,6 +231,31 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
     /// What begins; three for each plane; two ends; a verdict.
     fn max_events(input: &B::Input) -> usize {
         1 + 3 * input.bounds().planes().count() + 2 + 1
+    }
+}
+
+/// A plane that is met at `r`, and the bound that it may have moved.
+#[inline]
+fn bound<P, const N: usize, W>(
+    (plane, r): (P, f64),
+    is_leaving: bool,
+    moves: bool,
+    [u_min, u_max]: [f64; 2],
+) -> LineEvent<P, N, W> {
+    if is_leaving {
+        LineEvent::Leave {
+            plane,
+            r,
+            lowers: moves,
+            u_max,
+        }
+    } else {
+        LineEvent::Enter {
+            plane,
+            r,
+            raises: moves,
+            u_min,
+        }
     }
 }
 

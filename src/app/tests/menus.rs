@@ -48,6 +48,37 @@ fn random_numbers_are_typed_and_another_set_follows() {
     }
 }
 
+/// Each row of a list of methods, all of it in sight, and the groups that they stand in.
+#[test]
+fn lists_of_methods_show_all_rows_whole_and_what_is_wrong_apart() {
+    for (lang, theme, size) in [
+        (Lang::En, ThemeKind::Light, SIZE),
+        (Lang::Es, ThemeKind::Light, vec2(1024.0, 768.0)),
+        (Lang::Es, ThemeKind::Projector, vec2(1024.0, 768.0)),
+    ] {
+        let mut bench = Bench::seen(lang, theme, size);
+        bench.command(Command::Lab("frustum"));
+        let catalog = Catalog::of(lang);
+        let on_stage = catalog.term(bench.document().methods()[0].name_key);
+        let texts = bench.texts();
+        let button = texts.iter().find(|(text, _)| *text == on_stage);
+        bench.press_at(button.expect("the method's name").1.center());
+        let texts = bench.texts();
+        let top = |key: &str| {
+            let said = catalog.term(key);
+            let rows = texts.iter().filter(|(text, _)| *text == said);
+            rows.map(|(_, rect)| rect.top()).reduce(f32::max)
+        };
+        let methods = (bench.document().lab().methods)();
+        for card in methods.iter().filter(|card| !card.is_faulty) {
+            assert!(top(card.name_key).is_some(), "{lang}: {}", card.id);
+            let heading = card.group_key.and_then(top);
+            assert!(heading.is_some(), "{lang}: over {}", card.id);
+        }
+        assert!(top("faulty-title") < top("alg-undivided-texture"));
+    }
+}
+
 #[test]
 fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
     let mut bench = Bench::new(SIZE);

@@ -14,6 +14,7 @@ mod goals;
 mod hands;
 mod keys;
 mod labs;
+mod legible;
 mod links;
 mod menus;
 mod meshes;

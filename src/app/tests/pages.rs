@@ -242,6 +242,11 @@ holes = [[[1.5, 1.5], [1.5, 2], [2, 1.5]], [[5, 1], [5, 2], [6, 1]]]
     assert_eq!(hole.role, Role::Discarded);
     let words = Catalog::of(Lang::En).term("action-no-hole");
     let texts = bench.texts();
+    // What is written at the drawing keeps away from the buttons over it.
+    let buttons = bench.app.stage.ways_out_at.expect("they are there");
+    let refused = texts.iter().find(|(text, _)| text.starts_with('×'));
+    let (_, refused) = refused.expect("it says what is refused");
+    assert!(!refused.intersects(buttons), "{refused:?} {buttons:?}");
     let button = texts.iter().find(|(text, _)| *text == words);
     bench.press_at(button.expect("a way out").1.center());
     assert!(!bench.app.playback.main().is_refused());
@@ -284,6 +289,8 @@ fn someone_new_is_told_what_to_press_until_it_is_done() {
     bench.app.greet();
     let greeting = Catalog::of(Lang::En).term("greeting");
     let is_told = |bench: &Bench| bench.app.notices.iter().any(|it| it.text == greeting);
+    assert_eq!(bench.app.position(), 0, "the first → does something");
+    assert!(bench.n_steps() > 0 && is_told(&bench));
     bench.key(Key::PageDown);
     assert!(is_told(&bench));
     bench.key(Key::ArrowLeft);

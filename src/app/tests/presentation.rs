@@ -28,6 +28,21 @@ fn it_fills_the_screen_and_leaves_it_as_it_was() {
 }
 
 #[test]
+fn the_timeline_can_be_pressed_in_every_language_on_a_small_projector() {
+    for lang in Lang::ALL {
+        let mut bench = Bench::seen(lang, ThemeKind::Projector, vec2(1024.0, 768.0));
+        bench.command(Command::Open([18, 0]));
+        bench.key(Key::F5);
+        let name = Catalog::of(lang).term("panel-timeline");
+        let timeline = bench.found(&name);
+        assert!(timeline.width() > 300.0, "{lang}: {timeline:?}");
+        bench.press_at(timeline.center());
+        let middle = bench.n_steps() / 2;
+        assert!(bench.app.position().abs_diff(middle) <= 1, "{lang}");
+    }
+}
+
+#[test]
 fn escape_leaves_it_whatever_else_is_on_screen() {
     for (key, modifiers) in [
         (Key::Questionmark, Modifiers::NONE),

@@ -173,6 +173,20 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let said: Vec<String> = notes.iter().map(said).collect();
     let nearest = "nearest face there is face 1 of object B";
     assert!(said.join(" ").contains(nearest), "{said:?}");
+    // The picture is the same where another pixel alone is looked at, and so is the answer.
+    let mut plan = bench.space().raster;
+    plan.pixel = Some([2, 2]);
+    bench.edit(Edit::Own(Arc::new(space::SpaceChange::Raster(plan))));
+    let end = bench.n_steps();
+    assert!(told(&mut bench, end).contains("shows face 1 of object A"));
+    let run = bench.app.playback.main();
+    let alone = bench.document().verdict(place, (run, end));
+    let alone = alone.expect("it is told").notes;
+    let alone: Vec<String> = alone
+        .iter()
+        .map(|it| Catalog::of(Lang::En).message(it))
+        .collect();
+    assert_eq!(alone, said);
 }
 
 #[test]

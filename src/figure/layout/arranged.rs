@@ -39,23 +39,35 @@ impl Arranged {
             need.aspect.is_none() && slot.size()[0] < need.least[0] * readable - 1.0
         };
         let n_narrow = all.filter(is_narrow).count();
-        let scale = columns.flat_map(|(views, needs)| {
+        let is_equal = needs.iter().flatten().any(|need| need.is_equal);
+        let sides = columns.flat_map(|(views, needs)| {
             let drawn = views.iter().enumerate().filter_map(|(nth, (id, slot))| {
                 let need = needs.iter().find(|need| need.id == *id)?;
                 let is_first = nth == 0;
                 let counts = is_first || need.stand == Stand::Drawing;
                 let side = side(need.aspect?, *slot);
                 // A drawing beside the first one is what the method makes: it counts for more.
-                let weight = if is_first { 1.0 } else { side.sqrt() };
+                let weight = if is_first || is_equal {
+                    1.0
+                } else {
+                    side.sqrt()
+                };
                 counts.then_some(side * weight)
             });
             drawn.collect::<Vec<_>>()
         });
+        let sides: Vec<f32> = sides.collect();
+        let scale = if is_equal {
+            let least = sides.iter().copied().reduce(f32::min).unwrap_or(1.0);
+            least.powi(sides.len() as i32)
+        } else {
+            sides.iter().product()
+        };
         let is_whole = views.iter().all(|views| !views.is_empty());
         let n_views = views.iter().map(Vec::len).sum();
         Self {
             how: Some(how),
-            scale: scale.product(),
+            scale,
             n_views: if is_whole { n_views } else { 0 },
             n_narrow,
             views,
@@ -64,6 +76,11 @@ impl Arranged {
 
     pub fn has_all(&self, needs: &[Vec<Need>]) -> bool {
         self.n_views == needs.iter().map(Vec::len).sum::<usize>()
+    }
+
+    /// Has all of them room for their text?
+    pub fn reads_all(&self, needs: &[Vec<Need>]) -> bool {
+        self.has_all(needs) && self.n_narrow == 0
     }
 
     pub fn is_better_than(&self, other: &Self) -> bool {

@@ -40,6 +40,10 @@ impl<'a> Groups<'a> {
             Way::Aside => self.beside.append(&mut self.under),
             Way::Under | Way::Low => self.under.append(&mut self.beside),
             Way::Row => self.row.append(&mut self.beside),
+            Way::Board => {
+                let text = self.beside.extract_if(.., |need| need.aspect.is_none());
+                self.across.extend(text);
+            }
             Way::Across => {
                 let wider = self.under.extract_if(.., |need| need.stand == Stand::Under);
                 self.across.splice(..0, wider).for_each(drop);
@@ -57,6 +61,8 @@ pub enum Way {
     Aside,
     /// Beside it, and across all of the column.
     Across,
+    /// Drawings side by side, and text under all of them.
+    Board,
     /// In a row under it.
     Row,
     /// All under it.
@@ -73,10 +79,11 @@ const SHARES: [f32; 8] = [0.5, 0.3, 0.35, 0.4, 0.45, 0.55, 0.6, 0.65];
 
 impl Way {
     /// What comes first is taken where the drawing is as large in what comes later.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Beside,
         Self::Aside,
         Self::Across,
+        Self::Board,
         Self::Row,
         Self::Under,
         Self::Low,
@@ -88,7 +95,10 @@ impl Way {
             let drawings = needs.iter().filter(|need| need.stand == Stand::Drawing);
             drawings.count()
         };
-        let is_side = matches!(self, Self::Beside | Self::Aside | Self::Across);
+        let is_side = matches!(
+            self,
+            Self::Beside | Self::Aside | Self::Across | Self::Board
+        );
         let is_shared = is_side && needs.iter().map(drawings).max() > Some(1);
         let shares = is_shared.then_some(SHARES.map(Some));
         let alone = (!is_shared).then_some(None);

@@ -8,6 +8,8 @@ use crate::figure::extent::Need;
 
 /// Of its column's height a drawing keeps this part at least, and of its width.
 const DRAWING: f32 = 0.42;
+/// The same in a window, where text has a least size.
+const IN_WINDOW: f32 = 0.38;
 const NARROW: f32 = 0.3;
 const LOW: f32 = 0.82;
 /// Between a drawing and what stands beside it, and under it; in ems.
@@ -46,7 +48,7 @@ impl Sheet {
         let row_height = row_height.fold(0.0, f32::max);
         let mut room = left;
         if row_height > 0.0 {
-            room.take_bottom(row_height + self.gap());
+            room.take_bottom(row_height + self.gap() + self.spacing.inset);
         }
         let (drawn, under) = self.under(way, room, &groups, most);
         let mut slots = vec![(drawing.id, drawn)];
@@ -146,7 +148,7 @@ impl Sheet {
         let inset = self.spacing.inset;
         let lowered: Vec<Need> = groups.under.iter().map(|need| way.lowered(need)).collect();
         let under: Vec<&Need> = lowered.iter().collect();
-        let least_height = least_height(way, groups.drawing, height);
+        let least_height = self.least_height(way, groups.drawing, height);
         let strips = self.heights(&under, height - least_height - inset);
         // As far as they all are seen, the drawing keeps half.
         let half = self.heights(&under, 0.5 * height);
@@ -170,11 +172,12 @@ impl Sheet {
         (drawn, self.stack(below, &under, &strips))
     }
 
-    /// Over each other beside the drawing, at their natural heights; another drawing, or the last one, has what is left.
+    /// Over each other beside the drawing, at their natural heights; other drawings, or the last one, have what is left.
     fn side(&self, side: Slot, needs: &[&Need]) -> Vec<(ViewId, Slot)> {
         let room = side.size()[1] + self.gap();
         let mut needs: Vec<Need> = needs.iter().map(|&&need| need).collect();
-        if let Some(drawn) = needs.iter_mut().find(|need| need.aspect.is_some()) {
+        let n_drawn = needs.iter().filter(|need| need.aspect.is_some()).count();
+        for drawn in needs.iter_mut().filter(|need| need.aspect.is_some()) {
             // The others first, as they are by nature.
             drawn.natural[1] = drawn.least[1];
         }
@@ -182,10 +185,16 @@ impl Sheet {
         let mut heights = self.heights(&needs, room);
         let taken: f32 = heights.iter().map(|height| height + self.gap()).sum();
         if heights.len() == needs.len() && taken < room {
-            let drawn = needs.iter().position(|need| need.aspect.is_some());
-            if let Some(grown) = heights.get_mut(drawn.unwrap_or(needs.len().saturating_sub(1))) {
-                *grown += room - taken;
-            }
+            let last = needs.len().saturating_sub(1);
+            let grows = |nth: usize| match n_drawn {
+                0 => nth == last,
+                _ => needs[nth].aspect.is_some(),
+            };
+            let growing = heights
+                .iter_mut()
+                .enumerate()
+                .filter(|(nth, _)| grows(*nth));
+            growing.for_each(|(_, height)| *height += (room - taken) / n_drawn.max(1) as f32);
         }
         self.stack(side, &needs, &heights)
     }
@@ -199,6 +208,20 @@ impl Sheet {
             rest.max[0] = slot.min[0];
         }
         slots
+    }
+
+    fn least_height(&self, way: Way, drawing: &Need, height: f32) -> f32 {
+        let least = drawing.least[1] * READABLE;
+        let part = if self.spacing.is_fixed {
+            IN_WINDOW
+        } else {
+            DRAWING
+        };
+        if way == Way::Low {
+            least
+        } else {
+            least.max(part * height)
+        }
     }
 
     fn gap(&self) -> f32 {
@@ -230,7 +253,7 @@ impl Sheet {
         let [width, height] = stage.size();
         let has_room = |need: &&&Need| need.least[0] * READABLE <= width - 2.0 * self.spacing.inset;
         let needs: Vec<&Need> = needs.iter().filter(has_room).copied().collect();
-        let room = height - least_height(way, drawing, height) - self.spacing.inset;
+        let room = height - self.least_height(way, drawing, height) - self.spacing.inset;
         let heights = self.heights(&needs, room);
         if heights.is_empty() {
             return Vec::new();
@@ -289,19 +312,15 @@ const LONGEST: f32 = 24.0;
 
 impl Way {
     fn lowered(self, need: &Need) -> Need {
-        let part = if self == Self::Low { LOW } else { 1.0 };
+        let is_whole = need.whole[1] > 0.0 && need.least[1] >= need.whole[1];
+        let part = if self == Self::Low && !is_whole {
+            LOW
+        } else {
+            1.0
+        };
         Need {
             least: [need.least[0], part * need.least[1]],
             ..*need
         }
-    }
-}
-
-fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {
-    let least = drawing.least[1] * READABLE;
-    if way == Way::Low {
-        least
-    } else {
-        least.max(DRAWING * height)
     }
 }

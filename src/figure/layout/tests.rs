@@ -11,6 +11,8 @@ fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> N
         least,
         natural,
         aspect: None,
+        whole: [0.0; 2],
+        is_equal: false,
     }
 }
 
@@ -32,6 +34,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
         name: 0.0,
         caption: 60.0,
         board: 1.0,
+        taken: 0.0,
         cost: 0.0,
     }
 }
@@ -48,6 +51,80 @@ fn needs() -> Vec<Need> {
 
 fn is_apart(a: Slot, b: Slot) -> bool {
     (0..2).any(|i| a.max[i] <= b.min[i] || b.max[i] <= a.min[i])
+}
+
+/// Where the drawing, or what stands beside it, begins to stand elsewhere.
+#[test]
+fn what_takes_height_away_for_a_while_moves_nothing_to_another_side() {
+    let mut n_settled = 0;
+    for height in (300..900).step_by(7) {
+        let stand = |height: i32, taken: f32| {
+            let whole = sheet([900.0, height as f32], 13.0);
+            let layout = Sheet { taken, ..whole }.lay_out(&[needs()]);
+            layout.columns.into_iter().next().expect("one").views
+        };
+        let (whole, less) = (stand(height, 0.0), stand(height - 40, 40.0));
+        let stands = |views: &[(ViewId, Slot)]| -> Vec<(ViewId, bool)> {
+            let drawing = views[0].1;
+            let is_under = |slot: &Slot| slot.min[1] >= drawing.max[1];
+            views
+                .iter()
+                .map(|(id, slot)| (*id, is_under(slot)))
+                .collect()
+        };
+        let ids =
+            |views: &[(ViewId, Slot)]| -> Vec<ViewId> { views.iter().map(|it| it.0).collect() };
+        if ids(&whole) == ids(&less) {
+            assert_eq!(stands(&whole), stands(&less), "{height}");
+            n_settled += usize::from(stands(&stand(height - 40, 0.0)) != stands(&less));
+        }
+    }
+    assert!(n_settled > 0, "else nothing has been tested");
+}
+
+#[test]
+fn two_drawings_that_are_to_be_equal_are_about_as_large() {
+    for width in [500.0, 680.0, 770.0, 1000.0] {
+        let drawing = |id, aspect, is_equal| Need {
+            aspect: Some(aspect),
+            is_equal,
+            ..need(id, Stand::Drawing, [10.0, 7.5], [30.0, 24.0])
+        };
+        let table = need("table", Stand::Beside, [15.0, 8.0], [26.0, 20.0]);
+        let needs = vec![
+            drawing("eye", 1.2, false),
+            drawing("camera", 1.6, true),
+            table,
+        ];
+        let layout = sheet([width, 640.0], 13.0).lay_out(&[needs]);
+        let size = |nth: usize, aspect: f32| {
+            let [width, height] = layout.columns[0].views[nth].1.size();
+            width.min(aspect * height) / aspect.sqrt()
+        };
+        let [eye, camera] = [size(0, 1.2), size(1, 1.6)];
+        assert!(
+            (0.7..1.43).contains(&(eye / camera)),
+            "{width}: {eye} {camera}"
+        );
+    }
+}
+
+/// Two pictures that the step compares, beside the drawing.
+#[test]
+fn pictures_over_each_other_are_as_high() {
+    let picture = |id| Need {
+        aspect: Some(1.3),
+        ..need(id, Stand::Drawing, [12.0, 9.0], [48.0, 36.0])
+    };
+    let needs = vec![picture("eye"), picture("before"), picture("after")];
+    let layout = sheet([900.0, 640.0], 13.0).lay_out(&[needs]);
+    let height = |nth: usize| layout.columns[0].views[nth].1.size()[1];
+    assert!(
+        (height(1) - height(2)).abs() <= 1.0,
+        "{} {}",
+        height(1),
+        height(2)
+    );
 }
 
 #[test]

@@ -15,6 +15,9 @@ use super::{
 pub trait SpaceTelling: Telling<Scenery = Scenery> {
     const SUBJECT: Subject = Subject::Object;
 
+    /// The key of the heading under which lists have it, if it is neither a known mistake nor a proof.
+    const GROUP_KEY: Option<&'static str> = Self::SUBJECT.group_key();
+
     /// Can it say what became of a face of the object in focus?
     const TELLS_FACES: bool = false;
 
@@ -28,8 +31,8 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
         None
     }
 
-    /// Of a method that makes a picture: which triangle each pixel shows, row by row, less than 0 for none.
-    fn ids<'a>(_: &Step<'a, Self>) -> Option<&'a [i32]> {
+    /// Of a method that makes a picture: which triangle a pixel of it shows, less than 0 for none.
+    fn shown(_: &Step<'_, Self>, _place: usize) -> Option<i32> {
         None
     }
 
@@ -77,10 +80,13 @@ where
                 return None;
             }
             let recording = Recording::<A>::new(A::input(scene));
-            recording.at(step, |step| A::ids(step)?.get(place).copied())
+            recording.at(step, |step| A::shown(step, place))
         },
     };
-    let card = MethodCard::of::<A>();
+    let mut card = MethodCard::of::<A>();
+    if card.group_key.is_none() {
+        card.group_key = A::GROUP_KEY;
+    }
     MethodEntry { card, info }
 }
 

@@ -92,6 +92,8 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
     };
     let why = message.with("at", pixel_formula(pixel));
     let said = decided.map(|step| run.caption(step).decision);
+    let is_whole = step == run.n_steps();
+    let said = said.or_else(|| said_alone(scene, pixel, about).filter(|_| is_whole));
     let truth = match nearest {
         Some(id) => told_of(scene, id, Message::new("pixel-truth")),
         None => Message::new("pixel-truth-nothing"),
@@ -102,6 +104,14 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
         step: decided,
         offer,
     })
+}
+
+/// What decides about a pixel in a run of it alone, where that of the whole picture goes by larger steps.
+fn said_alone(scene: &Scene, pixel: [u32; 2], about: Link) -> Option<Message> {
+    let mut alone = scene.clone();
+    alone.raster.pixel = Some(pixel);
+    let run = (alone.method.info().record)(&alone);
+    run.why(about).map(|step| run.caption(step).decision)
 }
 
 /// The raster with this pixel alone looked at, or with all again where it is already.

@@ -23,6 +23,17 @@ impl Subject {
         !matches!(self, Self::Segment | Self::BoxedSegment | Self::Triangle)
     }
 
+    /// The key of what is said over the methods that ask about it, where a lab has others, too.
+    pub const fn group_key(self) -> Option<&'static str> {
+        match self {
+            Self::Object | Self::Face | Self::Point => Some("methods-objects"),
+            Self::Segment | Self::BoxedSegment => Some("methods-segments"),
+            Self::Triangle => Some("methods-triangles"),
+            Self::Vertex => Some("methods-vertices"),
+            Self::Surfaces => None,
+        }
+    }
+
     pub const fn shows_camera(self) -> bool {
         !matches!(self, Self::BoxedSegment)
     }

@@ -82,8 +82,8 @@ mod tests {
     use super::*;
     use crate::{
         algo::surface::{RayCasting, RayCastingInput},
-        figure::Raster,
-        labs::{Answers, surfaces::first_scene},
+        figure::{Body, Raster},
+        labs::{Answers, space::Tones, surfaces::first_scene},
     };
 
     #[test]
@@ -109,6 +109,35 @@ mod tests {
             hidden += counts.covered - counts.seen;
         }
         assert!(hidden > 20, "one goes through the other: {hidden}");
+    }
+
+    #[test]
+    fn a_pixel_is_said_to_show_something_where_it_is_drawn_also_in_a_run_of_another_one() {
+        let mut scene = first_scene();
+        scene.raster.tones = Tones::Triangles;
+        let mut n_asked = 0;
+        for method in crate::labs::surfaces::SURFACES.all() {
+            for pixel in [None, Some([8, 7])] {
+                (scene.method, scene.raster.pixel) = (method, pixel);
+                let run = (method.info().record)(&scene);
+                let n_steps = run.n_steps();
+                for step in [n_steps / 3, n_steps / 2, n_steps] {
+                    let views = run.frame(step).views;
+                    let raster = views.into_iter().find_map(|view| match view.body {
+                        Body::Raster(raster) if view.id.0 == "raster" => Some(raster),
+                        _ => None,
+                    });
+                    let pixels = raster.map(|raster| raster.pixels).unwrap_or_default();
+                    for (place, drawn) in pixels.iter().enumerate().step_by(7) {
+                        let shown = (method.info().shown_at)(&scene, (step, place));
+                        let shows = shown.is_some_and(|id| id >= 0);
+                        assert_eq!(shows, drawn.role.is_some(), "{method:?} {pixel:?} {step}");
+                        n_asked += usize::from(shows);
+                    }
+                }
+            }
+        }
+        assert!(n_asked > 100, "{n_asked}");
     }
 
     #[test]

@@ -34,7 +34,7 @@ pub struct Text {
 
 impl Setter<'_> {
     pub fn set_in(&self, room: Vec2, label: &Label, role: Role) -> Option<Text> {
-        let least = self.look.theme.least_text();
+        let least = self.look.theme.least_text;
         let is_read = |part: &f32| part * font(label, self.scale).size >= least;
         let sizes = SHRUNK.into_iter().filter(is_read);
         let mut sizes = sizes.map(|part| self.set_at(part, label, role));

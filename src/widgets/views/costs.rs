@@ -55,7 +55,15 @@ impl Costs {
     fn row_height(&self, slate: &Slate<'_>) -> f32 {
         let n_lines = if self.is_pair() { 1 } else { self.counts.len() };
         let gap = GAPS[usize::from(!self.is_pair())];
-        slate.pts(LINE + gap + n_lines as f32 * (self.bar() + 2.0))
+        slate.pts(LINE + gap) + n_lines as f32 * self.step(slate)
+    }
+
+    /// From bar to bar, which have their names beside them.
+    fn step(&self, slate: &Slate<'_>) -> f32 {
+        const LINE: f32 = 1.2;
+        slate
+            .pts(self.bar() + 2.0)
+            .max(LINE * slate.theme().least_text)
     }
 
     const fn bar(&self) -> f32 {
@@ -106,8 +114,22 @@ impl OnSlate for Costs {
         if let ([left, right], true) = (&names[..], self.is_pair()) {
             let gap = vec2(slate.pts(WITHIN), 0.0);
             let top = pos2(middle, rect.top());
-            slate.put(left, top - gap, Align2::RIGHT_TOP);
-            slate.put(right, top + gap, Align2::LEFT_TOP);
+            let half = 0.5 * rect.width() - gap.x;
+            for (nth, (name, at, align)) in [
+                (left, top - gap, Align2::RIGHT_TOP),
+                (right, top + gap, Align2::LEFT_TOP),
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                if name.size().x <= half {
+                    slate.put(name, at, align);
+                } else {
+                    let style = (Face::Strong, SIZE, slate.theme().ink);
+                    let name = slate.wrapped(&self.names[nth], half, style);
+                    slate.put(&name, at, align);
+                }
+            }
         }
         let height = self.row_height(slate);
         let mut top = rect.top() + slate.pts(HEAD);
@@ -176,7 +198,7 @@ impl Costs {
             let style = (Face::Plain, SIZE, slate.theme().ink);
             let counts = [self.least(kind), (kind.2)(counts)];
             self.draw_bar(slate, from, unit, counts, style);
-            from.y += slate.pts(self.bar() + 2.0);
+            from.y += self.step(slate);
         }
     }
 

@@ -22,6 +22,9 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+#[cfg(test)]
+pub use tests::fault_in;
+
 use egui::Role as Access;
 
 use crate::figure::{Body, View};

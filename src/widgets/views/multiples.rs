@@ -132,6 +132,18 @@ impl Multiples {
         }
     }
 
+    /// The same; rows of bars stand right under their heading.
+    fn under_heading(&self, rect: Rect, margin: f32) -> Viewport {
+        let viewport = self.viewport(rect, margin);
+        if self.tiles != Tiles::Strip || self.drawings.len() > 1 {
+            return viewport;
+        }
+        let [min, max] = self.bounds;
+        let height = (viewport.scale * (max[1] - min[1])) as f32 + 2.0 * margin;
+        let rect = rect.with_max_y(rect.bottom().min(rect.top() + height));
+        Viewport { rect, ..viewport }
+    }
+
     /// How high title and note are at most, in a tile of this width: all drawings have one size.
     fn heading(&self, slate: &Slate<'_>, width: f32) -> f32 {
         let inner = width
@@ -210,7 +222,7 @@ impl Multiples {
             slate.put(&note, at, align);
         }
         let room = self.drawn_in(slate, place, heading);
-        let viewport = self.viewport(room, slate.pts(MARGIN));
+        let viewport = self.under_heading(room, slate.pts(MARGIN));
         let (look, around) = (slate.look, Around::default());
         look.stage(slate.painter, &viewport, &drawing.marks, links.lit, around);
         if let Some(pointer) = links.pointer.filter(|at| room.contains(*at)) {

@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Raster, RasterMark, RasterShape},
-    paint::hatched,
+    paint::{ThemeKind, hatched},
 };
 
 use super::{
@@ -18,6 +18,8 @@ const LARGEST: f32 = 11.0;
 const SMALLEST: f32 = 4.5;
 const CHARACTER: f32 = 0.6;
 const AROUND: f32 = 0.3;
+/// Numbers of many pixels are the picture: at arm's length they are read at this part of the least size of text.
+const NEAR: f32 = 0.8;
 const DIGITS: usize = 3;
 /// Where there is no ink over it, a shade may be darker.
 const DARKEST_BARE: f32 = 0.9;
@@ -133,7 +135,7 @@ impl<'r> Pixels<'r> {
                 continue;
             }
             let ink = pixel.role.map_or(theme.soft, |_| theme.ink);
-            let text = slate.low(value, (Face::Mono, pts, ink));
+            let text = slate.digits(value, pts, ink);
             if text.size().x <= self.width {
                 slate.put(&text, self.square(at).center(), Align2::CENTER_CENTER);
             }
@@ -229,7 +231,7 @@ impl<'r> Pixels<'r> {
 
     fn number_pts(&self, slate: &Slate<'_>, n_characters: usize) -> f32 {
         let wide = CHARACTER * n_characters as f32 + AROUND;
-        (self.width / (wide * slate.pts(1.0))).min(LARGEST)
+        (self.width / (wide * slate.pts(1.0))).min(LARGEST.max(slate.least_size()))
     }
 
     fn is_written(&self, slate: &Slate<'_>, at: [f64; 2]) -> bool {
@@ -290,7 +292,9 @@ fn n_digits(raster: &Raster) -> usize {
 
 /// What would be smaller is read with the pointer, or in the inspector.
 fn smallest(slate: &Slate<'_>) -> f32 {
-    slate.least_size().max(SMALLEST)
+    let is_far = slate.theme().kind == ThemeKind::Projector;
+    let part = if is_far { 1.0 } else { NEAR };
+    (part * slate.least_size()).max(SMALLEST)
 }
 
 fn cased(slate: &Slate<'_>, painter: &Painter, ends: [Pos2; 2], wide: f32, ink: Color32) {

@@ -84,7 +84,7 @@ impl<'a> Slate<'a> {
 
     /// The least size, of those that are natural, in which text is set.
     pub fn least_size(&self) -> f32 {
-        self.theme().least_text() / self.scale
+        self.theme().least_text / self.scale
     }
 
     fn font(&self, face: Face, size: f32) -> FontId {
@@ -93,7 +93,7 @@ impl<'a> Slate<'a> {
             Face::Strong => semibold(),
             Face::Mono => FontFamily::Monospace,
         };
-        FontId::new(self.pts(size).max(self.theme().least_text()), family)
+        FontId::new(self.pts(size).max(self.theme().least_text), family)
     }
 
     fn set(&self, pieces: Vec<Piece>, (face, size, colour): Style) -> Typeset {
@@ -115,6 +115,12 @@ impl<'a> Slate<'a> {
 
     pub fn low(&self, value: &Value, style: Style) -> Typeset {
         self.words(self.look.catalog.value(value), style)
+    }
+
+    /// A number of just this size, also where other text is larger.
+    pub fn digits(&self, value: &Value, size: f32, colour: Color32) -> Typeset {
+        let font = FontId::new(self.pts(size), FontFamily::Monospace);
+        Typeset::text(self.painter, self.look.catalog.value(value), font, colour)
     }
 
     pub fn width(&self, value: &Value, face: Face, size: f32) -> f32 {

@@ -43,17 +43,25 @@ impl OnSlate for SpaceRow {
         let n = self.cells.len().max(1) as f32;
         let gap = slate.pts(GAP);
         let width = ((rect.width() - (n - 1.0) * gap) / n).floor();
-        let taken = slate.pts(NAMES + PLACES + ARROWS);
+        let [names, places, arrows] = [NAMES, PLACES, ARROWS].map(|pts| line(slate, pts));
+        let taken = names + places + arrows;
         let height = (rect.height() - taken).max(8.0).min(0.72 * width).floor();
         let mut middles = Vec::new();
+        // Where places have no room beside each other, the one at work is told.
+        let widths = self.cells.iter().filter_map(|cell| cell.place.as_ref());
+        let mut widths = widths.map(|at| slate.width(at, Face::Mono, PLACE_PTS));
+        let has_room = widths.all(|at| at <= width + gap);
         for (nth, cell) in self.cells.iter().enumerate() {
             let left = (rect.left() + nth as f32 * (width + gap)).round();
-            let corner = pos2(left, (rect.top() + slate.pts(NAMES)).round());
+            let corner = pos2(left, (rect.top() + names).round());
             let place = Rect::from_min_size(corner, vec2(width, height));
             draw_cell(slate, place, cell, links);
+            if has_room || cell.stage == CellStage::Current {
+                place_under(slate, (rect, place), cell);
+            }
             middles.push(place.center().x);
         }
-        let y = rect.top() + taken + height - 0.5 * slate.pts(ARROWS);
+        let y = rect.top() + taken + height - 0.5 * arrows;
         for (nth, (name, ends)) in self.arrows.iter().zip(middles.windows(2)).enumerate() {
             arrow(slate, name, ends, y, self.at_work == Some(nth));
         }
@@ -95,11 +103,7 @@ fn arrow(slate: &mut Slate<'_>, name: &Value, ends: &[f32], y: f32, is_at_work: 
 fn draw_cell(slate: &mut Slate<'_>, place: Rect, cell: &SpaceCell, links: &mut Links) {
     let theme = slate.theme();
     let is_lit = links.touch(place, cell.link);
-    let (face, ink) = match cell.stage {
-        CellStage::Current => (Face::Strong, theme.ink),
-        CellStage::Done => (Face::Plain, theme.ink),
-        CellStage::ToCome => (Face::Plain, theme.soft),
-    };
+    let (face, ink) = look_of(theme, cell.stage);
     let name = slate.value(&cell.name, (face, NAME_PTS, ink));
     let above = place.left_top() - vec2(0.0, slate.pts(3.0));
     slate.put(&name, above, Align2::LEFT_BOTTOM);
@@ -120,9 +124,29 @@ fn draw_cell(slate: &mut Slate<'_>, place: Rect, cell: &SpaceCell, links: &mut L
         CellStage::Done | CellStage::ToCome => Stroke::new(1.0, theme.hairline),
     };
     slate.rim(place, 4.0, frame, StrokeKind::Inside);
-    if let Some(at) = &cell.place {
-        let at = slate.value(at, (Face::Mono, PLACE_PTS, ink));
-        let under = place.center_bottom() + vec2(0.0, slate.pts(3.0));
-        slate.put(&at, under, Align2::CENTER_TOP);
+}
+
+/// Under its cell, and within the row.
+fn place_under(slate: &mut Slate<'_>, (row, cell_at): (Rect, Rect), cell: &SpaceCell) {
+    let Some(at) = &cell.place else { return };
+    let (_, ink) = look_of(slate.theme(), cell.stage);
+    let at = slate.value(at, (Face::Mono, PLACE_PTS, ink));
+    let under = cell_at.center_bottom() + vec2(0.0, slate.pts(3.0));
+    let left = under.x - 0.5 * at.size().x;
+    let left = left.min(row.right() - at.size().x).max(row.left());
+    slate.put(&at, pos2(left, under.y), Align2::LEFT_TOP);
+}
+
+/// As high as it is at this scale, and as its text at least.
+fn line(slate: &Slate<'_>, pts: f32) -> f32 {
+    const LINE: f32 = 1.4;
+    slate.pts(pts).max(LINE * slate.theme().least_text)
+}
+
+const fn look_of(theme: &Theme, stage: CellStage) -> (Face, Color32) {
+    match stage {
+        CellStage::Current => (Face::Strong, theme.ink),
+        CellStage::Done => (Face::Plain, theme.ink),
+        CellStage::ToCome => (Face::Plain, theme.soft),
     }
 }

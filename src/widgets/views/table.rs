@@ -109,7 +109,7 @@ fn row_height(slate: &Slate<'_>, table: &Table) -> f32 {
 /// Where text may not be so small that all columns have room: without the widest of words, as long as that is needed.
 fn trimmed<'t>(slate: &Slate<'_>, table: &'t Table, width: f32) -> Cow<'t, Table> {
     let mut trimmed = Cow::Borrowed(table);
-    let least = slate.theme().least_text();
+    let least = slate.theme().least_text;
     if least == 0.0 {
         return trimmed;
     }
@@ -162,7 +162,12 @@ impl OnSlate for Table {
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let text_width = rect.width() - 2.0 * slate.pts(PAD);
         let table = trimmed(slate, self, rect.width());
-        let plan = Plan::of(slate, &table, text_width);
+        let mut plan = Plan::of(slate, &table, text_width);
+        // Notes go before rows are folded.
+        let rows = (plan.row + 2.0 * slate.pts(AIR[0])) * (self.rows.len() + 1) as f32;
+        if rows + plan.notes > rect.height() {
+            plan.notes = 0.0;
+        }
         let width = rect.width().min(plan.width(slate, GAPS[1]));
         let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
         let edges = plan.edges(slate, rect);
@@ -191,7 +196,7 @@ impl OnSlate for Table {
             }
         }
         let mut y = place(fold.n_rows()).bottom() + slate.pts(NOTE_GAP);
-        for note in &self.notes {
+        for note in self.notes.iter().filter(|_| plan.notes > 0.0) {
             let theme = slate.theme();
             let ink = if note.applies { theme.ink } else { theme.soft };
             let lines = slate.sentence(&note.text, text_width, (Face::Plain, NOTE_SIZE, ink));

@@ -1,5 +1,6 @@
 //! A tree of planes, shown: the plane at work in space, the picture so far, the tree growing and then walked.
 
+mod above;
 mod names;
 mod tree;
 
@@ -26,8 +27,8 @@ impl AnswerAsItIs for BspOutput {}
 impl SpaceTelling for Bsp {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
-        Some(step.held.picture.ids())
+    fn shown(step: &Step<'_, Self>, place: usize) -> Option<i32> {
+        step.held.picture.ids().get(place).copied()
     }
 
     /// A longer run cannot be followed.
@@ -104,9 +105,16 @@ impl Telling for Bsp {
             let scene = scenery.scene();
             let look = faces([(own(at), Role::Accent)], scene);
             let marks = marks(at, scene.camera.camera());
+            // While the tree is built nothing is painted.
+            let is_alone = scene.beside.is_empty();
+            let picture = if is_alone && !names::is_built(at.step.past) {
+                Body::Multiples(above::above(at))
+            } else {
+                Body::Raster(raster(at))
+            };
             vec![
                 scenery.observer_with(|_| Fate::ToCome, look, marks),
-                View::new(RASTER_VIEW, Body::Raster(raster(at))),
+                View::new(RASTER_VIEW, picture),
                 View::new(TREE_VIEW, Body::Graph(tree::tree(at, scene))),
             ]
         });
@@ -158,8 +166,12 @@ fn marks(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
     };
     let mut marks = Vec::new();
     let triangles = at.step.input.surfaces().triangles();
-    if let Some(triangle) = own(at).and_then(|id| triangles.get(id as usize)) {
-        marks.extend(plane_marks(triangle, camera, Role::Accent));
+    if let Some(id) = own(at)
+        && let Some(triangle) = triangles.get(id as usize)
+    {
+        let name = Message::new("bsp-plane").with("triangle", name_of(at.scenery, id));
+        let [wash, sheet] = plane_marks(triangle, camera, Role::Accent);
+        marks.extend([wash, sheet.labelled(Value::Message(name))]);
     }
     for piece in shown(at) {
         let piece = &at.step.held.pieces[piece as usize];

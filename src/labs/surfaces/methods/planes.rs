@@ -35,6 +35,6 @@ pub fn plane_marks(triangle: &[[f64; 3]; 3], camera: &Camera, role: Role) -> [Ma
     .map(|[u, v]| camera.world_from_view((middle + u * along + v * up).into()));
     [
         Mark3::new(role, Shape3::Wash(corners.to_vec())),
-        Mark3::new(role, Shape3::Sheet(corners.to_vec())).fine(),
+        Mark3::new(role, Shape3::Sheet(corners.to_vec())),
     ]
 }

@@ -29,8 +29,8 @@ impl AnswerAsItIs for RayCastingOutput {}
 impl SpaceTelling for RayCasting {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
-        Some(step.held.so_far.picture.ids())
+    fn shown(step: &Step<'_, Self>, place: usize) -> Option<i32> {
+        step.held.so_far.picture.ids().get(place).copied()
     }
 
     const MOST_FACES: usize = MOST_ASKED;

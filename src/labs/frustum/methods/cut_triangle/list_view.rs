@@ -22,6 +22,34 @@ pub fn lists(
         (false, false) => (rings.list, rings.output),
     };
     let is_textured = own.triangle[0].uv.is_some();
+    let in_list = in_list(input, parts, rings, (is_over, at_work, is_textured));
+    let origins = origins(input, output, rings);
+    let mut out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
+    if is_compared && has_passed {
+        out_list.columns.push(name("d"));
+        for (entry, origin) in out_list.entries.iter_mut().zip(&origins) {
+            let kept = origin.filter(|(_, cut)| cut.is_none());
+            let side = kept.and_then(|([from, _], _)| rings.turn.sides.get(from));
+            let distance = side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d)));
+            entry.details.push(distance);
+        }
+    }
+    let links = links(&origins, rings, (event, at_work));
+    let sides = [(true, "sh-inside"), (false, "sh-outside")];
+    let legend = sides.map(|(inside, key)| (marker(inside), Value::Term(key)));
+    Lists {
+        lists: vec![in_list, out_list],
+        links,
+        legend: legend.to_vec(),
+    }
+}
+
+fn in_list(
+    input: &[SpaceVertex],
+    parts: &Parts<SpaceVertex>,
+    rings: &RingStep<'_, SpaceVertex>,
+    (is_over, at_work, is_textured): (bool, bool, bool),
+) -> ListColumn {
     let current = rings.current();
     let n_columns = if is_over { 1 } else { 2 };
     let entry = |(i, v): (usize, &SpaceVertex)| {
@@ -49,30 +77,11 @@ pub fn lists(
     } else {
         "tri-list-in"
     });
-    let in_list = ListColumn {
+    ListColumn {
         columns: symbols.into_iter().take(n_columns).map(name).collect(),
         is_ring: true,
         focus: current.last().copied().filter(|_| at_work),
         ..ListColumn::new(title, input.iter().enumerate().map(entry).collect())
-    };
-    let origins = origins(input, output, rings);
-    let mut out_list = out_list(output, parts, &origins, (is_over, has_passed, is_textured));
-    if is_compared && has_passed {
-        out_list.columns.push(name("d"));
-        for (entry, origin) in out_list.entries.iter_mut().zip(&origins) {
-            let kept = origin.filter(|(_, cut)| cut.is_none());
-            let side = kept.and_then(|([from, _], _)| rings.turn.sides.get(from));
-            let distance = side.map(|&(d, _)| Value::Formula(Formula::decimals().num(d)));
-            entry.details.push(distance);
-        }
-    }
-    let links = links(&origins, rings, (event, at_work));
-    let sides = [(true, "sh-inside"), (false, "sh-outside")];
-    let legend = sides.map(|(inside, key)| (marker(inside), Value::Term(key)));
-    Lists {
-        lists: vec![in_list, out_list],
-        links,
-        legend: legend.to_vec(),
     }
 }
 

@@ -119,20 +119,8 @@ fn columns(at: &At<'_, Why<ErrorTerm>>) -> View {
     let n_drawn = DRAWN.min(rows.len());
     let taken = rows[..n_drawn].iter();
     let lowest = taken.fold(1.0, |low: f64, row| low.max(*row));
-    let mut given = Vec::new();
-    for column in 0..=n_drawn {
-        let x = column as f64 - 0.5;
-        given.push(segment(Role::Faint, [x, 0.5], [x, -lowest - 0.5]));
-    }
-    for row in 0..=lowest as usize + 1 {
-        let y = 0.5 - row as f64;
-        given.push(segment(Role::Faint, [-0.5, y], [n_drawn as f64 - 0.5, y]));
-    }
     let slope = if a == 0.0 { 0.0 } else { b / a };
-    let end = n_drawn as f64 - 0.5;
-    given.push(segment(Role::Ink, [-0.5, 0.5 * slope], [end, -end * slope]));
-    given.extend(pixel(0, 0.0, Role::Accent));
-    let mut picture = Picture::new(&at.step, given);
+    let mut picture = Picture::new(&at.step, grid(n_drawn, lowest, slope));
     picture.once(Fact::Line, Role::Ink, |role, line| {
         let bar = segment(role, [1.0, 0.0], [1.0, -slope]).weighing(Weight::of(4.0));
         let end = mark(role, Shape::Vertex([1.0, -slope]))
@@ -146,33 +134,14 @@ fn columns(at: &At<'_, Why<ErrorTerm>>) -> View {
         [cap, end.toward([1.0, 0.5])]
     });
     for column in 1..n_drawn {
+        let rows = [rows[column - 1], rows[column]];
         picture.once(Fact::Error { column }, Role::Soft, |role, error| {
-            let x = column as f64;
-            let midpoint = -rows[column - 1] - 0.5;
-            let line = -slope * x;
-            let cap =
-                segment(role, [x - 0.2, midpoint], [x + 0.2, midpoint]).weighing(Weight::of(3.0));
-            let bar = segment(role, [x, midpoint], [x, line]).weighing(Weight::of(5.0));
-            let e = sym("e").equals(error);
-            let at_foot = mark(role, Shape::Label([x, -lowest - 0.5]))
-                .labelled(e)
-                .strong();
-            let [of_line, of_midpoint] = [2.0 * b * x, 2.0 * a * rows[column - 1] + a];
-            let end = mark(Role::Ink, Shape::Vertex([x, line]))
-                .labelled(of_line)
-                .strong();
-            let beside = mark(Role::Soft, Shape::Label([x + 0.2, midpoint])).labelled(of_midpoint);
-            let marks = [
-                cap,
-                bar,
-                end.toward([-1.0, -0.5]),
-                beside.toward([1.0, 0.5]),
-            ];
-            let foot = [at_foot.toward([0.0, -1.0])];
-            let taken = pixel(column, rows[column], Role::Accent);
-            marks
-                .into_iter()
-                .chain(foot)
+            let bar = error_bar(role, column, [a, b], rows[0]);
+            let foot = mark(role, Shape::Label([column as f64, -lowest - 0.5]));
+            let foot = foot.labelled(sym("e").equals(error)).strong();
+            let taken = pixel(column, rows[1], Role::Accent);
+            bar.into_iter()
+                .chain([foot.toward([0.0, -1.0])])
                 .chain(taken)
                 .collect::<Vec<_>>()
         });
@@ -181,6 +150,41 @@ fn columns(at: &At<'_, Why<ErrorTerm>>) -> View {
         "why-view-columns",
         [[-0.6, -lowest - 0.85], [n_drawn as f64 - 0.4, 0.6]],
     )
+}
+
+/// The pixels, the line over them, and the first pixel that is taken.
+fn grid(n_drawn: usize, lowest: f64, slope: f64) -> Vec<Mark> {
+    let end = n_drawn as f64 - 0.5;
+    let upright = (0..=n_drawn).map(|column| {
+        let x = column as f64 - 0.5;
+        segment(Role::Faint, [x, 0.5], [x, -lowest - 0.5])
+    });
+    let level = (0..=lowest as usize + 1).map(|row| {
+        let y = 0.5 - row as f64;
+        segment(Role::Faint, [-0.5, y], [end, y])
+    });
+    let line = segment(Role::Ink, [-0.5, 0.5 * slope], [end, -end * slope]);
+    let first = pixel(0, 0.0, Role::Accent);
+    upright.chain(level).chain([line]).chain(first).collect()
+}
+
+/// From the midpoint under the last pixel taken to the line.
+fn error_bar(role: Role, column: usize, [a, b]: [f64; 2], row: f64) -> [Mark; 4] {
+    let (x, midpoint) = (column as f64, -row - 0.5);
+    let line = if a == 0.0 { 0.0 } else { -b / a * x };
+    let cap = segment(role, [x - 0.2, midpoint], [x + 0.2, midpoint]).weighing(Weight::of(3.0));
+    let bar = segment(role, [x, midpoint], [x, line]).weighing(Weight::of(5.0));
+    let [of_line, of_midpoint] = [2.0 * b * x, 2.0 * a * row + a];
+    let end = mark(Role::Ink, Shape::Vertex([x, line]))
+        .labelled(of_line)
+        .strong();
+    let beside = mark(Role::Soft, Shape::Label([x + 0.2, midpoint])).labelled(of_midpoint);
+    [
+        cap,
+        bar,
+        end.toward([-1.0, -0.5]),
+        beside.toward([1.0, 0.5]),
+    ]
 }
 
 /// One that is taken.

@@ -121,24 +121,7 @@ fn plan(at: &At<'_, Why<QuarterTurn>>) -> View {
     let normal = [number(Fact::TurnedAcross), number(Fact::TurnedAhead)];
     let eye = [0.0, 0.0];
     let decimal = |x: f64| Formula::decimals().num(x);
-    let arc = (0..=48).map(|i| {
-        let angle = std::f64::consts::PI * f64::from(i) / 48.0;
-        [libm::cos(angle), libm::sin(angle)]
-    });
-    let mirrored = [-along[0], along[1]];
-    let reach = |[x, y]: [f64; 2]| [1.25 * x, 1.25 * y];
-    let volume = vec![eye, reach(along), reach(mirrored)];
-    let given = vec![
-        mark(Role::Ink, Shape::Fill(vec![volume])),
-        mark(Role::Faint, Shape::Path(arc.collect())).dashed(),
-        segment(Role::Faint, eye, [0.0, 1.25]),
-        segment(Role::Accent, eye, reach(mirrored)).weighing(Weight::of(1.0)),
-        segment(Role::Accent, eye, reach(along)).labelled(Value::Term("plane-right")),
-        mark(Role::Ink, Shape::Ring(eye))
-            .labelled(Value::Term("w-lens-eye"))
-            .toward([0.0, -1.0]),
-    ];
-    let mut picture = Picture::new(&at.step, given);
+    let mut picture = Picture::new(&at.step, seen_from(eye, along));
     picture.once(Fact::Tangent, Role::Ink, |role, _| {
         let angle = mark(role, Shape::Angle([eye, along, [0.0, 1.0]]));
         [
@@ -183,4 +166,25 @@ fn plan(at: &At<'_, Why<QuarterTurn>>) -> View {
         ]
     });
     picture.view("why-view-above", BOUNDS)
+}
+
+/// The eye, its unit circle, and the volume between its side planes, of which the right one goes that way.
+fn seen_from(eye: [f64; 2], along: [f64; 2]) -> Vec<Mark> {
+    let arc = (0..=48).map(|i| {
+        let angle = std::f64::consts::PI * f64::from(i) / 48.0;
+        [libm::cos(angle), libm::sin(angle)]
+    });
+    let reach = |[x, y]: [f64; 2]| [1.25 * x, 1.25 * y];
+    let [right, left] = [along, [-along[0], along[1]]].map(reach);
+    let volume = vec![eye, right, left];
+    vec![
+        mark(Role::Ink, Shape::Fill(vec![volume])),
+        mark(Role::Faint, Shape::Path(arc.collect())).dashed(),
+        segment(Role::Faint, eye, [0.0, 1.25]),
+        segment(Role::Accent, eye, left).weighing(Weight::of(1.0)),
+        segment(Role::Accent, eye, right).labelled(Value::Term("plane-right")),
+        mark(Role::Ink, Shape::Ring(eye))
+            .labelled(Value::Term("w-lens-eye"))
+            .toward([0.0, -1.0]),
+    ]
 }

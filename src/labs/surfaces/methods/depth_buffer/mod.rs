@@ -27,8 +27,13 @@ impl AnswerAsItIs for DepthBufferOutput {}
 impl<L: Variant> SpaceTelling for DepthBuffer<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
-        Some(step.held.so_far.picture.ids())
+    fn shown(step: &Step<'_, Self>, place: usize) -> Option<i32> {
+        let whole = raster::whole_picture(&At {
+            step: *step,
+            scenery: None,
+        });
+        let so_far = whole.as_ref().unwrap_or(&step.held.so_far);
+        so_far.picture.ids().get(place).copied()
     }
 
     fn input(scene: &Scene) -> DepthBufferInput {

@@ -76,12 +76,20 @@ pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Name
         }
         ("bits", _) => n_bits.into(),
         ("bytes", _) => (input.surfaces.n_pixels() * n_bits).div_ceil(8).into(),
-        ("watch-triangle", _) => Named::maybe(current(at).map(|id| name_of(at.scenery, id))),
-        ("watch-pixel", _) => Named::maybe(pixel_of(at).map(pixel_formula)),
-        ("watch-fragments", _) => count(tally.fragments),
-        ("watch-writes", _) => count(tally.writes),
-        ("watch-pixels", _) => count(tally.pixels),
-        _ => return on_raster::named(&input.surfaces, at.scenery, name),
+        _ => return watched(at, name),
+    })
+}
+
+fn watched<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Named> {
+    let tally = at.step.held.so_far.tally;
+    let count = |n: u64| Named::from(n as usize);
+    Some(match name {
+        "watch-triangle" => Named::maybe(current(at).map(|id| name_of(at.scenery, id))),
+        "watch-pixel" => Named::maybe(pixel_of(at).map(pixel_formula)),
+        "watch-fragments" => count(tally.fragments),
+        "watch-writes" => count(tally.writes),
+        "watch-pixels" => count(tally.pixels),
+        _ => return on_raster::named(&at.step.input.surfaces, at.scenery, name),
     })
 }
 

@@ -106,7 +106,7 @@ fn n_drawn<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> usize {
 }
 
 /// Where one pixel is looked at, all of the picture's pixels, so that it is known where that is.
-fn whole_picture<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<DepthBufferOutput> {
+pub fn whole_picture<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<DepthBufferOutput> {
     let own = at.step.input;
     let whole = own.pixel.map(|_| DepthBufferInput {
         pixel: None,

@@ -25,8 +25,8 @@ impl AnswerAsItIs for OcclusionOutput {}
 impl SpaceTelling for Occlusion {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
-        Some(step.held.drawing.so_far.picture.ids())
+    fn shown(step: &Step<'_, Self>, place: usize) -> Option<i32> {
+        step.held.drawing.so_far.picture.ids().get(place).copied()
     }
 
     const MOST_FACES: usize = MOST_ASKED;

@@ -106,24 +106,31 @@ fn arrows<L: Variant>(
             arrow(ends, ArrowKind::Holds, Role::Accent, Some(reason))
         }));
     }
-    if let Some(Event::Pair {
+    let asked = asked_now(at);
+    arrows.extend(asked.and_then(|(ends, kind, why)| arrow(ends, kind, Role::Signal, Some(why))));
+    arrows
+}
+
+/// The pair that the step is about, and its answer with the reason.
+fn asked_now<L: Variant>(at: &At<'_, Painter<L>>) -> Option<([u32; 2], ArrowKind, Value)> {
+    let Some(Event::Pair {
         id,
         other,
         test,
         may,
         ..
     }) = at.step.event()
-    {
-        let asked = Value::Term(test_key(test));
-        let (kind, reason) = if may {
-            (ArrowKind::Allowed, asked)
-        } else {
-            let refused = hides(at, [other, id]);
-            (ArrowKind::Refused, refused.unwrap_or(asked))
-        };
-        arrows.extend(arrow([id, other], kind, Role::Signal, Some(reason)));
-    }
-    arrows
+    else {
+        return None;
+    };
+    let asked = Value::Term(test_key(test));
+    let (kind, reason) = if may {
+        (ArrowKind::Allowed, asked)
+    } else {
+        let refused = hides(at, [other, id]);
+        (ArrowKind::Refused, refused.unwrap_or(asked))
+    };
+    Some(([id, other], kind, reason))
 }
 
 /// `A 4.31 > B 3.47`: how far both are before the eye's plane where the second hides the first.

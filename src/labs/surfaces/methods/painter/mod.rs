@@ -20,8 +20,8 @@ impl AnswerAsItIs for PainterOutput {}
 impl<L: Variant> SpaceTelling for Painter<L> {
     const SUBJECT: Subject = Subject::Surfaces;
 
-    fn ids<'a>(step: &Step<'a, Self>) -> Option<&'a [i32]> {
-        Some(step.held.picture.ids())
+    fn shown(step: &Step<'_, Self>, place: usize) -> Option<i32> {
+        step.held.picture.ids().get(place).copied()
     }
 
     /// Pairs grow with the square: a longer run cannot be followed.

@@ -60,17 +60,24 @@ pub fn named(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
             let product = decimals(n_rays as f64).sym(" · ").num(n_triangles as f64);
             product.equals(held.so_far.n_asked as f64).into()
         }
-        ("watch-pixel", _) => Named::maybe(turn(past).map(|(pixel, _)| pixel_formula(pixel))),
-        ("r", _) => {
+        _ => return watched(at, name),
+    })
+}
+
+fn watched(at: &At<'_, RayCasting>, name: &str) -> Option<Named> {
+    let (held, past) = (at.step.held, at.step.past);
+    Some(match name {
+        "watch-pixel" => Named::maybe(turn(past).map(|(pixel, _)| pixel_formula(pixel))),
+        "r" => {
             let direction = turn(past).map(|(_, ray)| ray.direction);
             Named::maybe(direction.map(|direction| Formula::decimals().place(direction)))
         }
-        ("watch-hits", _) => hits(past).count().into(),
-        ("watch-nearest", _) => Named::maybe(held.nearest.map(|hit| name_of(at.scenery, hit.id))),
-        ("nearest t", _) => Named::maybe(held.nearest.map(|hit| decimals(hit.t)))
+        "watch-hits" => hits(past).count().into(),
+        "watch-nearest" => Named::maybe(held.nearest.map(|hit| name_of(at.scenery, hit.id))),
+        "nearest t" => Named::maybe(held.nearest.map(|hit| Formula::decimals().num(hit.t)))
             .labelled(Value::Name("t".to_owned())),
-        ("watch-asked", _) => (held.so_far.n_asked as usize).into(),
-        _ => return on_raster::named(&input.surfaces, at.scenery, name),
+        "watch-asked" => (held.so_far.n_asked as usize).into(),
+        _ => return on_raster::named(&at.step.input.surfaces, at.scenery, name),
     })
 }
 

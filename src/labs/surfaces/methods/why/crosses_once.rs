@@ -167,6 +167,23 @@ fn in_space(at: &At<'_, Why<CrossesOnce>>, scenery: &Scenery) -> Vec<Mark3> {
     marks
 }
 
+/// The plane at 0, the side above it, and the axis of distances.
+fn sides_of_plane([low, high]: [f64; 2], place: impl Fn(f64, f64) -> [f64; 2]) -> Vec<Mark> {
+    let corners = [
+        place(0.0, 0.0),
+        place(1.0, 0.0),
+        place(1.0, high),
+        place(0.0, high),
+    ];
+    let label = mark(Role::Accent, Shape::Label(place(0.0, 0.0))).labelled(name("0"));
+    vec![
+        mark(Role::Ink, Shape::Fill(vec![corners.to_vec()])),
+        segment(Role::Soft, place(0.0, low), place(0.0, high)),
+        segment(Role::Accent, place(0.0, 0.0), place(1.15, 0.0)),
+        label.toward([-1.0, 0.0]),
+    ]
+}
+
 /// To the right along a line of sight, from the eye to what is looked at; upwards the distance from the plane.
 fn along_sight(at: &At<'_, Why<CrossesOnce>>) -> View {
     let input = at.step.input;
@@ -180,22 +197,8 @@ fn along_sight(at: &At<'_, Why<CrossesOnce>>) -> View {
     let (low, high) = (other.min(0.0), eye.max(own).max(f64::MIN_POSITIVE));
     let up = |d: f64| SIZE[1] * (d - low) / (high - low);
     let place = |part: f64, d: f64| [SIZE[0] * part, up(d)];
-    let corners = [
-        place(0.0, 0.0),
-        place(1.0, 0.0),
-        place(1.0, high),
-        place(0.0, high),
-    ];
-    let zero = segment(Role::Accent, place(0.0, 0.0), place(1.15, 0.0));
-    let label = mark(Role::Accent, Shape::Label(place(0.0, 0.0))).labelled(name("0"));
-    let given = vec![
-        mark(Role::Ink, Shape::Fill(vec![corners.to_vec()])),
-        segment(Role::Soft, place(0.0, low), place(0.0, high)),
-        zero,
-        label.toward([-1.0, 0.0]),
-    ];
     let decimal = |symbol: &'static str, d: f64| Formula::decimals().sym(symbol).num(d);
-    let mut picture = Picture::new(&at.step, given);
+    let mut picture = Picture::new(&at.step, sides_of_plane([low, high], place));
     picture.once(Fact::Eye, Role::Ink, |role, d| {
         let dot = mark(role, Shape::Dot(place(0.0, d))).labelled(Formula::decimals().num(d));
         [dot.strong().toward([-1.0, 0.0])]

@@ -1,0 +1,107 @@
+//! What is written can be read: no text is too small, none covers another or is cut.
+
+use super::{places::each_step_of, *};
+use crate::widgets::{fault_in, rect_of};
+
+const SIZES: [Vec2; 2] = [SIZE, vec2(1024.0, 768.0)];
+
+/// Of a formula its letters count, not what is lowered; a quotient's halves are a little smaller than they. What is written in pixels may
+/// be smaller where nobody sits in a last row.
+#[test]
+fn no_text_is_smaller_than_twelve_points_at_any_step_of_the_course() {
+    let mut small = Vec::new();
+    for size in SIZES {
+        for theme in [ThemeKind::Light, ThemeKind::Projector] {
+            each_step_of(Bench::seen(Lang::En, theme, size), |bench, place| {
+                for (text, pts) in bench.sizes() {
+                    let is_of_pixel = text.chars().count() < 4;
+                    let least = match theme {
+                        ThemeKind::Light if is_of_pixel => 9.5,
+                        _ if text.contains('/') => 11.0,
+                        _ => 12.0,
+                    };
+                    if pts < least {
+                        small.push(format!("{size} {theme} {place}: {text:?} is {pts}"));
+                    }
+                }
+            });
+        }
+    }
+    assert!(small.is_empty(), "{}", small.join("\n"));
+}
+
+fn elided(bench: &mut Bench) -> Vec<String> {
+    let mut found = Vec::new();
+    for clipped in &bench.run(Vec::new(), Vec::new()).shapes {
+        each_galley(&clipped.shape, &mut |galley, _| {
+            found.extend(galley.elided.then(|| galley.text().to_owned()));
+        });
+    }
+    found
+}
+
+#[test]
+fn names_of_fields_of_methods_and_of_lessons_are_whole_where_there_is_room() {
+    let mut bench = Bench::seen(Lang::Es, ThemeKind::Light, vec2(1024.0, 768.0));
+    // The methods with the longest names beside each other; then the fields of the camera.
+    for step in [[30, 4], [30, 5], [18, 1]] {
+        bench.command(Command::Open(step));
+        bench.command(Command::Section(Some("camera")));
+        assert_eq!(elided(&mut bench), Vec::<String>::new(), "{step:?}");
+    }
+    bench.command(Command::Course);
+    let lesson = bench.app.bookmark.lesson().expect("it is open");
+    let lesson = lesson.title(Lang::Es).to_owned();
+    assert!(lesson.chars().count() > 16);
+    let cut = elided(&mut bench);
+    assert!(!cut.iter().any(|text| text.contains(&lesson)), "{cut:?}");
+}
+
+/// The far plane's handle is beside the second object.
+#[test]
+fn the_name_of_a_handle_covers_no_other_name() {
+    for lang in Lang::ALL {
+        let mut bench = Bench::seen(lang, ThemeKind::Light, SIZE);
+        bench.command(Command::Open([18, 0]));
+        let name = Catalog::of(lang).term("handle-far");
+        let texts = bench.texts();
+        let plate = texts.iter().find(|(text, _)| *text == name);
+        let (_, plate) = plate.unwrap_or_else(|| panic!("no {name}: {texts:?}"));
+        for (text, rect) in texts.iter().filter(|(text, _)| *text != name) {
+            assert!(!rect.intersects(*plate), "{lang}: {name} and {text}");
+        }
+    }
+}
+
+#[test]
+fn nothing_that_is_written_in_a_view_covers_another_or_leaves_its_room() {
+    let mut faults = Vec::new();
+    for (lang, size) in [(Lang::En, SIZES[0]), (Lang::Es, SIZES[1])] {
+        let bench = Bench::seen(lang, ThemeKind::Light, size);
+        each_step_of(bench, |bench, place| {
+            let ctx = bench.ctx.clone();
+            let app = &bench.app;
+            let mut places = app.stage.places.iter();
+            let views = app.playback.on_stage().iter().zip(&app.playback.needs);
+            let views = views.flat_map(|(frame, needs)| {
+                let places: Vec<_> = places.by_ref().take(needs.len()).collect();
+                let slot = move |id| places.iter().find(|(of, _)| *of == id).map(|it| it.1);
+                frame
+                    .views
+                    .iter()
+                    .filter_map(move |view| Some((view, slot(view.id)?)))
+            });
+            let views: Vec<_> = views.collect();
+            let mut output = ctx.run_ui(RawInput::default(), |ui| {
+                for (view, slot) in &views {
+                    let fault = fault_in(ui, app.look_on_stage(), rect_of(*slot), view);
+                    let name = format!("{lang} {size} {place} {}", view.id.0);
+                    faults.extend(fault.map(|fault| format!("{name}: {fault}")));
+                }
+            });
+            output.textures_delta.clear();
+        });
+    }
+    faults.dedup();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
