@@ -43,8 +43,6 @@ pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use selecting::select;
 pub use timeline::{Timeline, tick_sign};
 pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
-#[cfg(test)]
-pub use views::fault_in;
 pub use views::{
     covered, keep_ahead, picture_viewport, place_inset, projected, space, title_ground,
     title_of_space, under_title, view,

@@ -1,7 +1,6 @@
-//! What is written can be read: no text is too small, none covers another or is cut.
+//! What is written can be read: no text is too small, no name is cut or covers another.
 
 use super::{places::each_step_of, *};
-use crate::widgets::{fault_in, rect_of};
 
 const SIZES: [Vec2; 2] = [SIZE, vec2(1024.0, 768.0)];
 
@@ -71,37 +70,4 @@ fn the_name_of_a_handle_covers_no_other_name() {
             assert!(!rect.intersects(*plate), "{lang}: {name} and {text}");
         }
     }
-}
-
-#[test]
-fn nothing_that_is_written_in_a_view_covers_another_or_leaves_its_room() {
-    let mut faults = Vec::new();
-    for (lang, size) in [(Lang::En, SIZES[0]), (Lang::Es, SIZES[1])] {
-        let bench = Bench::seen(lang, ThemeKind::Light, size);
-        each_step_of(bench, |bench, place| {
-            let ctx = bench.ctx.clone();
-            let app = &bench.app;
-            let mut places = app.stage.places.iter();
-            let views = app.playback.on_stage().iter().zip(&app.playback.needs);
-            let views = views.flat_map(|(frame, needs)| {
-                let places: Vec<_> = places.by_ref().take(needs.len()).collect();
-                let slot = move |id| places.iter().find(|(of, _)| *of == id).map(|it| it.1);
-                frame
-                    .views
-                    .iter()
-                    .filter_map(move |view| Some((view, slot(view.id)?)))
-            });
-            let views: Vec<_> = views.collect();
-            let mut output = ctx.run_ui(RawInput::default(), |ui| {
-                for (view, slot) in &views {
-                    let fault = fault_in(ui, app.look_on_stage(), rect_of(*slot), view);
-                    let name = format!("{lang} {size} {place} {}", view.id.0);
-                    faults.extend(fault.map(|fault| format!("{name}: {fault}")));
-                }
-            });
-            output.textures_delta.clear();
-        });
-    }
-    faults.dedup();
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

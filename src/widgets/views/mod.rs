@@ -22,9 +22,6 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-#[cfg(test)]
-pub use tests::fault_in;
-
 use egui::Role as Access;
 
 use crate::figure::{Body, View};

@@ -66,27 +66,6 @@ fn fault(slate: &Slate<'_>, room: Rect) -> Option<String> {
     slate.texts.is_empty().then(|| "nothing is said".to_owned())
 }
 
-/// What is wrong with a view that is drawn there.
-pub fn fault_in(ui: &Ui, look: Look<'_>, rect: Rect, shown: &View) -> Option<String> {
-    let body = body_of(shown)?;
-    let mut slate = body.slate(Slate::new(ui.painter(), look), rect.size());
-    body.draw(&mut slate, rect, &mut Links::default());
-    // What is drawn is clipped a little beyond the room; letters touch no others as long as their lines share less than this.
-    const SHARED: f32 = 0.3;
-    let room = rect.expand(6.0);
-    for (i, text) in slate.texts.iter().enumerate() {
-        let both = |other: &&Rect| {
-            let both = text.intersect(**other);
-            both.width() > 4.0 && both.height() > SHARED * text.height()
-        };
-        let other = slate.texts[..i].iter().find(both);
-        if !room.contains_rect(*text) || other.is_some() {
-            return Some(format!("{text:?} in {room:?}, over {other:?}"));
-        }
-    }
-    None
-}
-
 fn check(name: &str, rooms: &[Vec2], view: &dyn OnSlate) {
     for kind in ThemeKind::ALL {
         let mut table = Headless::new(kind);
