@@ -226,6 +226,12 @@ pub fn small_transport(app: &App, ui: &mut Ui) {
 
 fn hall(app: &App, ui: &mut Ui) {
     let look = app.look();
+    if app.shown.is_embedded {
+        if ui.link(look.say("action-open-whole")).clicked() {
+            app.push(Command::OpenWhole);
+        }
+        return;
+    }
     practise(app, ui);
     let leave = Button::new(soft(look, "action-present-leave"));
     if ui.add(leave).clicked() {
