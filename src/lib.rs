@@ -78,7 +78,7 @@ pub mod widgets;
 #[cfg(feature = "gui")]
 pub mod panels;
 
-#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+#[cfg(feature = "gui")]
 pub mod export;
 
 #[cfg(feature = "gui")]

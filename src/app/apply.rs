@@ -133,6 +133,7 @@ impl App {
             // A page in a browser is one window, which all look at.
             Command::Notes => shown.has_notes = !cfg!(target_arch = "wasm32") && !shown.has_notes,
             Command::Projector => self.toggle_projector(),
+            Command::OpenWhole => self.open_whole(ctx),
             Command::Cancel => self.cancel(ctx),
             Command::Code(code) => shown.code = code,
             Command::Section(id) => self.open_section(id),
@@ -310,7 +311,6 @@ impl App {
             self.notices.clear();
             return;
         }
-        #[cfg(not(target_arch = "wasm32"))]
         if self.give_meshes_up(ctx.input(|input| input.time)) {
             return;
         }

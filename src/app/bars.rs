@@ -234,6 +234,12 @@ fn hall_width(app: &App, ui: &Ui) -> f32 {
 
 fn hall(app: &App, ui: &mut Ui) {
     let look = app.look();
+    if app.shown.is_embedded {
+        if ui.link(look.say("action-open-whole")).clicked() {
+            app.push(Command::OpenWhole);
+        }
+        return;
+    }
     practise(app, ui);
     let leave = Button::new(soft(look, "action-present-leave"));
     if ui.add(leave).clicked() {

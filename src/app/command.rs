@@ -92,6 +92,8 @@ pub enum Command {
     Present,
     /// The window with the notes for whoever presents, or none any more.
     Notes,
+    /// Embedded in another page: all of it, in a page of its own.
+    OpenWhole,
     /// While presenting: the theme for a projector, or the one before.
     Projector,
     Cancel,
@@ -198,7 +200,7 @@ const fn ask(act: SceneAct) -> Command {
 }
 
 /// Every key, in the order of the help.
-pub static BINDINGS: [Binding; 58] = [
+pub static BINDINGS: [Binding; 59] = [
     (NONE, Key::ArrowLeft, Command::Step(-1), "help-step"),
     (NONE, Key::ArrowRight, Command::Step(1), "help-step"),
     (SHIFT, Key::ArrowLeft, Command::Step(-10), "help-step-ten"),
@@ -249,6 +251,7 @@ pub static BINDINGS: [Binding; 58] = [
     (CTRL, Key::Delete, ask(SceneAct::Delete), "scene-delete"),
     (NONE, Key::F2, Command::TypeChosen, "help-type"),
     (NONE, Key::F5, Command::Present, "action-present"),
+    (NONE, Key::P, Command::Present, "action-present"),
     (NONE, Key::N, Command::Notes, "action-notes"),
     (NONE, Key::Escape, Command::Cancel, "help-leave"),
     (NONE, Key::Questionmark, Command::Help, "action-help"),

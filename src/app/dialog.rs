@@ -129,6 +129,11 @@ impl App {
         }
     }
 
+    /// Has the system a dialog of its own for such files?
+    pub(super) fn has_dialog(&self, opens: bool) -> bool {
+        self.platform.has_dialogs() && (opens || self.platform.has_paths())
+    }
+
     /// Asks the system. Where it has no dialog, or the last one has not been heard of, the path is typed.
     pub(super) fn ask(&mut self, ctx: &Context, mut dialog: Dialog) {
         let (title_key, opens, endings): (_, _, &[&str]) = match &dialog {
@@ -140,9 +145,9 @@ impl App {
             Dialog::TakeUp(_) => ("take-up-title", true, &["json"]),
             Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_) => return,
         };
-        let is_waiting = self.asked.take().is_some();
+        let is_waiting = self.asked.take().is_some() && self.platform.has_paths();
         let target = dialog.target_mut().cloned();
-        let Some(target) = target.filter(|_| self.platform.has_dialogs() && !is_waiting) else {
+        let Some(target) = target.filter(|_| self.has_dialog(opens) && !is_waiting) else {
             self.shown.dialog = Some(dialog);
             return;
         };

@@ -9,12 +9,10 @@ use crate::{lesson::is_png, paint::Image};
 use super::{
     App, Dialog,
     dialog::{Figures, Target, meant},
+    mesh_loading::{is_mesh, is_of_a_mesh},
     platform::StageFigure,
     prelude::*,
 };
-
-#[cfg(not(target_arch = "wasm32"))]
-use super::mesh_loading::{is_mesh, is_of_a_mesh};
 
 /// So many files are remembered.
 const MOST_RECENT: usize = 8;
@@ -48,10 +46,9 @@ impl App {
     pub(super) fn take_what_comes(&mut self, ctx: &Context) {
         self.take_pasted(ctx);
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
-        #[cfg(not(target_arch = "wasm32"))]
+        let dropped = self.platform.arrived(dropped, ctx);
         let has_mesh = dropped.iter().any(|file| is_mesh(file.path()));
         for file in dropped {
-            #[cfg(not(target_arch = "wasm32"))]
             if has_mesh && is_of_a_mesh(file.path()) {
                 continue;
             }
@@ -59,7 +56,7 @@ impl App {
                 continue;
             }
             let name = file.path().display().to_string();
-            match bytes_of(&file) {
+            match self.bytes_of(&file) {
                 Ok(bytes) => self.open_bytes(&name, &bytes),
                 Err(reason) => self.report_unread(&name, reason),
             }
@@ -67,21 +64,36 @@ impl App {
     }
 
     /// Opens what is a folder of lessons or a mesh; is it one?
-    #[cfg(not(target_arch = "wasm32"))]
     fn open_folder_or_mesh(&mut self, path: &Path, ctx: &Context) -> bool {
+        #[cfg(not(target_arch = "wasm32"))]
         if path.is_dir() {
             self.open_folder(path, ctx);
-        } else if is_mesh(path) {
-            self.load_mesh(&path.display().to_string(), ctx);
-        } else {
-            return false;
+            return true;
         }
-        true
+        let is_mesh = is_mesh(path);
+        if is_mesh {
+            self.load_mesh(&path.display().to_string(), ctx);
+        }
+        is_mesh
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    #[allow(clippy::unused_self, reason = "in a page the platform has them")]
+    fn bytes_of(&self, file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+        use crate::lesson::{MAX_SCENE_BYTES, read_file};
+        // Some systems drop what lies nowhere.
+        let read = read_file(file.path(), MAX_SCENE_BYTES);
+        let dropped = if file.path().exists() {
+            None
+        } else {
+            file.bytes().ok()
+        };
+        dropped.map_or_else(|| Ok(read?), Ok)
     }
 
     #[cfg(target_arch = "wasm32")]
-    const fn open_folder_or_mesh(&mut self, _path: &Path, _ctx: &Context) -> bool {
-        false
+    fn bytes_of(&self, file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
+        self.platform.read(&file.path().display().to_string())
     }
 
     pub(super) fn report_unread(&mut self, path: &str, reason: Diagnostic) {
@@ -219,7 +231,9 @@ impl App {
             Ok(bytes) => self.open_bytes(&path, &bytes),
             Err(reason) => {
                 self.report_unread(&path, reason);
-                self.shown.dialog = Some(Dialog::Open(Target::new(path)));
+                if self.platform.has_paths() {
+                    self.shown.dialog = Some(Dialog::Open(Target::new(path)));
+                }
             }
         }
     }
@@ -268,7 +282,7 @@ impl App {
             return;
         };
         let path = path_of(&export.path, export.figures, export.next);
-        let drawn = self.drawn(&export);
+        let drawn = self.drawn(&export, ctx);
         let is_shown = export.scene == *self.scene();
         let moment = self.playback.main().moment(export.next);
         let link = is_shown.then(|| self.link_at(export.next, &moment).fitting());
@@ -294,15 +308,16 @@ impl App {
     }
 
     /// The next figure of an export.
-    fn drawn(&mut self, export: &Export) -> Result<Image, Diagnostic> {
+    fn drawn(&mut self, export: &Export, ctx: &Context) -> Result<Image, Diagnostic> {
         let id = export.lesson.as_ref();
-        self.platform.draw(StageFigure {
+        let figure = StageFigure {
             title: export.title.as_deref(),
             scene: &export.scene,
             lesson: id.and_then(|id| self.bookmark.course.lesson(id)),
             position: export.next,
             figures: export.figures,
-        })
+        };
+        self.platform.draw(figure, ctx)
     }
 
     /// Puts what an export would write of this step on the system's clipboard.
@@ -316,7 +331,7 @@ impl App {
                 ..slide
             },
         );
-        match self.drawn(&export) {
+        match self.drawn(&export, ctx) {
             Ok(Image { size, rgba }) => {
                 ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, &rgba));
                 let [width, height] = size;
@@ -347,23 +362,4 @@ impl App {
             }
         }
     }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-fn bytes_of(file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
-    use crate::lesson::{MAX_SCENE_BYTES, read_file};
-    // Some systems drop what lies nowhere.
-    let read = read_file(file.path(), MAX_SCENE_BYTES);
-    let dropped = if file.path().exists() {
-        None
-    } else {
-        file.bytes().ok()
-    };
-    dropped.map_or_else(|| Ok(read?), Ok)
-}
-
-/// A browser hands files over later; the page will do that in its own way.
-#[cfg(target_arch = "wasm32")]
-fn bytes_of(_file: &egui::DroppedFileHandle) -> Result<Vec<u8>, Diagnostic> {
-    Err(crate::text::SystemError::of_kind(std::io::ErrorKind::Unsupported).into())
 }

@@ -6,6 +6,10 @@ use crate::lesson::{self, LONG_LINK, LinkError, Stand, link_in, said};
 
 use super::{App, bookmark::FreeScene, keys::Focus, prelude::*};
 
+/// Segments, or vertices, of a scene that is spelt at every step.
+#[cfg(target_arch = "wasm32")]
+const MOST_SPELT: usize = 2_000;
+
 impl App {
     /// What is on the stage, as it stands there.
     pub fn link(&self) -> lesson::Link {
@@ -35,6 +39,17 @@ impl App {
         }
     }
 
+    /// What the address of a page says of the stage: a scene that takes long to spell is not in it, its page is.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn address_link(&self) -> Option<String> {
+        let is_large = self.history.now().document().size() > MOST_SPELT;
+        if !is_large || self.is_untouched() {
+            return self.link().fitting();
+        }
+        let (lesson, step) = self.bookmark.lesson().zip(self.bookmark.step())?;
+        Some(lesson::Link::to_step(&lesson.id, &step.id).to_string())
+    }
+
     /// Puts the link on the system's clipboard: of a scene that is too large, that to its page.
     pub(super) fn copy_link(&mut self, ctx: &Context, now: f64) {
         let whole = self.link();
@@ -42,7 +57,7 @@ impl App {
             self.complain(self.catalog().term("status-link-none"));
             return;
         };
-        let address = format!("{}{link}", self.platform.address());
+        let address = self.platform.address().unwrap_or_default() + &link;
         let message = Message::new(match address.len() {
             _ if link != whole.to_string() => "status-link-of-page",
             LONG_LINK.. => "status-link-long",

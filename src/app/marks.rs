@@ -80,6 +80,14 @@ impl App {
         }
     }
 
+    /// Adds marks that a learning platform has kept; what is none of ours is left there.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn take_up_marks(&mut self, bytes: &[u8]) {
+        if let Ok(progress) = Progress::read(bytes) {
+            self.settings.progress.merge(&progress);
+        }
+    }
+
     pub(super) fn begin_afresh(&mut self) {
         let since = SystemTime::now().duration_since(UNIX_EPOCH);
         let now = since.map_or(0, |since| since.as_secs());

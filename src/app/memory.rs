@@ -1,78 +1,69 @@
-//! What the app remembers, in a file of its own: written whole or not at all, soon after a change, and shared by several windows.
+//! What the app remembers: written whole or not at all, soon after a change, and shared by several windows.
 //!
 //! A window writes what it changed itself and leaves alone what another one wrote meanwhile. Where both worked on one page, the later
 //! work stays and the earlier one is a step of undo away ([`StoredWork::before`]).
 
-use std::{
-    collections::BTreeMap,
-    env,
-    fs::{self, File},
-    io,
-    path::{Path, PathBuf},
-    thread::{self, JoinHandle},
-};
+use std::{collections::BTreeMap, io};
 
 use egui::Context;
 use serde_json::{Map, Value as Json};
+use web_time::Duration;
 
-use crate::{
-    export::write_whole,
-    lesson::{Progress, read_file},
-};
+use crate::lesson::Progress;
 
 use super::{
     App, Settings,
     desk::{Page, StoredWork},
+    errand::{Errand, Lost},
     prelude::*,
     settings::Snapshot,
+    shelf::Shelf,
 };
 
-/// More than all work that is kept takes.
-const MAX_BYTES: u64 = 512 << 20;
 /// After the first change that is not kept yet.
 const PATIENCE_SECS: f64 = 1.0;
+/// How soon it is looked again whether something has been written.
+const LOOK_SECS: f64 = 0.1;
 
 pub struct Memory {
     /// None where nothing can be kept.
-    path: Option<PathBuf>,
-    /// What this window had when it last read or wrote the file.
+    shelf: Option<Shelf>,
+    /// What this window had when it last read or wrote.
     known: Settings,
     /// When what has changed is to be written.
     due: Option<f64>,
-    /// What is in the file when it has been written.
-    writing: Option<JoinHandle<io::Result<Settings>>>,
+    /// What is there when it has been written.
+    writing: Option<Errand<io::Result<Settings>>>,
     has_complained: bool,
 }
 
 impl Memory {
     /// What is remembered, if anything, and what is to be said of it.
-    pub fn open(path: Option<PathBuf>) -> (Option<Settings>, Self, Option<Message>) {
+    pub fn open(shelf: Option<Shelf>) -> (Option<Settings>, Self, Option<Message>) {
         let mut memory = Self {
-            path,
+            shelf,
             known: Settings::default(),
             due: None,
             writing: None,
             has_complained: false,
         };
-        let Some(path) = memory.path.clone() else {
+        let Some(shelf) = memory.shelf.clone() else {
             return (None, memory, None);
         };
-        match read(&path) {
+        match shelf.read() {
             Ok(Some(read)) => {
                 memory.known = read.clone();
                 (Some(read.in_range()), memory, None)
             }
             Ok(None) => (None, memory, None),
             Err(reason) => {
-                let shown = |path: &Path| path.display().to_string();
-                let said = match put_aside(&path) {
-                    Ok(aside) => Message::new("status-memory-aside").with("aside", shown(&aside)),
-                    Err(_) => {
-                        memory.path = None;
-                        Message::new("status-memory-unread")
-                    }
+                let said = if let Ok(aside) = shelf.put_aside() {
+                    Message::new("status-memory-aside").with("aside", aside)
+                } else {
+                    memory.shelf = None;
+                    Message::new("status-memory-unread")
                 };
-                let said = said.with("path", shown(&path)).with("reason", reason);
+                let said = said.with("path", shelf.name()).with("reason", reason);
                 (None, memory, Some(said))
             }
         }
@@ -84,123 +75,81 @@ impl Memory {
         if app.take_touched() {
             self.due.get_or_insert(now + PATIENCE_SECS);
         }
+        let is_writing = self.is_writing(app, Duration::ZERO);
         let Some(due) = self.due else {
+            if is_writing {
+                ctx.request_repaint_after(Duration::from_secs_f64(LOOK_SECS));
+            }
             return;
         };
-        let is_writing = self.writing.as_ref().is_some_and(|it| !it.is_finished());
         if due > now || is_writing || app.is_dragging() {
-            let rest = (due - now).max(0.1);
-            ctx.request_repaint_after(std::time::Duration::from_secs_f64(rest));
+            let rest = (due - now).max(LOOK_SECS);
+            ctx.request_repaint_after(Duration::from_secs_f64(rest));
             return;
         }
         self.due = None;
-        self.finish(app);
-        self.begin(app.snapshot());
+        let write = self.write(app.snapshot());
+        self.writing = write.map(|write| Errand::start(ctx, write));
     }
 
     /// At the end: what has not been written yet.
     pub fn end(&mut self, app: &mut App) {
-        self.finish(app);
-        self.begin(app.snapshot());
-        self.finish(app);
+        while self.is_writing(app, Duration::MAX) {}
+        self.due = None;
+        if let Some(write) = self.write(app.snapshot()) {
+            self.take(write(), app);
+        }
     }
 
-    /// Spells it and writes what has changed, beside the window.
-    fn begin(&mut self, now: Snapshot) {
-        let Some(path) = self.path.clone() else {
-            return;
-        };
+    /// What spells it and writes what has changed, beside the window where that can be.
+    fn write(&mut self, now: Snapshot) -> Option<impl FnOnce() -> io::Result<Settings> + use<>> {
+        let shelf = self.shelf.clone()?;
         // Where that fails, all of it is to be written again.
         let before = std::mem::take(&mut self.known);
-        let write = move || {
+        Some(move || {
             let now = now.written();
             if now != before {
-                keep(&path, &before, &now)?;
+                keep(&shelf, &before, &now)?;
             }
             Ok(now)
-        };
-        self.writing = Some(thread::spawn(write));
+        })
     }
 
-    /// Waits for what is being written, and says once where that failed.
-    fn finish(&mut self, app: &mut App) {
-        let Some(written) = self.writing.take().map(JoinHandle::join) else {
-            return;
+    /// Is something being written for longer than this?
+    fn is_writing(&mut self, app: &mut App, within: Duration) -> bool {
+        let Some(writing) = &mut self.writing else {
+            return false;
         };
+        let written = match writing.answer(within) {
+            Ok(None) => return true,
+            Ok(Some(written)) => written,
+            Err(Lost) => Err(io::ErrorKind::Other.into()),
+        };
+        self.writing = None;
+        self.take(written, app);
+        false
+    }
+
+    /// Says once where writing failed.
+    fn take(&mut self, written: io::Result<Settings>, app: &mut App) {
         let failed = match written {
-            Ok(Ok(now)) => {
+            Ok(now) => {
                 self.known = now;
                 return;
             }
-            Ok(Err(error)) => error,
-            Err(_) => io::Error::from(io::ErrorKind::Other),
+            Err(failed) => Diagnostic::from(failed),
         };
-        if !std::mem::replace(&mut self.has_complained, true) {
-            let path = self.path.as_ref().map(|path| path.display().to_string());
-            let message = Message::new("status-memory-unkept")
-                .with("path", path.unwrap_or_default())
-                .with("reason", Diagnostic::from(failed));
-            app.complain(app.catalog().message(&message));
+        if let Some(shelf) = &self.shelf
+            && !std::mem::replace(&mut self.has_complained, true)
+        {
+            app.complain(app.catalog().message(&shelf.unkept(failed)));
         }
     }
 }
 
-/// Where settings are kept on this system, if it says so.
-pub fn path() -> Option<PathBuf> {
-    let of = |name| {
-        env::var_os(name)
-            .filter(|it| !it.is_empty())
-            .map(PathBuf::from)
-    };
-    let home = |rest: &str| Some(of("HOME")?.join(rest));
-    let data = if cfg!(target_os = "windows") {
-        of("APPDATA")
-    } else if cfg!(target_os = "macos") {
-        home("Library/Application Support")
-    } else {
-        of("XDG_DATA_HOME").or_else(|| home(".local/share"))
-    };
-    Some(data?.join("clipscope/settings.json"))
-}
-
-/// `None` where there is no such file.
-fn read(path: &Path) -> Result<Option<Settings>, Diagnostic> {
-    if path
-        .symlink_metadata()
-        .is_err_and(|error| error.kind() == io::ErrorKind::NotFound)
-    {
-        return Ok(None);
-    }
-    let bytes = read_file(path, MAX_BYTES)?;
-    let settings = serde_json::from_slice(&bytes);
-    settings
-        .map(Some)
-        .map_err(|_| Message::new("memory-broken").into())
-}
-
-/// Renames what cannot be read, so that nothing is written over it; its new name.
-fn put_aside(path: &Path) -> io::Result<PathBuf> {
-    let names = (1..).map(|n| match n {
-        1 => path.with_extension("broken"),
-        n => path.with_extension(format!("broken-{n}")),
-    });
-    let mut free = names.filter(|name| name.symlink_metadata().is_err());
-    let aside = free.next().ok_or(io::ErrorKind::AlreadyExists)?;
-    fs::rename(path, &aside)?;
-    Ok(aside)
-}
-
-/// Writes what this window changed since `before` into what the file holds now.
-fn keep(path: &Path, before: &Settings, now: &Settings) -> io::Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    // Held to the end: two windows that write at once take turns. A system without locks has to do without.
-    let lock = File::create(path.with_extension("lock"))?;
-    let _ = lock.lock();
-    let there = read(path).ok().flatten();
-    let merged = there.map_or_else(|| now.clone(), |there| merged(before, now, &there));
-    write_whole(path, &serde_json::to_vec(&merged)?)
+/// Writes what this window changed since `before` into what is there now.
+fn keep(shelf: &Shelf, before: &Settings, now: &Settings) -> io::Result<()> {
+    shelf.keep(|there| there.map_or_else(|| now.clone(), |there| merged(before, now, &there)))
 }
 
 /// What was changed `now`, and else what is `there`.
@@ -263,6 +212,8 @@ fn works([before, now, there]: [&[StoredWork]; 3]) -> Vec<StoredWork> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::{app::desk::Places, lesson::Course, text::Lang};
 
@@ -285,14 +236,14 @@ mod tests {
         }
     }
 
-    fn there(path: &Path) -> Settings {
-        read(path).unwrap().unwrap()
+    fn there(shelf: &Shelf) -> Settings {
+        shelf.read().unwrap().unwrap()
     }
 
     #[test]
     fn two_windows_keep_what_each_has_changed() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("inner/settings.json");
+        let path = Shelf::at(folder.path().join("inner/settings.json"));
         let start = with(Lang::En, &[work("lines", "a"), work("polygons", "b")]);
         keep(&path, &Settings::default(), &start).unwrap();
         // One changes the language and a page, the other another page, and takes one away.
@@ -309,7 +260,7 @@ mod tests {
     #[test]
     fn of_two_on_one_page_the_later_stays_and_the_earlier_is_behind_it() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("settings.json");
+        let path = Shelf::at(folder.path().join("settings.json"));
         let start = with(Lang::En, &[work("lines", "start")]);
         keep(&path, &Settings::default(), &start).unwrap();
         keep(&path, &start, &with(Lang::En, &[work("lines", "earlier")])).unwrap();
@@ -331,14 +282,14 @@ mod tests {
         let path = folder.path().join("settings.json");
         for (i, bytes) in ["", "{", "[1]", "\u{0}"].iter().enumerate() {
             fs::write(&path, bytes).unwrap();
-            let (settings, memory, said) = Memory::open(Some(path.clone()));
+            let (settings, memory, said) = Memory::open(Some(Shelf::at(path.clone())));
             assert_eq!(settings, None);
             assert_eq!(said.unwrap().key, "status-memory-aside");
-            assert!(memory.path.is_some() && !path.exists());
+            assert!(memory.shelf.is_some() && !path.exists());
             let n_aside = fs::read_dir(folder.path()).unwrap().count();
             assert_eq!(n_aside, i + 1);
         }
-        let (settings, _, said) = Memory::open(Some(path));
+        let (settings, _, said) = Memory::open(Some(Shelf::at(path)));
         assert_eq!((settings, said), (None, None));
     }
 
@@ -387,8 +338,8 @@ mod tests {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("settings.json");
             fs::write(&path, bytes).unwrap();
-            let (read, memory, said) = Memory::open(Some(path));
-            proptest::prop_assert!(memory.path.is_some());
+            let (read, memory, said) = Memory::open(Some(Shelf::at(path)));
+            proptest::prop_assert!(memory.shelf.is_some());
             proptest::prop_assert_eq!(read.is_none(), said.is_some());
             let app = App::new(Course::embedded(), read.unwrap_or_default());
             proptest::prop_assert!((0.25..=4.0).contains(&app.settings().speed));

@@ -208,7 +208,7 @@ fn files(app: &App, ui: &mut Ui) {
         menu_button(ui, app.look().say("action-recent"), |ui| recent(app, ui));
     }
     for (key, keys, command) in rows {
-        let is_there = !keys.is_empty() || app.platform.has_dialogs();
+        let is_there = !keys.is_empty() || app.has_dialog(false);
         if is_there && action(ui, app.look(), (key, keys), true) {
             app.push(command(app));
         }

@@ -1,4 +1,4 @@
-//! A mesh that is read in a thread of its own: the window stays alive meanwhile, and Escape gives it up.
+//! A mesh that is read in a thread of its own, where there are threads: the window stays alive meanwhile, and Escape gives it up.
 
 use std::{
     io,
@@ -7,21 +7,20 @@ use std::{
         Arc,
         atomic::{AtomicBool, Ordering},
     },
-    time::Duration,
 };
+
+use web_time::Duration;
 
 use crate::{
     labs::space::Picture,
-    lesson::{
-        FileError, MAX_SCENE_BYTES, ObjFile, picture_of, read_file_while, read_obj_while,
-        read_picture,
-    },
+    lesson::{FileError, ObjFile, picture_of, read_obj_while, read_picture},
 };
 
 use super::{
     App,
     errand::{Errand, Lost},
     notice::Notice,
+    platform::Reader,
     prelude::*,
 };
 
@@ -46,10 +45,10 @@ pub struct MeshLoading {
 }
 
 impl MeshLoading {
-    fn start(path: &str, ctx: &Context) -> Self {
+    fn start(path: &str, reader: Reader, ctx: &Context) -> Self {
         let is_wanted = Arc::new(AtomicBool::new(true));
         let (of, asked) = (path.to_owned(), Arc::clone(&is_wanted));
-        let read = move || read_mesh(&of, &|| asked.load(Ordering::Relaxed));
+        let read = move || read_mesh(&of, &reader, &|| asked.load(Ordering::Relaxed));
         Self {
             path: path.to_owned(),
             read: Errand::start(ctx, read),
@@ -72,9 +71,13 @@ impl Drop for MeshLoading {
     }
 }
 
-fn read_mesh(path: &str, is_wanted: &dyn Fn() -> bool) -> Result<ReadMesh, Unread> {
+fn read_mesh(
+    path: &str,
+    reader: &Reader,
+    is_wanted: &dyn Fn() -> bool,
+) -> Result<ReadMesh, Unread> {
     let path_of = |name: &str| Path::new(path).with_file_name(name);
-    let read = |path: &Path| read_file_while(path, MAX_SCENE_BYTES, is_wanted);
+    let read = |path: &Path| reader(path, is_wanted);
     let bytes = read(Path::new(path)).map_err(|error| Unread::File(error.into()))?;
     let obj = read_obj_while(path, &bytes, is_wanted).map_err(Unread::Mesh)?;
     let beside = |name: &str| read(&path_of(name));
@@ -121,7 +124,8 @@ pub fn is_of_a_mesh(path: &Path) -> bool {
 
 impl App {
     pub(super) fn load_mesh(&mut self, path: &str, ctx: &Context) {
-        self.loading.push(MeshLoading::start(path, ctx));
+        let reader = self.platform.reader();
+        self.loading.push(MeshLoading::start(path, reader, ctx));
         self.notices.clear();
         self.say_what_is_loading();
     }

@@ -40,10 +40,8 @@ mod kit;
 mod layout;
 mod links;
 mod marks;
-#[cfg(not(target_arch = "wasm32"))]
 mod memory;
 mod menus;
-#[cfg(not(target_arch = "wasm32"))]
 mod mesh_loading;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -64,6 +62,7 @@ mod reload;
 mod room;
 mod run_room;
 mod settings;
+mod shelf;
 mod speaker;
 mod stage;
 mod stage_state;
@@ -79,13 +78,12 @@ pub use command::{BINDINGS, Binding, Command};
 pub use desk::{Page, Places, StoredWork};
 pub use dialog::{Answer, Dialog, Figures, Question, Target};
 pub use kit::Kit;
-#[cfg(not(target_arch = "wasm32"))]
 pub use mesh_loading::is_mesh;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{Opening, run_native};
 #[cfg(not(target_arch = "wasm32"))]
 pub use platform::Desktop;
-pub use platform::{NoFiles, Platform, StageFigure};
+pub use platform::{NoFiles, Platform, Reader, StageFigure};
 pub use settings::Settings;
 pub(crate) use settings::Snapshot;
 #[cfg(target_arch = "wasm32")]
@@ -132,7 +130,6 @@ pub struct App {
     exporting: Option<files::Export>,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
-    #[cfg(not(target_arch = "wasm32"))]
     loading: Vec<mesh_loading::MeshLoading>,
 }
 
@@ -153,6 +150,8 @@ struct Shown {
     /// Is the question under the stage, where no lesson text is beside it?
     asks: bool,
     presenting: Option<window::Before>,
+    /// A frame of another page shows what a presentation does, for ever.
+    is_embedded: bool,
     has_notes: bool,
     /// Is the course open where it is a strip else?
     unfolded: bool,
@@ -216,7 +215,6 @@ impl App {
             exporting: None,
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
-            #[cfg(not(target_arch = "wasm32"))]
             loading: Vec::new(),
         };
         app.lay_out(stored);
@@ -276,12 +274,10 @@ impl App {
     }
 
     /// Has anything been asked for since this was last asked?
-    #[cfg(not(target_arch = "wasm32"))]
     fn take_touched(&mut self) -> bool {
         std::mem::take(&mut self.is_touched)
     }
 
-    #[cfg(not(target_arch = "wasm32"))]
     const fn is_dragging(&self) -> bool {
         self.history.is_in_gesture()
     }
@@ -315,7 +311,6 @@ impl App {
         self.take_answer(&ctx, now);
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
-        #[cfg(not(target_arch = "wasm32"))]
         self.take_meshes(now);
         self.pass_time(&ctx, now);
         let is_dragging = self.history.is_in_gesture();

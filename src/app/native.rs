@@ -5,11 +5,7 @@ use egui::ViewportBuilder;
 
 use crate::{lesson::Folder, paint::fonts};
 
-use super::{
-    App, Desktop, Settings,
-    memory::{self, Memory},
-    prelude::*,
-};
+use super::{App, Desktop, Settings, memory::Memory, prelude::*, shelf::Shelf};
 
 const DEFAULT_SIZE: [f32; 2] = [1280.0, 720.0];
 const LEAST_SIZE: [f32; 2] = [320.0, 240.0];
@@ -28,7 +24,7 @@ pub struct Opening {
 /// # Errors
 /// Why there can be no window: no display, no OpenGL.
 pub fn run_native(opening: Opening) -> Result<(), Message> {
-    let (stored, memory, said) = Memory::open(memory::path());
+    let (stored, memory, said) = Memory::open(Shelf::of_system());
     let settings = stored.unwrap_or_else(Settings::of_system);
     let size = settings.window.unwrap_or(DEFAULT_SIZE);
     let options = NativeOptions {

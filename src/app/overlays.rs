@@ -182,7 +182,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         ui.horizontal(|ui| {
             let is_ready = !target.path.trim().is_empty();
             go_and_cancel(app, ui, action, (entered, is_ready));
-            if app.platform.has_dialogs() && ui.button(look.say("action-browse")).clicked() {
+            if app.has_dialog(false) && ui.button(look.say("action-browse")).clicked() {
                 app.push(Command::Browse);
             }
         });

@@ -1,14 +1,13 @@
 //! What the app needs of the place where it runs: the seam to files.
 
-use std::io;
+use std::{io, path::Path};
 
-use egui::Context;
+use egui::{Context, DroppedFileHandle};
 
-#[cfg(not(target_arch = "wasm32"))]
-use crate::export;
 use crate::{
+    export,
     labs::Scene,
-    lesson::Lesson,
+    lesson::{FileError, Lesson},
     paint::Image,
     text::{Diagnostic, Lang, SystemError},
 };
@@ -30,6 +29,39 @@ pub struct StageFigure<'a> {
     pub figures: Figures,
 }
 
+/// Reads a file for as long as that is wanted, in whatever thread it is called.
+pub type Reader = Box<dyn Fn(&Path, &dyn Fn() -> bool) -> Result<Vec<u8>, FileError> + Send>;
+
+/// Draws in a studio, which is kept for the next figure.
+pub fn drawn(studio: &mut Option<export::Studio>, picture: StageFigure<'_>) -> Image {
+    let Figures {
+        size_px,
+        theme,
+        lang,
+        all,
+    } = picture.figures;
+    let studio = studio.get_or_insert_with(|| export::Studio::new(theme));
+    studio.draw(&export::Picture {
+        title: picture.title,
+        scene: picture.scene,
+        lesson: picture.lesson,
+        step: picture.position,
+        before: None,
+        foot: None,
+        options: export::Options {
+            size_px,
+            theme,
+            lang,
+            steps: if all {
+                export::Steps::All
+            } else {
+                export::Steps::Figures
+            },
+            asks: false,
+        },
+    })
+}
+
 /// A place that has no files answers as it stands here.
 pub trait Platform {
     /// Where a file of this name would be put, to be shown and changed before it is written.
@@ -46,13 +78,18 @@ pub trait Platform {
         Lang::default()
     }
 
-    /// What a link is put behind: the address of a page; nothing where there is none.
-    fn address(&self) -> String {
-        String::new()
-    }
-
     fn has_dialogs(&self) -> bool {
         false
+    }
+
+    /// Where whoever wants the same finds it, and what a link is put behind: a page's address.
+    fn address(&self) -> Option<String> {
+        None
+    }
+
+    /// Can files be named by where they lie? Else they are chosen to be opened, and written under a name alone.
+    fn has_paths(&self) -> bool {
+        true
     }
 
     /// Opens one beside the window, and comes back at once; the context is woken when there is an answer.
@@ -63,12 +100,25 @@ pub trait Platform {
         None
     }
 
+    /// Of files that are dropped, now or before, those that can be read now.
+    fn arrived(
+        &mut self,
+        dropped: Vec<DroppedFileHandle>,
+        _ctx: &Context,
+    ) -> Vec<DroppedFileHandle> {
+        dropped
+    }
+
+    fn reader(&self) -> Reader {
+        Box::new(|_, _| Err(FileError::Unreadable(NO_FILES)))
+    }
+
     /// The bytes of a file.
     ///
     /// # Errors
     /// Why it could not be read.
-    fn read(&self, _path: &str) -> Result<Vec<u8>, Diagnostic> {
-        Err(NO_FILES.into())
+    fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
+        Ok((self.reader())(Path::new(path), &|| true)?)
     }
 
     /// Writes a file whole or not at all; the path it was written to.
@@ -91,12 +141,12 @@ pub trait Platform {
     ///
     /// # Errors
     /// Why it could not be drawn.
-    fn draw(&mut self, _picture: StageFigure<'_>) -> Result<Image, Diagnostic> {
+    fn draw(&mut self, _picture: StageFigure<'_>, _ctx: &Context) -> Result<Image, Diagnostic> {
         Err(NO_FILES.into())
     }
 }
 
-/// A place without files: a page in a browser, a headless table.
+/// A place without files: a headless table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
 
@@ -133,7 +183,7 @@ impl Platform for Desktop {
     }
 
     fn exists(&self, path: &str) -> bool {
-        std::path::Path::new(path).exists()
+        Path::new(path).exists()
     }
 
     fn has_dialogs(&self) -> bool {
@@ -151,13 +201,13 @@ impl Platform for Desktop {
         self.chooser.as_mut()?.answer()
     }
 
-    fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
-        use crate::lesson::{MAX_SCENE_BYTES, read_file};
-        Ok(read_file(std::path::Path::new(path), MAX_SCENE_BYTES)?)
+    fn reader(&self) -> Reader {
+        use crate::lesson::{MAX_SCENE_BYTES, read_file_while};
+        Box::new(|path, is_wanted| read_file_while(path, MAX_SCENE_BYTES, is_wanted))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
-        export::write_whole(std::path::Path::new(path), bytes)?;
+        export::write_whole(Path::new(path), bytes)?;
         Ok(path.to_owned())
     }
 
@@ -165,34 +215,7 @@ impl Platform for Desktop {
         Ok(std::fs::remove_file(path)?)
     }
 
-    fn draw(&mut self, picture: StageFigure<'_>) -> Result<Image, Diagnostic> {
-        let Figures {
-            size_px,
-            theme,
-            lang,
-            all,
-        } = picture.figures;
-        let new = || export::Studio::new(theme);
-        let studio = self.studio.get_or_insert_with(new);
-        let figure = export::Picture {
-            title: picture.title,
-            scene: picture.scene,
-            lesson: picture.lesson,
-            step: picture.position,
-            before: None,
-            foot: None,
-            options: export::Options {
-                size_px,
-                theme,
-                lang,
-                steps: if all {
-                    export::Steps::All
-                } else {
-                    export::Steps::Figures
-                },
-                asks: false,
-            },
-        };
-        Ok(studio.draw(&figure))
+    fn draw(&mut self, picture: StageFigure<'_>, _: &Context) -> Result<Image, Diagnostic> {
+        Ok(drawn(&mut self.studio, picture))
     }
 }

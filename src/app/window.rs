@@ -1,6 +1,6 @@
 //! The window around the app: its title, its look, and the presentation, which fills the screen.
 
-use egui::ViewportCommand;
+use egui::{OpenUrl, ViewportCommand};
 
 use super::{App, prelude::*};
 
@@ -23,7 +23,31 @@ fn rest(ctx: &Context) -> f32 {
 impl App {
     /// Is a pointer of no interest that rests while something is presented?
     pub(super) fn has_hidden_pointer(&self, ctx: &Context) -> bool {
-        self.shown.presenting.is_some() && rest(ctx) <= 0.0
+        self.hides_pointer() && rest(ctx) <= 0.0
+    }
+
+    const fn hides_pointer(&self) -> bool {
+        self.shown.presenting.is_some() && !self.shown.is_embedded
+    }
+
+    /// Shows the stage, the caption and the transport only, as a part of another page.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(super) fn embedded(mut self) -> Self {
+        self.shown.is_embedded = true;
+        self.shown.presenting = Some(Before {
+            theme: self.settings.theme,
+            is_fullscreen: false,
+            since: 0.0,
+        });
+        self
+    }
+
+    /// Opens what is embedded here in a page of its own.
+    pub(super) fn open_whole(&self, ctx: &Context) {
+        let link = self.link().fitting().unwrap_or_default();
+        if let Some(address) = self.platform.address() {
+            ctx.open_url(OpenUrl::new_tab(address + &link));
+        }
     }
 
     pub(super) fn present(&mut self, ctx: &Context) {
@@ -39,7 +63,8 @@ impl App {
     }
 
     pub(super) fn leave_presentation(&mut self, ctx: &Context) -> bool {
-        let Some(before) = self.shown.presenting.take() else {
+        let presenting = &mut self.shown.presenting;
+        let Some(before) = presenting.take_if(|_| !self.shown.is_embedded) else {
             return false;
         };
         self.settings.theme = before.theme;
@@ -66,7 +91,7 @@ impl App {
 
     /// Hides a pointer that rests while something is presented; asks to be drawn once more when it has rested enough.
     pub(super) fn hide_idle_pointer(&self, ctx: &Context) {
-        if self.shown.presenting.is_none() {
+        if !self.hides_pointer() {
             return;
         }
         let left = rest(ctx);

@@ -50,7 +50,8 @@ const BESIDE_BEFORE: Spacing = Spacing {
 const OVER_COST_PTS: f32 = 8.0;
 
 /// Which steps of the runs become pictures. The words are those of the command line's help.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, clap::ValueEnum)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Steps {
     /// Those that lessons name
     #[default]

@@ -2,11 +2,17 @@
 //! every machine.
 
 mod figure;
+#[cfg(not(target_arch = "wasm32"))]
 mod files;
+#[cfg(not(target_arch = "wasm32"))]
 mod graded;
+#[cfg(not(target_arch = "wasm32"))]
 mod jobs;
 
 pub use figure::{Options, Picture, Steps, Studio};
+#[cfg(not(target_arch = "wasm32"))]
 pub use files::write_whole;
+#[cfg(not(target_arch = "wasm32"))]
 pub use graded::{Drawn, draw_graded};
+#[cfg(not(target_arch = "wasm32"))]
 pub use jobs::{Content, Failure, Job, Source, jobs, jobs_of, run};

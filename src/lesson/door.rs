@@ -9,9 +9,6 @@ use std::{
 
 use super::files::FileError;
 
-/// The most bytes of a scene, a mesh or a picture: what a larger one holds could not be drawn in time.
-pub const MAX_SCENE_BYTES: u64 = 128 << 20;
-
 /// Read in pieces of this size, after each of which it may be given up.
 const PIECE_BYTES: u64 = 1 << 20;
 

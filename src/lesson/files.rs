@@ -9,6 +9,9 @@ use crate::text::{Diagnostic, Message, SystemError};
 /// A larger file is refused: no lesson is that long, so it is something else.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
 
+/// The most bytes of a scene, a mesh or a picture: what a larger one holds could not be drawn in time.
+pub const MAX_SCENE_BYTES: u64 = 128 << 20;
+
 /// More lessons than this in one folder are left out.
 pub const MAX_LESSONS: usize = 1_000;
 

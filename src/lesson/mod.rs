@@ -50,9 +50,9 @@ pub use asking::{Asks, Goal};
 pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]
-pub use door::{MAX_SCENE_BYTES, ask, read_file, read_file_while};
+pub use door::{ask, read_file, read_file_while};
 pub use draft::{Draft, NewStep};
-pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS};
+pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS, MAX_SCENE_BYTES};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
 pub use glossary::{Glossary, Term, Word, glossary};

@@ -114,8 +114,25 @@ impl Progress {
     }
 
     pub fn written(&self) -> String {
-        let json = json!({ "version": VERSION, "begun": self.begun, "steps": self.steps });
-        format!("{json:#}\n")
+        format!("{:#}\n", self.json())
+    }
+
+    /// The same on one line, of these lessons alone.
+    pub fn written_of(&self, lessons: &[&Lesson]) -> String {
+        let is_of = |name: &str| {
+            let of = name.split_once('/').map(|(lesson, _)| lesson);
+            lessons.iter().any(|lesson| Some(&*lesson.id) == of)
+        };
+        let steps = self.steps.iter().filter(|(name, _)| is_of(name));
+        let of_these = Self {
+            begun: self.begun,
+            steps: steps.map(|(name, mark)| (name.clone(), *mark)).collect(),
+        };
+        of_these.json().to_string()
+    }
+
+    fn json(&self) -> serde_json::Value {
+        json!({ "version": VERSION, "begun": self.begun, "steps": self.steps })
     }
 
     pub fn mark(&self, lesson: &str, step: &str) -> Option<Mark> {
@@ -199,8 +216,12 @@ impl Progress {
     }
 
     pub fn of_course(&self, course: &Course) -> Tally {
+        self.of_lessons(&course.lessons)
+    }
+
+    pub fn of_lessons<'a>(&self, lessons: impl IntoIterator<Item = &'a Lesson>) -> Tally {
         let mut all = Tally::default();
-        for lesson in &course.lessons {
+        for lesson in lessons {
             all.add(self.of_lesson(lesson));
         }
         all
@@ -227,6 +248,25 @@ mod tests {
         };
         let steps = marks.iter().map(mark).collect();
         Progress { begun, steps }
+    }
+
+    #[test]
+    fn a_platform_keeps_the_marks_of_its_lessons_alone() {
+        let course = Course::embedded();
+        let [first, second, ..] = &course.lessons[..] else {
+            panic!("a course has lessons");
+        };
+        let mut progress = Progress::default();
+        progress.answer(&first.id, &first.steps[0].id, true);
+        progress.see(&second.id, &second.steps[0].id);
+        let kept = progress.written_of(&[first]);
+        let read = Progress::read(kept.as_bytes()).expect("as it was written");
+        assert_eq!(read.steps.len(), 1);
+        assert_eq!(read.of_lesson(first), progress.of_lesson(first));
+        assert_eq!(
+            progress.of_lessons([first, second]).seen,
+            progress.of_course(&course).seen
+        );
     }
 
     #[test]

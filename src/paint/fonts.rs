@@ -14,17 +14,61 @@ macro_rules! font {
     };
 }
 
-const FILES: [(&str, &[u8]); 9] = [
+type File = (&'static str, &'static [u8]);
+
+const FILES: [File; 7] = [
     font!("Inter-Regular.otf"),
     font!("Inter-SemiBold.otf"),
     font!("JetBrainsMono-Regular.ttf"),
     font!("DejaVuSans.ttf"),
     font!("DejaVuSans-Bold.ttf"),
     font!("DejaVuSansMono.ttf"),
-    font!("NotoSansSC-Regular.otf"),
-    font!("NotoSansSC-Bold.otf"),
     font!("ClipscopeSymbols.otf"),
 ];
+
+/// What only Chinese needs. They are as large as all else that a page is made of but the program.
+mod chinese {
+    use super::File;
+
+    #[cfg(not(target_arch = "wasm32"))]
+    const FILES: [File; 2] = [
+        font!("NotoSansSC-Regular.otf"),
+        font!("NotoSansSC-Bold.otf"),
+    ];
+
+    #[cfg(not(target_arch = "wasm32"))]
+    pub const fn files() -> &'static [File] {
+        &FILES
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    pub use fetched::files;
+
+    /// A page fetches them from beside itself.
+    #[cfg(target_arch = "wasm32")]
+    pub mod fetched {
+        use std::sync::OnceLock;
+
+        use super::File;
+
+        pub const NAMES: [&str; 2] = ["NotoSansSC-Regular.otf", "NotoSansSC-Bold.otf"];
+
+        static FILES: OnceLock<[File; 2]> = OnceLock::new();
+
+        pub fn files() -> &'static [File] {
+            FILES.get().map_or(&[], |files| files)
+        }
+
+        /// From now on they are there, for as long as the page is.
+        pub fn add(files: [Vec<u8>; 2]) {
+            let [regular, bold] = files.map(|bytes| &*bytes.leak());
+            FILES.get_or_init(|| [(NAMES[0], regular), (NAMES[1], bold)]);
+        }
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+pub use chinese::fetched as chinese_fonts;
 
 const PROPORTIONAL: [&str; 4] = [
     "Inter-Regular.otf",
@@ -55,11 +99,15 @@ pub fn semibold() -> FontFamily {
 /// No font is scaled or shifted: their capitals are alike (0.727 to 0.733 of the size), on one baseline.
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
-    for (name, bytes) in FILES {
+    for &(name, bytes) in FILES.iter().chain(chinese::files()) {
         let data = FontData::from_static(bytes);
         fonts.font_data.insert(name.to_owned(), Arc::new(data));
     }
-    let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+    let is_here = |name: &&&str| fonts.font_data.contains_key(**name);
+    let names = |names: &[&str]| {
+        let here = names.iter().filter(is_here);
+        here.map(|&name| name.to_owned()).collect()
+    };
     fonts.families = [
         (FontFamily::Proportional, names(&PROPORTIONAL)),
         (semibold(), names(&SEMIBOLD)),

@@ -1,6 +1,6 @@
 //! A step's sentence: the decision semibold, the arithmetic after it.
 
-use egui::{Label, UiBuilder};
+use egui::{Label, UiBuilder, accesskit::Live};
 
 use crate::{
     figure::Caption,
@@ -62,8 +62,15 @@ pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
     let place = Rect::from_min_size(pos2(inner.left(), top), size);
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-        ui.add(Label::new(lines.galley()).selectable(true))
-            .on_hover_text(caption_text(look.catalog, shown));
+        let said = caption_text(look.catalog, shown);
+        let label = ui.add(Label::new(lines.galley()).selectable(true));
+        // However it is set, it is read as a whole, and each step's when it comes.
+        ui.ctx().accesskit_node_builder(label.id, |node| {
+            node.set_value(&*said);
+            node.set_live(Live::Polite);
+            node.set_author_id("caption");
+        });
+        label.on_hover_text(said);
     });
 }
 

@@ -76,6 +76,7 @@ settings-snap = Snap to grid
 
 action-present = Present
 action-present-leave = Leave presentation
+action-open-whole = Open in Clipscope
 action-notes = Notes for the speaker
 speaker-clock = { $clock } since the presentation began (hours and minutes)
 speaker-no-note = This step has no note.
@@ -155,6 +156,9 @@ status-saved = Saved to { $path }
 status-memory-aside = { $path } could not be read: { $reason } The file is now { $aside }, and the settings start again.
 status-memory-unread = { $path } could not be read: { $reason } Settings and work will not be kept.
 status-memory-unkept = Settings and work cannot be kept in { $path }: { $reason }.
+status-memory-full = The browser cannot keep settings and work: { $reason }.
+status-memory-refused = The browser keeps nothing for this page: settings and work are gone when you close it. Save what you want to keep.
+status-fonts-coming = The characters of Chinese are still on their way. Try again in a moment.
 status-save-failed = The scene could not be saved: { $reason }
 status-open-failed = { $path } could not be opened: { $reason }
 status-forgotten = It is no longer among the recent files.

@@ -76,6 +76,7 @@ settings-snap = Ajustar a la cuadrícula
 
 action-present = Presentar
 action-present-leave = Salir de la presentación
+action-open-whole = Abrir en Clipscope
 action-notes = Notas para quien presenta
 speaker-clock = { $clock } desde que empezó la presentación (horas y minutos)
 speaker-no-note = Este paso no tiene notas.
@@ -155,6 +156,9 @@ status-saved = Guardado en { $path }
 status-memory-aside = No se pudo leer { $path }: { $reason } Ahora se llama { $aside } y los ajustes empiezan de nuevo.
 status-memory-unread = No se pudo leer { $path }: { $reason } Los ajustes y el trabajo no se guardarán.
 status-memory-unkept = Los ajustes y el trabajo no se pueden guardar en { $path }: { $reason }.
+status-memory-full = El navegador no puede guardar los ajustes ni el trabajo: { $reason }.
+status-memory-refused = El navegador no guarda nada de esta página: los ajustes y el trabajo se pierden cuando la cierras. Guarda en un archivo lo que quieras conservar.
+status-fonts-coming = Los caracteres chinos todavía están en camino. Prueba de nuevo dentro de un momento.
 status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
 status-forgotten = Ya no está entre los archivos recientes.

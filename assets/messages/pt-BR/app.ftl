@@ -76,6 +76,7 @@ settings-snap = Ajustar à grade
 
 action-present = Apresentar
 action-present-leave = Sair da apresentação
+action-open-whole = Abrir no Clipscope
 action-notes = Notas para quem apresenta
 speaker-clock = { $clock } desde que a apresentação começou (horas e minutos)
 speaker-no-note = Este passo não tem notas.
@@ -155,6 +156,9 @@ status-saved = Salvo em { $path }
 status-memory-aside = Não foi possível ler { $path }: { $reason } Agora se chama { $aside }, e os ajustes recomeçam.
 status-memory-unread = Não foi possível ler { $path }: { $reason } Os ajustes e o trabalho não serão guardados.
 status-memory-unkept = Os ajustes e o trabalho não podem ser guardados em { $path }: { $reason }.
+status-memory-full = O navegador não consegue guardar os ajustes nem o trabalho: { $reason }.
+status-memory-refused = O navegador não guarda nada desta página: os ajustes e o trabalho se perdem quando você a fecha. Salve em um arquivo o que quiser conservar.
+status-fonts-coming = Os caracteres chineses ainda estão a caminho. Tente de novo daqui a pouco.
 status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
 status-forgotten = Ele não está mais entre os arquivos recentes.

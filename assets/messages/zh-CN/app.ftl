@@ -72,6 +72,7 @@ settings-snap = 吸附到网格
 
 action-present = 演示
 action-present-leave = 退出演示
+action-open-whole = 在 Clipscope 中打开
 action-notes = 讲者备注
 speaker-clock = 演示已进行 { $clock }（小时:分钟）
 speaker-no-note = 本步没有备注。
@@ -151,6 +152,9 @@ status-saved = 已保存到 { $path }
 status-memory-aside = 无法读取 { $path }：{ $reason }该文件现在名为 { $aside }，设置从头开始。
 status-memory-unread = 无法读取 { $path }：{ $reason }设置和所做的工作将不会保存。
 status-memory-unkept = 设置和所做的工作无法保存到 { $path }：{ $reason }。
+status-memory-full = 浏览器无法保存设置和所做的工作：{ $reason }。
+status-memory-refused = 浏览器不为本页保存任何内容：关闭本页后，设置和所做的工作都会丢失。想留下的请另存为文件。
+status-fonts-coming = 中文字体还在下载，请稍后再试。
 status-save-failed = 无法保存场景：{ $reason }
 status-open-failed = 无法打开 { $path }：{ $reason }
 status-forgotten = 它已从最近的文件中移除。

@@ -14,6 +14,8 @@ struct Dialogs {
     questions: Vec<Question>,
     answer: Option<Answer>,
     is_missing: bool,
+    /// As a page in a browser has it: files are chosen, and written under a name alone.
+    has_names_alone: bool,
 }
 
 impl Platform for Asked {
@@ -26,19 +28,22 @@ impl Platform for Asked {
     fn has_dialogs(&self) -> bool {
         !self.0.borrow().is_missing
     }
+    fn has_paths(&self) -> bool {
+        !self.0.borrow().has_names_alone
+    }
     fn ask(&mut self, question: &Question, _ctx: &Context) {
         self.0.borrow_mut().questions.push(question.clone());
     }
     fn answer(&mut self) -> Option<Answer> {
         self.0.borrow_mut().answer.take()
     }
-    fn read(&self, path: &str) -> Result<Vec<u8>, Diagnostic> {
-        Desktop::default().read(path)
+    fn reader(&self) -> Reader {
+        Desktop::default().reader()
     }
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<String, Diagnostic> {
         Desktop::default().write(path, bytes)
     }
-    fn draw(&mut self, _: StageFigure<'_>) -> Result<Image, Diagnostic> {
+    fn draw(&mut self, _: StageFigure<'_>, _: &Context) -> Result<Image, Diagnostic> {
         Ok(Image {
             size: [1, 1],
             rgba: vec![255; 4],
@@ -139,6 +144,27 @@ fn a_path_that_cannot_be_read_is_there_to_be_mended() {
     assert!(matches!(bench.app.shown.dialog, Some(Dialog::Open(_))));
     assert!(bench.app.notices[0].is_problem);
     assert_eq!(*bench.app.scene(), before);
+}
+
+#[test]
+fn where_files_lie_nowhere_a_name_is_typed_and_a_file_is_chosen() {
+    let (mut bench, asked) = bench();
+    asked.0.borrow_mut().has_names_alone = true;
+    bench.press(Key::S, ctrl());
+    assert!(matches!(bench.app.shown.dialog, Some(Dialog::Save(_))));
+    assert_eq!(asked.n_questions(), 0);
+    bench.key(Key::Escape);
+    // A browser need not say that its dialog was closed: it is opened again.
+    bench.press(Key::O, ctrl());
+    bench.press(Key::O, ctrl());
+    assert_eq!(asked.n_questions(), 2);
+    let path = "/nowhere/at-all.toml".to_owned();
+    asked.answers(&mut bench, Answer::Chosen(path));
+    assert!(bench.app.notices[0].is_problem);
+    assert_eq!(
+        bench.app.shown.dialog, None,
+        "there is no path to be mended"
+    );
 }
 
 #[test]

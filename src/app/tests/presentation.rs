@@ -263,3 +263,34 @@ fn the_speakers_clock_is_drawn_once_a_minute() {
     bench.frame(5.0, Vec::new());
     assert!(bench.wait_secs > 1e6, "wakes in {} s", bench.wait_secs);
 }
+
+#[test]
+fn embedded_in_a_page_it_stays_what_it_is_and_leads_to_all_of_it() {
+    struct Page;
+    impl Platform for Page {
+        fn address(&self) -> Option<String> {
+            Some("https://here.edu/clipscope/".to_owned())
+        }
+    }
+    let app = App::new(Course::embedded(), Settings::default()).with_platform(Page);
+    let mut bench = Bench::with(app.embedded(), SIZE);
+    let lesson = bench.app.bookmark.lesson().map(|lesson| lesson.id.clone());
+    bench.key(Key::Escape);
+    assert!(bench.app.is_presenting(), "there is nothing to leave");
+    bench.app.push(Command::OpenWhole);
+    let output = bench.run(Vec::new(), Vec::new());
+    let opened = output
+        .platform_output
+        .commands
+        .iter()
+        .find_map(|it| match it {
+            egui::OutputCommand::OpenUrl(url) => Some(url.url.clone()),
+            _ => None,
+        });
+    let opened = opened.expect("a page is opened");
+    let place = opened.strip_prefix("https://here.edu/clipscope/#");
+    assert_eq!(
+        place.and_then(|it| it.split_once('/')).map(|it| it.0),
+        lesson.as_deref()
+    );
+}
