@@ -2,7 +2,7 @@
 
 import { language, words } from "@words.js@";
 import { keepKeys } from "@keys.js@";
-import { embed, talk } from "@embed.js@";
+import { embed, startUnfocused, talk } from "@embed.js@";
 
 /// Of the program: gzipped under a name that no server does anything with, and as it is.
 const PACKED = { url: "@clipscope.bin@", bytes: @clipscope.bin:bytes@ };
@@ -115,7 +115,7 @@ async function run() {
   watch();
   keepKeys(canvas);
   if (EMBED) embed(canvas);
-  await app.start(canvas, beside);
+  await startUnfocused(() => app.start(canvas, beside));
   talk();
   at("notice").hidden = true;
   document.body.dataset.state = "running";
