@@ -62,7 +62,7 @@ put ../assets/icon.png icon.png
 for weight in Regular Bold; do put "../assets/fonts/NotoSansSC-$weight.otf" "NotoSansSC-$weight.otf"; done
 for file in words.js keys.js embed.js platform.js page.css page.js; do put "page/$file" "$file"; done
 sed -f "$names" page/index.html >"$dist/index.html"
-cp page/example.html "$dist/"
+sed -f "$names" page/example.html >"$dist/example.html"
 # For whoever comes back without a network: all but what only old browsers ask for.
 files=$(cd "$dist" && printf '"./", ' && ls | grep -v '\.wasm$\|^licences$\|\.html$' | sed 's/.*/".\/&", /' | tr -d '\n')
 sed -e "s|@files@|${files%, }|" -e "s|@set@|$(cat "$dist"/*.* | sha256sum | cut -c1-12)|" page/sw.js >"$dist/sw.js"

@@ -92,6 +92,12 @@ impl Memory {
         self.writing = write.map(|write| Errand::start(ctx, write));
     }
 
+    /// Has something not been written yet?
+    #[cfg(target_arch = "wasm32")]
+    pub const fn has_more(&self) -> bool {
+        self.due.is_some() || self.writing.is_some()
+    }
+
     /// At the end: what has not been written yet.
     pub fn end(&mut self, app: &mut App) {
         while self.is_writing(app, Duration::MAX) {}

@@ -3,6 +3,18 @@
 /// Height of a frame that suits its width: a stage of 16 : 9, the caption and the transport.
 const heightFor = (width) => Math.round(width * 0.45 + 100);
 
+/// eframe takes the focus for a field of its own when it starts, from the page around as well: not in a frame.
+export async function startUnfocused(start) {
+  if (window.top === window) return start();
+  const { focus } = HTMLElement.prototype;
+  HTMLElement.prototype.focus = () => {};
+  try {
+    await start();
+  } finally {
+    HTMLElement.prototype.focus = focus;
+  }
+}
+
 export function embed(canvas) {
   document.body.classList.add("embed");
   const leave = (event) => {

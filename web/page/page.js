@@ -2,7 +2,7 @@
 
 import { language, words } from "@words.js@";
 import { keepKeys } from "@keys.js@";
-import { embed, talk } from "@embed.js@";
+import { embed, startUnfocused, talk } from "@embed.js@";
 import { scorm, splice } from "@platform.js@";
 
 /// Of the program: gzipped under a name that no server does anything with, and as it is.
@@ -138,7 +138,8 @@ async function run() {
   keepKeys(canvas);
   if (EMBED) embed(canvas);
   if (PACKED_LESSONS && !location.hash) location.hash = PACKED_LESSONS[0];
-  await app.start(canvas, beside, ...(await otherCourse()));
+  const course = await otherCourse();
+  await startUnfocused(() => app.start(canvas, beside, ...course));
   talk();
   report();
   at("notice").hidden = true;

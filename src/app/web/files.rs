@@ -21,13 +21,12 @@ use crate::{
     text::{Diagnostic, Lang, Message, SystemError},
 };
 
-use super::{
-    super::{
-        dialog::{Answer, Question},
-        platform::{Platform, Reader, StageFigure, drawn},
-    },
-    beside::Beside,
+use super::super::{
+    dialog::{Answer, Question},
+    platform::{Platform, Reader, StageFigure, drawn},
 };
+
+use super::beside::Beside;
 
 type Read = Result<Vec<u8>, FileError>;
 

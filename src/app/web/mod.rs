@@ -51,7 +51,9 @@ impl eframe::App for Page {
 
     /// eframe calls this when the page is left, is hidden or loses the focus, and every half minute.
     fn save(&mut self, _: &mut dyn eframe::Storage) {
-        self.memory.end(&mut self.app);
+        if self.memory.has_more() {
+            self.memory.end(&mut self.app);
+        }
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
