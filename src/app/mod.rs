@@ -315,6 +315,7 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_meshes(now);
         self.pass_time(&ctx, now);
+        self.take_smaller(web_time::Duration::ZERO, now);
         let is_dragging = self.history.is_in_gesture();
         if self.playback.is_late && !is_dragging {
             self.playback.rerecord(self.history.now());
