@@ -18,7 +18,7 @@ use super::{
     prelude::*,
 };
 
-use cards::pixels;
+use cards::{Table, cards, pixels};
 
 /// Of the window's height.
 const MOST: f32 = 0.4;
@@ -95,8 +95,16 @@ impl Options {
     fn of(app: &App, ui: &Ui, choice: &Choice, width: f32) -> Self {
         let theme = app.look().theme;
         let said = &choice.said(app.look().catalog);
-        if let Some(cards) = Self::cards(app, ui, choice, width) {
-            return cards;
+        let table = Table {
+            width,
+            gap: GAP,
+            around: AROUND,
+            chip: chip(None, 0).size(theme),
+        };
+        let is_tight = theme.has_large_text() || app.is_low() || app.is_narrow();
+        if let Some(boxes) = cards(ui, app.look(), choice, &table).filter(|_| !is_tight) {
+            let height = boxes[0].0.height() + GAP;
+            return Self { boxes, height };
         }
         let is_long = |text: &String| text.chars().count() > LONG;
         let is_list = said.len() > DIGITS.len() || said.iter().any(is_long);
