@@ -193,6 +193,10 @@ fn every_report_has_its_file_and_the_figure_is_a_picture() {
             .unwrap()
             .starts_with(b"\x89PNG")
     );
+    // As the problem package format asks of what a validator leaves: UTF-8 without a mark, whole lines.
+    let message = fs::read(out.join("teammessage.txt")).unwrap();
+    assert!(std::str::from_utf8(&message).is_ok_and(|text| text.ends_with('\n')));
+    assert!(!message.contains(&b'\r') && !message.starts_with(b"\xef\xbb\xbf"));
     let results = run(&[&cases, "-", "--report", "prairielearn"], WRONG.as_bytes()).stdout;
     let results: Json = serde_json::from_slice(&results).unwrap();
     assert!(

@@ -12,6 +12,8 @@
 //! milliseconds.
 
 #[cfg(feature = "gui")]
+mod answers;
+#[cfg(feature = "gui")]
 mod desk;
 #[cfg(feature = "gui")]
 mod export;
@@ -60,6 +62,8 @@ const BENCHMARKS: &[Benchmark] = &[
     #[cfg(feature = "gui")]
     ("large-steps", large::run),
     #[cfg(feature = "gui")]
+    ("answers", answers::run),
+    #[cfg(feature = "gui")]
     ("paint", paint::run),
     #[cfg(feature = "gui")]
     ("turning", turning::run),
@@ -73,7 +77,7 @@ fn main() -> ExitCode {
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
         let known: Vec<&str> = BENCHMARKS.iter().map(|(name, _)| *name).collect();
         eprintln!(
-            "no benchmark is called {unknown}: there are {} (frame, space-frames, large-steps, paint, turning and export with `--features gui`)",
+            "no benchmark is called {unknown}: there are {} (frame, space-frames, large-steps, answers, paint, turning and export with `--features gui`)",
             known.join(", ")
         );
         return ExitCode::from(2);

@@ -126,7 +126,7 @@ impl App {
             }
             Command::Show(dialog) => shown.dialog = dialog,
             Command::Confirm => self.confirm(ctx, now),
-            Command::Smaller => self.make_smaller(now),
+            Command::Smaller => self.make_smaller(ctx, now),
             Command::Compose(act) => self.act_on_lesson(ctx, act, now),
             Command::Hint => self.show_hint(),
             Command::Present => self.present(ctx),
@@ -302,6 +302,9 @@ impl App {
     fn cancel(&mut self, ctx: &Context) {
         if self.is_recording() {
             self.stop_recording();
+            return;
+        }
+        if self.stop_search() {
             return;
         }
         if self.leave_presentation(ctx) {

@@ -1,11 +1,29 @@
 //! A step's goal, looked at whenever its scene has been run anew.
 
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, Ordering},
+};
+
+use web_time::Duration;
+
 use crate::{
     labs::{Difference, smaller},
+    lesson::Goal,
     widgets::TextTold,
 };
 
-use super::{App, desk::Page, hint::Help, prelude::*};
+use super::{App, desk::Page, errand::Errand, hint::Help, prelude::*};
+
+/// What is found within this time is on the stage in the same frame.
+const AT_ONCE: Duration = Duration::from_millis(16);
+
+/// A smaller scene is looked for: of this version of the scene.
+struct Search {
+    found: Errand<Option<Scene>>,
+    is_stopped: Arc<AtomicBool>,
+    revision: u64,
+}
 
 #[derive(Default)]
 pub struct Goals {
@@ -14,6 +32,7 @@ pub struct Goals {
     /// Which parts of the open step's goal hold; none where it has none.
     met: Vec<bool>,
     pub(super) help: Help,
+    search: Option<Search>,
 }
 
 impl App {
@@ -36,15 +55,69 @@ impl App {
     }
 
     /// Makes the scene smaller in which a mistake differs from what is right, as long as it differs in the same kind of event.
-    pub(super) fn make_smaller(&mut self, now: f64) {
+    /// What was found when that is stopped stays.
+    pub(super) fn make_smaller(&mut self, ctx: &Context, now: f64) {
+        if self.goals.search.is_some() {
+            return;
+        }
         let Some(kind) = Difference::kind_in(self.history.now()) else {
             self.tell(&Message::new("smaller-no-difference"), now);
             return;
         };
-        let mut holds = |scene: &Scene| Difference::kind_in(scene).as_ref() == Some(&kind);
-        match smaller(self.history.now(), &mut holds) {
-            Some(found) => self.edit(Edit::Replace(found), None, now),
-            None => self.tell(&Message::new("smaller-none"), now),
+        // What has been reached stays so.
+        let goal = self.bookmark.step().and_then(|step| step.goal.clone());
+        let goal = goal.filter(|_| self.is_reached());
+        let is_stopped = Arc::new(AtomicBool::new(false));
+        let (first, stop) = (self.history.now().clone(), is_stopped.clone());
+        let look = move || {
+            let mut holds = |scene: &Scene| {
+                let is_asked = !stop.load(Ordering::Relaxed);
+                let is_met = |goal: &Goal| goal.met_by(scene).into_iter().all(|is_met| is_met);
+                is_asked
+                    && Difference::kind_in(scene).as_ref() == Some(&kind)
+                    && goal.as_ref().is_none_or(is_met)
+            };
+            smaller(&first, &mut holds)
+        };
+        self.goals.search = Some(Search {
+            found: Errand::start(ctx, look),
+            is_stopped,
+            revision: self.history.revision(),
+        });
+        self.take_smaller(AT_ONCE, now);
+        if self.is_making_smaller() {
+            self.tell(&Message::new("smaller-search"), now);
+        }
+    }
+
+    /// Is a smaller scene being looked for?
+    pub const fn is_making_smaller(&self) -> bool {
+        self.goals.search.is_some()
+    }
+
+    /// Looks no further; whether it has looked.
+    pub(super) fn stop_search(&self) -> bool {
+        let search = self.goals.search.as_ref();
+        search.is_some_and(|search| !search.is_stopped.swap(true, Ordering::Relaxed))
+    }
+
+    /// Shows the smaller scene once it is found, unless the scene is another by then.
+    pub(super) fn take_smaller(&mut self, within: Duration, now: f64) {
+        let Some(search) = &mut self.goals.search else {
+            return;
+        };
+        let is_of_now = search.revision == self.history.revision();
+        if !is_of_now {
+            search.is_stopped.store(true, Ordering::Relaxed);
+        }
+        let Some(found) = search.found.answer(within).transpose() else {
+            return;
+        };
+        self.goals.search = None;
+        match found {
+            _ if !is_of_now => {}
+            Ok(Some(found)) => self.edit(Edit::Replace(found), None, now),
+            Ok(None) | Err(_) => self.tell(&Message::new("smaller-none"), now),
         }
     }
 

@@ -313,6 +313,7 @@ impl App {
         self.take_changed_course(now);
         self.take_meshes(now);
         self.pass_time(&ctx, now);
+        self.take_smaller(web_time::Duration::ZERO, now);
         let is_dragging = self.history.is_in_gesture();
         if self.playback.is_late && !is_dragging {
             self.playback.rerecord(self.history.now());

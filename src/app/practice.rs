@@ -1,6 +1,8 @@
 //! Asking what comes: practice does before every decision of a run, a step of a lesson before its own. What might come, what
 //! does, and why are the step's own.
 
+mod taken_back;
+
 use std::{collections::BTreeSet, ops::ControlFlow};
 
 use crate::{
@@ -182,6 +184,12 @@ impl App {
             }
             Command::ShowMe => {
                 self.choose(None);
+                return None;
+            }
+            Command::TakeBack if self.practice.has_answered() => {
+                if let Some(step) = self.practice.take_back() {
+                    self.seek(step - 1);
+                }
                 return None;
             }
             Command::Cancel if self.practice.asked.is_some() => {

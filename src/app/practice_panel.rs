@@ -1,17 +1,24 @@
 //! What is asked, under the stage: the question with what might come; then what was said, and what comes. As high as the highest of
 //! what is asked here from the start on, so that the stage stays where it is.
 
+mod cards;
+
 use std::sync::Arc;
 
 use egui::{Frame, Galley, Panel, Role, StrokeKind, TextStyle, Vec2, WidgetInfo, accesskit::Live};
 
-use crate::figure::{Chip, ChipFate, Choice};
+use crate::{
+    figure::{Body, Chip, ChipFate, Choice, View},
+    widgets::view,
+};
 
 use super::{
     App, Command, answers, marks,
     practice::{Asked, DIGITS},
     prelude::*,
 };
+
+use cards::{Table, cards, pixels};
 
 /// Of the window's height.
 const MOST: f32 = 0.4;
@@ -62,7 +69,7 @@ fn kept_height(app: &App, ui: &Ui, width: f32) -> f32 {
     let asked = practice.asked.iter().map(|asked| &asked.choice);
     let height = |choice: &Choice| {
         let said = choice.said(app.look().catalog);
-        let options = Options::of(app, ui, &said, width).height;
+        let options = Options::of(app, ui, choice, width).height;
         let mut longest: Vec<&String> = said.iter().collect();
         longest.sort_by_key(|text| std::cmp::Reverse(text.chars().count()));
         let both = [0, 1].map(|nth| longest.get(nth).map_or("", |text| text));
@@ -85,8 +92,20 @@ struct Options {
 
 impl Options {
     /// Beside each other, as many as have room; each by itself where they are long, or too many for digits.
-    fn of(app: &App, ui: &Ui, said: &[String], width: f32) -> Self {
+    fn of(app: &App, ui: &Ui, choice: &Choice, width: f32) -> Self {
         let theme = app.look().theme;
+        let said = &choice.said(app.look().catalog);
+        let table = Table {
+            width,
+            gap: GAP,
+            around: AROUND,
+            chip: chip(None, 0).size(theme),
+        };
+        let is_tight = theme.has_large_text() || app.is_low() || app.is_narrow();
+        if let Some(boxes) = cards(ui, app.look(), choice, &table).filter(|_| !is_tight) {
+            let height = boxes[0].0.height() + GAP;
+            return Self { boxes, height };
+        }
         let is_long = |text: &String| text.chars().count() > LONG;
         let is_list = said.len() > DIGITS.len() || said.iter().any(is_long);
         let chip = chip(None, 0).size(theme);
@@ -139,10 +158,11 @@ fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<
         if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
             app.push(Command::ShowMe);
         }
+        take_back(app, ui);
     });
     let said = asked.choice.said(look.catalog);
     let width = ui.available_width();
-    let options = Options::of(app, ui, &said, width);
+    let options = Options::of(app, ui, &asked.choice, width);
     let (room, _) = ui.allocate_exact_size(vec2(width, options.height), egui::Sense::hover());
     let mut pointed = None;
     for (nth, (rect, text)) in options.boxes.into_iter().enumerate() {
@@ -164,6 +184,19 @@ fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<
             (nth < DIGITS.len()).then_some(nth + 1),
             is_lit,
         );
+        if let Some((raster, size)) =
+            pixels(&asked.choice, nth).filter(|(_, size)| rect.height() > size.y)
+        {
+            let at = rect.right_top() + vec2(-AROUND.x - size.x, AROUND.y);
+            let shown = View::new("glimpse", Body::Raster(raster.clone()));
+            view(
+                ui,
+                app.look_on_stage(),
+                Rect::from_min_size(at, size),
+                &shown,
+                None,
+            );
+        }
         if response.clicked() {
             app.push(Command::Choose(nth));
         }
@@ -172,6 +205,14 @@ fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<
         }
     }
     pointed
+}
+
+fn take_back(app: &App, ui: &mut Ui) {
+    let is_there = app.practice.has_answered();
+    let button = Button::new(accent(app.look(), "practice-take-back"));
+    if is_there && ui.add(button).clicked() {
+        app.push(Command::TakeBack);
+    }
 }
 
 const fn chip(link: Option<Link>, digit: usize) -> Chip {
@@ -265,6 +306,7 @@ fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
         if ui.add(Button::new(go_on).fill(look.theme.accent)).clicked() {
             app.push(Command::Play);
         }
+        take_back(app, ui);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.set_max_width(answer.width);
             ui.spacing_mut().item_spacing.y = GAP;

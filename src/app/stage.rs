@@ -310,6 +310,7 @@ impl Column<'_> {
                 frame,
             ),
         };
+        let marks = (app.practice).with_glimpse(marks, lit.filter(|_| self.index == 0));
         let corner = rect.shrink2(vec2(INDENT, 0.0));
         let mut covered = covered(self.places, drawing.0, look);
         covered.extend(buttons);

@@ -267,7 +267,9 @@ impl<'a> Press<'a> {
         if !self.is_first || (files.is_empty() && self.form != Form::Prairielearn) {
             return Ok(None);
         }
-        let Some(Drawn { image, alternative }) = draw_graded(report, self.args.lang) else {
+        let Some(Drawn { image, alternative }) =
+            draw_graded(report, Solvers::standard(), self.args.lang)
+        else {
             return Ok(None);
         };
         self.is_first = false;

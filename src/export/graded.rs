@@ -4,11 +4,14 @@ use egui::{Align2, Color32, FontId, Rect, Stroke, Ui, Vec2, pos2, vec2};
 use serde_json::Value as Json;
 
 use crate::{
+    case::Solvers,
+    figure::{Body, Caption, View},
     grade::{Kind, Report, Scenery, Wrong, score, sentence, title},
     paint::{
         Around, Headless, Image, Look, Span, Theme, ThemeKind, Typeset, Viewport, fonts::semibold,
     },
     text::{Catalog, Lang, Message},
+    widgets::{caption, height_for_all, space, view},
 };
 
 /// In points; twice as many pixels.
@@ -26,6 +29,14 @@ const MOST_CASES: usize = 33;
 /// A longer text is cut.
 const MOST_CHARS: usize = 260;
 
+/// Between two views.
+const GAP: f32 = 20.0;
+/// From the row of cases to the sentence.
+const CASES: f32 = 64.0;
+
+/// What a box is called, what stands in it, of what is true or else of what was said, and the colours of both.
+type Said<'a> = (&'static str, (&'a Json, usize), [Color32; 2]);
+
 /// A figure, and the same in words.
 pub struct Drawn {
     pub image: Image,
@@ -33,7 +44,7 @@ pub struct Drawn {
 }
 
 /// None where everything is right.
-pub fn draw_graded(report: &Report, lang: Lang) -> Option<Drawn> {
+pub fn draw_graded(report: &Report, solvers: Solvers, lang: Lang) -> Option<Drawn> {
     let wrong = report.wrong.first()?;
     let kind = ThemeKind::Light;
     let look = Look::new(Theme::of(kind), Catalog::of(lang));
@@ -41,6 +52,8 @@ pub fn draw_graded(report: &Report, lang: Lang) -> Option<Drawn> {
         look,
         report,
         wrong,
+        scenery: wrong.scenery(solvers),
+        numbers: wrong.numbers(solvers),
         title: heading(wrong, look.catalog),
         sentence: sentence(wrong, look.catalog),
     };
@@ -68,6 +81,8 @@ struct Page<'a> {
     look: Look<'static>,
     report: &'a Report,
     wrong: &'a Wrong,
+    scenery: Option<Scenery>,
+    numbers: Option<Caption>,
     title: String,
     sentence: String,
 }
@@ -88,8 +103,14 @@ impl Page<'_> {
             Align2::RIGHT_TOP,
         );
         let stage = Rect::from_min_max(pos2(MARGIN, TOP), pos2(MARGIN + LEFT_WIDTH, BOTTOM - 20.0));
-        match self.wrong.scenery() {
-            Some(scenery) => self.stage(ui, stage, &scenery),
+        match &self.scenery {
+            Some(Scenery::Plane { marks, bounds }) => {
+                let viewport = Viewport::fit(stage, *bounds);
+                let painter = ui.painter().with_clip_rect(stage);
+                let around = Around::default();
+                (self.look).stage(&painter, &viewport, marks, None, around);
+            }
+            Some(Scenery::Views(views)) => self.views(ui, stage, views),
             None => {
                 let plain = self.look.say("grade-figure-plain");
                 let plain = set(ui, &plain, FontId::proportional(13.0), theme.soft);
@@ -98,16 +119,17 @@ impl Page<'_> {
         }
         let said = (
             "grade-figure-said",
-            &self.wrong.said,
+            (&self.wrong.said, 1),
             [theme.signal_text, theme.signal],
         );
         let truth = (
             "grade-figure-true",
-            &self.wrong.truth,
+            (&self.wrong.truth, 0),
             [theme.accent, theme.accent],
         );
         let y = self.boxed(ui, TOP, said);
-        self.boxed(ui, y + 16.0, truth);
+        let y = self.boxed(ui, y + 16.0, truth);
+        self.numbers(ui, y + 16.0);
         self.cases(ui);
         self.caption(ui);
     }
@@ -119,22 +141,48 @@ impl Page<'_> {
         parts.join("  ·  ")
     }
 
-    fn stage(&self, ui: &Ui, rect: Rect, scenery: &Scenery) {
-        let viewport = Viewport::fit(rect, scenery.bounds);
-        let painter = ui.painter().with_clip_rect(rect);
-        self.look
-            .stage(&painter, &viewport, &scenery.marks, None, Around::default());
+    /// Beside each other, or one over the other where each is wide.
+    fn views(&self, ui: &Ui, stage: Rect, views: &[View]) {
+        let is_wide = |view: &View| match &view.body {
+            Body::Raster(raster) => 4 * raster.size[0] > 5 * raster.size[1],
+            _ => false,
+        };
+        let (n, is_stacked) = (views.len() as f32, views.iter().all(is_wide));
+        let along = if is_stacked { Vec2::Y } else { Vec2::X };
+        let gaps = along * (n - 1.0) * GAP;
+        let part = (stage.size() - gaps) / (along * (n - 1.0) + Vec2::splat(1.0));
+        for (nth, shown) in views.iter().enumerate() {
+            let at = stage.min + along * nth as f32 * (part + Vec2::splat(GAP));
+            let rect = Rect::from_min_size(at, part);
+            match &shown.body {
+                Body::Space(body) => space(ui, self.look, rect, (shown.id, body), &[], None),
+                _ => view(ui, self.look, rect, shown, None),
+            };
+        }
+    }
+
+    /// What the true run says there, where it has room over the cases.
+    fn numbers(&self, ui: &mut Ui, y: f32) {
+        let Some(numbers) = &self.numbers else {
+            return;
+        };
+        let width = PAGE.x - MARGIN - RIGHT;
+        let height = height_for_all(ui.painter(), self.look, [numbers.clone()], width);
+        let rect = Rect::from_min_size(pos2(RIGHT, y), vec2(width, height));
+        if rect.bottom() < BOTTOM - CASES {
+            caption(ui, self.look, rect, numbers);
+        }
     }
 
     /// What was written, under its name; where it ends.
-    fn boxed(&self, ui: &Ui, y: f32, (key, json, [text, bar]): (&str, &Json, [Color32; 2])) -> f32 {
+    fn boxed(&self, ui: &Ui, y: f32, (key, (json, nth), [text, bar]): Said<'_>) -> f32 {
         let (theme, painter) = (self.look.theme, ui.painter());
         let name = self.look.say(key);
         let font = FontId::new(12.0, semibold());
         set(ui, &name, font, text).paint(painter, pos2(RIGHT, y), Align2::LEFT_TOP);
         let shown = match json {
             Json::Null => self.look.say("grade-figure-nothing"),
-            json => cut(&json.to_string()),
+            json => self.cut(json, nth),
         };
         let width = PAGE.x - MARGIN - RIGHT;
         let galley = painter.layout(shown, FontId::monospace(11.5), theme.ink, width - 24.0);
@@ -175,6 +223,21 @@ impl Page<'_> {
         }
     }
 
+    /// As it is written; of what is too long only where it differs.
+    fn cut(&self, json: &Json, nth: usize) -> String {
+        let text = json.to_string();
+        if text.chars().count() <= MOST_CHARS {
+            return text;
+        }
+        if let Some((path, parts)) = self.wrong.parts() {
+            let part = format!("… {path}: {} …", parts[nth]);
+            if part.chars().count() <= MOST_CHARS {
+                return part;
+            }
+        }
+        text.chars().take(MOST_CHARS).collect::<String>() + "…"
+    }
+
     fn caption(&self, ui: &Ui) {
         let (theme, painter) = (self.look.theme, ui.painter());
         let width = PAGE.x - 2.0 * MARGIN;
@@ -193,15 +256,6 @@ impl Page<'_> {
         let score = score(self.report, self.look.catalog);
         let score = set(ui, &score, FontId::proportional(11.0), theme.soft);
         score.paint(painter, pos2(MARGIN, rect.bottom() + 8.0), Align2::LEFT_TOP);
-    }
-}
-
-fn cut(text: &str) -> String {
-    let head: String = text.chars().take(MOST_CHARS).collect();
-    if head.len() < text.len() {
-        head + "…"
-    } else {
-        head
     }
 }
 

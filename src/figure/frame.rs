@@ -8,6 +8,7 @@ use crate::{
 use super::{
     mark::Mark,
     role::{Link, Role},
+    small_pictures::Raster,
     space::Space,
     view::{Body, View, ViewId},
     watch::Watch,
@@ -137,12 +138,23 @@ pub enum Decides {
     Drops,
 }
 
+/// What is shown of an option before it is known whether it comes.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Glimpse {
+    Nothing,
+    /// On the drawing, while the option is pointed at.
+    Mark(Mark),
+    /// A pixel and those around it, as they would be.
+    Pixels(Raster),
+}
+
 #[derive(Clone, PartialEq, Debug)]
 pub struct Choice {
     pub question: &'static str,
     pub options: Vec<Value>,
     /// What each is about, where that can be pointed at.
     pub links: Vec<Option<Link>>,
+    pub glimpses: Vec<Glimpse>,
     pub right: usize,
 }
 

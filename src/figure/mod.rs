@@ -34,7 +34,7 @@ pub(crate) use eye::judged;
 pub use eye::{Eyes, Prospect};
 pub use facet::{Edging, Facet, Skin};
 pub use facets::Facets;
-pub use frame::{Caption, Chip, ChipFate, Choice, Decides, Frame, Shown};
+pub use frame::{Caption, Chip, ChipFate, Choice, Decides, Frame, Glimpse, Shown};
 pub use graph::{
     ArrowKind, Graph, GraphArrow, GraphNode, NodeStage, Places, Spot, Stands, layers, size_of,
     spread,

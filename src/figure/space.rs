@@ -70,6 +70,7 @@ pub enum Shape3 {
     Angle([[f64; 3]; 3]),
     Dot([f64; 3]),
     Ring([f64; 3]),
+    Cross([f64; 3]),
     Label([f64; 3]),
 }
 

@@ -7,7 +7,7 @@ use crate::{
     text::Message,
 };
 
-use super::{compare::Difference, truth::kind_of};
+use super::{compare::Difference, truth::kind_of, whole::Whole};
 
 /// What kind of mistake, as reports spell it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
@@ -76,6 +76,8 @@ pub(super) struct EventFault {
     pub truth: Option<Json>,
     /// Does it change places with the next?
     pub is_swapped: bool,
+    /// Of the true run, from 1.
+    pub true_step: Option<usize>,
     /// Where in the step, if it is of the same kind.
     pub difference: Option<Difference>,
 }
@@ -104,8 +106,46 @@ impl Fault {
         }
     }
 
-    /// What the program said and what is true, null where there is nothing.
+    /// What the program said and what is true, null where there is nothing; cut where it is long.
     pub(super) fn said_and_true(&self) -> [Json; 2] {
+        self.both().map(of_moderate_length)
+    }
+
+    pub(super) fn whole(&self) -> Whole {
+        let ([said, truth], step) = (self.both(), self.true_step());
+        let difference = match self {
+            Self::Output { difference, .. } => Some(difference),
+            Self::Event(fault) => fault.difference.as_ref(),
+            Self::Missing
+            | Self::Extra { .. }
+            | Self::BadJson { .. }
+            | Self::Refuses { .. }
+            | Self::Refusable { .. } => None,
+        };
+        let parts =
+            difference.map(|it| [&it.truth, &it.said].map(|part| part.clone().unwrap_or_default()));
+        Whole {
+            said,
+            truth,
+            path: difference.map(|it| it.path.clone()).unwrap_or_default(),
+            parts: parts.unwrap_or_default(),
+            step,
+        }
+    }
+
+    const fn true_step(&self) -> Option<usize> {
+        match self {
+            Self::Event(fault) => fault.true_step,
+            Self::Output { .. }
+            | Self::Missing
+            | Self::Extra { .. }
+            | Self::BadJson { .. }
+            | Self::Refuses { .. }
+            | Self::Refusable { .. } => None,
+        }
+    }
+
+    fn both(&self) -> [Json; 2] {
         match self {
             Self::Output { said, truth, .. } => [said.clone(), truth.clone()],
             Self::Event(EventFault { said, truth, .. }) => {
@@ -117,7 +157,6 @@ impl Fault {
                 [said.clone(), json!({ "error": { "code": code.id() } })]
             }
         }
-        .map(of_moderate_length)
     }
 
     pub(super) fn message(&self) -> Message {

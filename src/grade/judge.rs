@@ -126,8 +126,9 @@ impl Judge {
         steps: &Steps,
         is_compared: impl Fn(&str) -> bool,
     ) -> Option<EventFault> {
-        let is_told = |event: &&Json| kind_of(event).is_some_and(&is_compared);
-        let truth: Vec<&Json> = steps.events.iter().filter(is_told).collect();
+        let is_told = |(_, event): &(usize, &Json)| kind_of(event).is_some_and(&is_compared);
+        let told = (1..).zip(&steps.events).filter(is_told);
+        let (places, truth): (Vec<usize>, Vec<&Json>) = told.unzip();
         let n = said.len().max(truth.len());
         let i = (0..n).find(|&i| match (said.get(i), truth.get(i)) {
             (Some(said), Some(truth)) => self.step_difference(said, truth).is_some(),
@@ -147,6 +148,7 @@ impl Judge {
             step: i + 1,
             said: said.cloned(),
             truth: truth.cloned(),
+            true_step: places.get(i).copied(),
             is_swapped: crosswise.into_iter().all(is_same),
             difference: is_same_kind.and_then(|(said, truth)| self.step_difference(said, truth)),
         })

@@ -27,20 +27,21 @@ mod compare;
 mod fault;
 mod join;
 mod judge;
-mod marks;
 mod merge;
 mod report;
 mod rings;
+mod scenery;
 mod submissions;
 mod tally;
 mod truth;
+mod whole;
 
 pub use compare::Tolerance;
 pub use fault::Kind;
-pub use marks::Scenery;
 pub use merge::{Totals, merge};
 pub use report::{
     Picture, gradescope, prairielearn, score, sentence, title, write_json, write_junit, write_text,
 };
+pub use scenery::Scenery;
 pub use submissions::{GradeError, Options, grade};
 pub use tally::{Report, Wrong};

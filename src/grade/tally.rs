@@ -13,6 +13,7 @@ use super::{
     fault::{Fault, Kind},
     judge::{Claim, Judge, Kinds},
     truth::Known,
+    whole::Whole,
 };
 
 use serde_json::Value as Json;
@@ -68,6 +69,8 @@ pub struct Wrong {
     /// What is wrong, in a sentence.
     pub message: Message,
     pub(super) known: Option<Known>,
+    /// Of the first of a report.
+    pub(super) whole: Option<Whole>,
 }
 
 impl Wrong {
@@ -217,7 +220,8 @@ impl Tally {
             .into_iter()
             .take(MOST_LISTED);
         let wrong: Vec<Wrong> = listed
-            .map(|(place, held)| self.wrong_of(place, held))
+            .enumerate()
+            .map(|(nth, (place, held))| self.wrong_of(place, held, nth == 0))
             .collect();
         Report {
             submission,
@@ -229,7 +233,7 @@ impl Tally {
         }
     }
 
-    fn wrong_of(&self, (is_stray, place): (bool, usize), held: Held) -> Wrong {
+    fn wrong_of(&self, (is_stray, place): (bool, usize), held: Held, is_drawn: bool) -> Wrong {
         let Held { known, answer } = held;
         let fault = match (&known, &answer) {
             (Some(known), Some(answer)) => self.judge.fault(answer, &known.truth, &self.kinds),
@@ -257,6 +261,7 @@ impl Tally {
             truth,
             mistake: self.mistake(known.as_ref(), answer.as_ref()),
             message: fault.message(),
+            whole: is_drawn.then(|| fault.whole()),
             known,
         }
     }

@@ -5,9 +5,12 @@ use std::{cell::OnceCell, collections::HashMap, io, io::Read, rc::Rc};
 use rustc_hash::FxBuildHasher;
 use serde_json::Value as Json;
 
-use crate::case::{
-    CaseLine, CaseLines, Code, Detail, Heading, Id, Mistaken, Refused, Solvable, Solver, Solvers,
-    heading, read,
+use crate::{
+    case::{
+        CaseLine, CaseLines, Code, Detail, Heading, Id, Mistaken, Refused, Solvable, Solver,
+        Solvers, heading, read,
+    },
+    figure::{Run, Shown},
 };
 
 /// A case of many, with what is true of it.
@@ -48,8 +51,7 @@ impl Right {
     /// None where they are more than a report takes.
     pub(super) fn steps(&self, solvers: Solvers) -> Option<&Steps> {
         let steps = self.steps.get_or_init(|| {
-            let line = CaseLine::Bytes(self.case.as_bytes());
-            let run = read(solvers, line, Detail::Steps).ok()?.problem.run();
+            let run = self.run(solvers)?;
             let events: Vec<Json> = (1..=run.n_steps())
                 .map(|step| run.event_json(step))
                 .collect();
@@ -62,6 +64,23 @@ impl Right {
             Some(Steps { events, kinds })
         });
         steps.as_ref()
+    }
+
+    /// None where its steps are more than a report takes.
+    fn run(&self, solvers: Solvers) -> Option<Box<dyn Run>> {
+        let line = CaseLine::Bytes(self.case.as_bytes());
+        Some(read(solvers, line, Detail::Steps).ok()?.problem.run())
+    }
+
+    /// Looks at a step, or at the last one.
+    pub(super) fn shown<T>(
+        &self,
+        solvers: Solvers,
+        step: Option<usize>,
+        look: impl FnOnce(&dyn Shown) -> T,
+    ) -> Option<T> {
+        let run = self.run(solvers)?;
+        Some(run.shown(step.unwrap_or(run.n_steps()), look))
     }
 
     /// As it was given.

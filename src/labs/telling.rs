@@ -9,7 +9,7 @@ mod template;
 use serde::{Serialize, Serializer};
 
 use crate::{
-    figure::{Caption, Choice, Decides, Link, View, Watch, WatchRow, WatchSection},
+    figure::{Caption, Choice, Decides, Glimpse, Link, View, Watch, WatchRow, WatchSection},
     text::{Catalog, Message, Value},
     trace::{Method, Step},
 };
@@ -88,6 +88,12 @@ pub trait Telling:
     #[must_use]
     fn listed(_: &At<'_, Self>, _list: &str) -> Vec<Named> {
         Vec::new()
+    }
+
+    /// What is shown of an option while this step is asked about: of the row that it is, or of what it is about.
+    #[must_use]
+    fn glimpse(_: &At<'_, Self>, _: &Row, _: Option<Link>) -> Glimpse {
+        Glimpse::Nothing
     }
 
     /// Of a list that is only a part of what it stands for: the place of its first entry, and how long all of it is.
@@ -288,36 +294,41 @@ impl<M: Telling> At<'_, M> {
     pub fn options(&self) -> Option<Choice> {
         let row = self.row();
         let question = row.answers?;
-        let (options, right): (Vec<(Value, Option<Link>)>, Value) = match question.options {
+        let said = |row: &Row| Value::Message(self.message(row.option.unwrap_or(row.key)));
+        let (options, right): (Vec<Answered>, Value) = match question.options {
             Options::Rows => {
                 let rows = M::ROWS.iter();
                 let rows =
                     rows.filter(|other| other.answers.is_some_and(|it| it.id == question.id));
-                let said = |row: &Row| Value::Message(self.message(row.option.unwrap_or(row.key)));
-                let mut options: Vec<(Value, Option<Link>)> = Vec::new();
-                for option in rows.map(said) {
-                    if options.iter().all(|(known, _)| *known != option) {
-                        options.push((option, None));
+                let mut options: Vec<Answered> = Vec::new();
+                for (option, row) in rows.map(|row| (said(row), row)) {
+                    if options.iter().all(|(known, ..)| *known != option) {
+                        options.push((option, None, row));
                     }
                 }
                 (options, said(row))
             }
             Options::Of { name, list } => {
                 let values = M::listed(self, list).into_iter();
-                let option = |entry: Named| Some((entry.value?, entry.link));
+                let option = |entry: Named| Some((entry.value?, entry.link, row));
                 (values.filter_map(option).collect(), self.value(name)?)
             }
         };
-        let (options, links): (Vec<Value>, Vec<_>) = options.into_iter().unzip();
-        let right = options.iter().position(|option| *option == right)?;
+        let right = options.iter().position(|(option, ..)| *option == right)?;
+        let glimpses = options.iter();
+        let glimpses = glimpses.map(|(_, link, row)| M::glimpse(self, row, *link));
         Some(Choice {
             question: question.id,
-            options,
-            links,
+            glimpses: glimpses.collect(),
+            links: options.iter().map(|(_, link, _)| *link).collect(),
+            options: options.into_iter().map(|(option, ..)| option).collect(),
             right,
         })
     }
 }
+
+/// An option as it is said, what it is about, and its row.
+type Answered = (Value, Option<Link>, &'static Row);
 
 /// All names that a method's sentences, formulas and watch table take, each once.
 pub fn known_names<M: Telling>() -> Vec<&'static str> {

@@ -68,13 +68,20 @@ impl Goal {
             .filter_map(said)
             .collect();
         let mut counts = BTreeMap::<String, usize>::new();
+        let mut decided = Vec::new();
         for step in 1..=run.n_steps().min(MOST_COUNTED) {
-            if matches!(run.tick(step), Tick::Cut | Tick::Accept | Tick::Reject) {
-                let moment = run.moment(step).of_any_kind().to_string();
-                let name = moment.split(' ').next().unwrap_or_default().to_owned();
-                *counts.entry(name).or_default() += 1;
+            let is_decisive = matches!(run.tick(step), Tick::Cut | Tick::Accept | Tick::Reject);
+            if is_decisive || run.tick(step) == Tick::Test {
+                let event = run.event_json(step);
+                let name = event.get("event").and_then(Json::as_str);
+                let name = name.unwrap_or_default().to_owned();
+                let n = counts.entry(name.clone()).or_default();
+                *n += 1;
+                let words = is_decisive.then(|| words_of(&event, &name, *n));
+                decided = words.filter(|it| !it.is_empty()).unwrap_or(decided);
             }
         }
+        all.extend(decided);
         all.extend(
             counts
                 .iter()
@@ -118,6 +125,23 @@ impl Goal {
             node.error(Message::new("problem-goal-met"), expected);
         }
     }
+}
+
+/// What an event says in words, the `nth` of its name: what decides is asked so.
+fn words_of(event: &Json, name: &str, nth: usize) -> Vec<String> {
+    let nth = if nth > 1 {
+        format!(" #{nth}")
+    } else {
+        String::new()
+    };
+    let fields = event.as_object().into_iter().flatten();
+    let words = fields
+        .filter(|(key, _)| *key != "event")
+        .filter_map(|(key, value)| {
+            let word = value.as_str()?;
+            Some(format!("event.{key} @ {name}{nth} = '{word}'"))
+        });
+    words.collect()
 }
 
 /// What is asked. Where the run of its scene is known, it has a decision by the step's own position, or at all.

@@ -18,6 +18,7 @@
 mod catalog;
 mod diagnostic;
 mod lang;
+mod markdown;
 mod message;
 mod nearest;
 mod number;
@@ -29,6 +30,7 @@ mod writing;
 pub use catalog::{AREAS, Catalog, sources};
 pub use diagnostic::{Diagnostic, SystemError};
 pub use lang::Lang;
+pub use markdown::as_markdown;
 pub use message::{Formula, Message, Token, Value};
 pub(crate) use nearest::{clipped, nearest, printable, suggestion};
 pub use number::{Alike, Notation};

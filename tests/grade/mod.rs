@@ -2,7 +2,9 @@
 
 mod many;
 mod mistakes;
+mod pictures;
 mod reports;
+mod schemas;
 mod wrongs;
 
 use std::{fs, io::Read, path::Path};

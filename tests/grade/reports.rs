@@ -17,7 +17,7 @@ const ANSWERS: &str = r#"{"id":"<a&b>","output":{"visible":true,"segment":[-1,0.
 {"id":2,"output":{"visible":false,"segment":null}}
 {"id":3,"output":{}}"#;
 
-fn with_report<T>(cases: &str, answers: &str, look: impl Fn(&Report) -> T) -> T {
+pub fn with_report<T>(cases: &str, answers: &str, look: impl Fn(&Report) -> T) -> T {
     let mut seen = None;
     let solvers = Solvers::standard();
     let done = grade(

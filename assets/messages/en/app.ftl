@@ -263,6 +263,7 @@ practice = Ask me
 action-practise = Let me say each decision before it is shown
 practice-question = What comes next?
 practice-how = Press a digit, or choose.
+practice-take-back = Take back (Backspace)
 practice-show = Show me (S)
 practice-right = ✓ { $right }.
 practice-wrong = × { $right }, not: { $chosen }.
@@ -325,6 +326,7 @@ mark-hints =
        *[other] { $count } parts of the hint seen
     }
 action-smaller = A smaller scene with the same difference
+smaller-search = A smaller scene is looked for. Esc stops, and the smallest so far stays.
 smaller-none = No smaller scene was found with the same difference.
 smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.
 

@@ -76,6 +76,7 @@ raster-brightness = Brightness in thousandths
 
 ## Views
 
+practice-then = what stands there then
 raster-depth = Depth in thousandths
 raster-depth-unit = Depth in units of { $unit }
 raster-straight = Distance from near plane to far plane, in thousandths

@@ -263,6 +263,7 @@ practice = Pregúntame
 action-practise = Antes de cada decisión, pregúntame qué viene
 practice-question = ¿Qué viene ahora?
 practice-how = Pulsa una cifra o elige.
+practice-take-back = Deshacer la respuesta (Retroceso)
 practice-show = Muéstramelo (S)
 practice-right = ✓ { $right }.
 practice-wrong = × { $right }, y no: { $chosen }.
@@ -325,6 +326,7 @@ mark-hints =
        *[other] { $count } partes de la pista vistas
     }
 action-smaller = Una escena más pequeña con la misma diferencia
+smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y se queda la más pequeña hasta ahora.
 smaller-none = No se ha encontrado una escena más pequeña con la misma diferencia.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.
 

@@ -263,6 +263,7 @@ practice = Pergunte-me
 action-practise = Antes de cada decisão, pergunte-me o que vem
 practice-question = O que vem agora?
 practice-how = Pressione um número ou escolha.
+practice-take-back = Voltar atrás (Backspace)
 practice-show = Mostre (S)
 practice-right = ✓ { $right }.
 practice-wrong = × { $right }, e não: { $chosen }.
@@ -327,6 +328,7 @@ mark-hints =
        *[other] { $count } partes da dica vistas
     }
 action-smaller = Uma cena menor com a mesma diferença
+smaller-search = Procura-se uma cena menor. Esc interrompe, e a menor até agora fica.
 smaller-none = Não foi encontrada uma cena menor com a mesma diferença.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.
 

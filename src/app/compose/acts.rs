@@ -2,12 +2,12 @@
 
 use crate::{
     lesson::{Draft, Goal, NewStep},
-    text::Catalog,
+    text::{Catalog, as_markdown},
 };
 
 use super::{
     super::{App, Dialog, dialog::Target, prelude::*},
-    Kind, Version,
+    AT, Kind, Version,
 };
 
 #[derive(Clone, Debug)]
@@ -158,7 +158,14 @@ impl App {
         let after = after.and_then(|nth| self.id_at(nth));
         let after = after.unwrap_or_else(|| open.clone());
         let step = self.step_here(&draft, draft.scene_of(&open).unwrap_or_default());
+        // Whoever has stepped on to where the new one stands has not moved the open one.
+        let left = self.compose.as_mut().and_then(|it| it.left.take());
+        let left = left.filter(|(id, _)| *id == open);
         self.change_steps([&step.id; 2], now, |draft| {
+            let draft = match &left {
+                Some((id, at)) => draft.with_field(id, AT, at.as_deref())?,
+                None => draft.clone(),
+            };
             draft.with_step(Some(&after), &step)
         });
     }
@@ -189,7 +196,9 @@ impl App {
         let text = |lang| {
             let catalog = Catalog::of(lang);
             let said = caption_text(catalog, &caption);
-            (lang, [catalog.term("compose-new-title"), plain(&said)])
+            // A brace would begin a reference.
+            let said = as_markdown(&said.replace(['{', '}'], ""));
+            (lang, [catalog.term("compose-new-title"), said])
         };
         let stem: Vec<&str> = at
             .split(|c: char| !c.is_ascii_alphanumeric())
@@ -257,14 +266,4 @@ fn toggled(mut entries: Vec<String>, entry: &str) -> Vec<String> {
         entries.push(entry.to_owned());
     }
     entries
-}
-
-/// A sentence as Markdown spells it.
-fn plain(sentence: &str) -> String {
-    let signs = ['\\', '*', '_', '`', '[', ']', '<', '#'];
-    let escaped = sentence.chars().flat_map(|c| {
-        let escape = signs.contains(&c).then_some('\\');
-        escape.into_iter().chain([c])
-    });
-    escaped.filter(|c| !matches!(c, '{' | '}')).collect()
 }

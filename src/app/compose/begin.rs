@@ -37,15 +37,17 @@ impl App {
         };
         let id = lesson.id.clone();
         let steps: Vec<String> = lesson.steps.iter().map(|step| step.id.clone()).collect();
-        let draft = match Draft::read(&*files, &id) {
+        let on_disk = match Draft::read(&*files, &id) {
             Ok(draft) => draft,
             Err(reason) => {
                 self.report_unread(&files.shown(&id), reason.into());
                 return;
             }
         };
+        // Steps in one list get lines of their own with the first change.
+        let draft = on_disk.in_tables().unwrap_or_else(|| on_disk.clone());
         if draft.ids() != steps {
-            // Written as lists in one line, say, or changed in this moment.
+            // Changed in this moment, say.
             self.tell(&Message::new("compose-form"), now);
             return;
         }
@@ -57,7 +59,7 @@ impl App {
         self.compose = Some(Box::new(Compose {
             lesson: id,
             files,
-            on_disk: draft.clone(),
+            on_disk,
             history: History::new(Version {
                 draft,
                 step: open.clone(),
@@ -67,6 +69,8 @@ impl App {
             due: None,
             lang: if speaks { self.settings.lang } else { Lang::En },
             taken: None,
+            left: None,
+            rows: (None, BTreeMap::new()),
             stands: BTreeMap::new(),
             offered: (None, Vec::new()),
             works: BTreeMap::new(),

@@ -29,6 +29,7 @@ pub fn show(app: &App, ui: &mut Ui) {
         .auto_shrink(false)
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
+            let (mut middles, mut dragged) = (Vec::new(), None);
             for (nth, step) in lesson.steps.iter().enumerate() {
                 let is_open = nth == app.bookmark.at[1];
                 let row = Row::of(compose, (nth, lesson.steps.len()), step);
@@ -36,9 +37,16 @@ pub fn show(app: &App, ui: &mut Ui) {
                 if response.clicked() {
                     app.push(Command::Open([app.bookmark.at[0], nth]));
                 }
+                middles.push(response.rect.center().y);
+                if response.dragged() || response.drag_stopped() {
+                    dragged = Some((nth, response));
+                }
                 if between(app, ui, nth).clicked() {
                     app.push(Command::Compose(Act::Add(Some(nth))));
                 }
+            }
+            if let Some((nth, response)) = dragged {
+                drag(app, ui, (nth, &response), &middles);
             }
             ui.spacing_mut().item_spacing.y = 6.0;
             ui.add_space(4.0);
@@ -52,6 +60,36 @@ pub fn show(app: &App, ui: &mut Ui) {
             }
             ui.add(Label::new(soft(look, "compose-how").small()).wrap());
         });
+}
+
+/// Where a row that is dragged would stand, as a line; there it is put when the button goes up, unless Escape was pressed.
+fn drag(app: &App, ui: &Ui, (nth, response): (usize, &Response), middles: &[f32]) {
+    let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else {
+        return;
+    };
+    if ui.input(|input| input.key_down(egui::Key::Escape)) {
+        ui.ctx().stop_dragging();
+        return;
+    }
+    let others = middles
+        .iter()
+        .enumerate()
+        .filter(|(other, _)| *other != nth);
+    let to = others.filter(|(_, middle)| **middle < pointer.y).count();
+    if response.drag_stopped() {
+        let by = to as isize - nth as isize;
+        app.push_all((by != 0).then_some(Command::Compose(Act::Move(nth, by))));
+        return;
+    }
+    let (rect, theme) = (response.rect, app.look().theme);
+    let y = match middles.get(to) {
+        Some(middle) if to < nth => middle - 0.5 * rect.height(),
+        Some(middle) => middle + 0.5 * rect.height(),
+        None => rect.bottom(),
+    };
+    let line = theme.stroke(2.0, theme.accent);
+    ui.painter().hline(rect.x_range().shrink(8.0), y, line);
+    ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
 }
 
 fn head(app: &App, ui: &mut Ui, compose: &Compose) {
@@ -144,13 +182,12 @@ struct Row {
 
 impl Row {
     fn of(compose: &Compose, (nth, of): (usize, usize), step: &LessonStep) -> Self {
-        let [title, _] = compose.draft().passage(&step.id, compose.lang);
-        let at = compose.draft().word_of(&step.id, super::AT);
+        let [title, at] = compose.rows.1.get(&step.id).cloned().unwrap_or_default();
         Self {
             nth,
             of,
             title,
-            at: at.unwrap_or_else(|| Moment::Start.to_string()),
+            at,
             tick: compose.stands.get(&step.id).and_then(|(_, tick)| *tick),
             note: match (&step.asks, &step.goal) {
                 (_, Some(_)) => Some("compose-has-goal"),
@@ -170,7 +207,7 @@ impl Row {
         };
         let size = vec2(ui.available_width(), height.round());
         let (_, rect) = ui.allocate_space(size);
-        let response = ui.interact(rect, row_id(self.nth), Sense::click());
+        let response = ui.interact(rect, row_id(self.nth), Sense::click_and_drag());
         let said = Message::new("compose-row")
             .with("n", self.nth + 1)
             .with("total", self.of)

@@ -32,6 +32,9 @@ pub use list::row_id;
 pub use list::{add_here, show as steps, tried};
 pub use panel::show as step;
 
+/// Of each step its title and its moment.
+type Rows = BTreeMap<String, [String; 2]>;
+
 /// The lesson as it was, and the step that was changed last.
 #[derive(Clone, PartialEq, Default)]
 struct Version {
@@ -54,6 +57,10 @@ pub struct Compose {
     lang: Lang,
     /// What of the stage the open step has taken over: its id, the scene's revision, and where the run stood.
     taken: Option<(String, u64, usize)>,
+    /// The open step's moment, as it was spelt before the run was stepped and nothing else was done: its id, and that.
+    left: Option<(String, Option<String>)>,
+    /// What the list says of each step, in which version and language.
+    rows: (Option<(u64, Lang)>, Rows),
     /// Of each step of the last good version where its run stands, and the sign of that.
     stands: BTreeMap<String, (usize, Option<Tick>)>,
     /// What a goal could ask, of which step and in which version of the lesson.
@@ -94,8 +101,14 @@ impl Compose {
         &self.history.now().draft
     }
 
+    /// Is there nothing to be written? Where nothing was changed files stay as they are, in whatever form.
+    fn is_written(&self) -> bool {
+        let is_changed = self.history.can_undo() || self.history.can_redo();
+        !is_changed || *self.draft() == self.on_disk
+    }
+
     fn is_saved(&self) -> bool {
-        self.due.is_none() && self.theirs.is_none() && *self.draft() == self.on_disk
+        self.due.is_none() && self.theirs.is_none() && self.is_written()
     }
 }
 
@@ -163,6 +176,9 @@ impl App {
         let Some(compose) = &mut self.compose else {
             return false;
         };
+        if !matches!(kind, Kind::Moment) {
+            compose.left = None;
+        }
         let Some(draft) = change(compose.draft(), &id) else {
             self.tell(&Message::new("compose-refused"), now);
             return false;
@@ -217,7 +233,7 @@ impl App {
     fn open_composed(&mut self, id: &str) {
         self.clear_composed_works();
         if let Some(compose) = &mut self.compose {
-            compose.taken = None;
+            (compose.taken, compose.left) = (None, None);
             let lesson = compose.lesson.clone();
             self.bookmark.open_ids(&lesson, id);
         }
@@ -243,6 +259,7 @@ impl App {
             self.clear_composed_works();
             self.take_stage(ctx, now);
             self.offer_goal();
+            self.list_rows();
         } else if let Some(compose) = &mut self.compose {
             // What is done on the stage of a student is not the lesson's.
             compose.taken = None;
@@ -260,6 +277,25 @@ impl App {
     pub(super) fn check_before_turning(&mut self) {
         if self.compose.as_ref().is_some_and(|it| it.due.is_some()) {
             self.check_composed();
+        }
+    }
+
+    /// Reads what the list says, once a version.
+    fn list_rows(&mut self) {
+        let Some(compose) = &mut self.compose else {
+            return;
+        };
+        let of = Some((compose.history.revision(), compose.lang));
+        if compose.rows.0 != of {
+            let draft = &compose.history.now().draft;
+            let row = |id: String| {
+                let [title, _] = draft.passage(&id, compose.lang);
+                let at = draft.word_of(&id, AT);
+                let at = at.unwrap_or_else(|| Moment::Start.to_string());
+                (id, [title, at])
+            };
+            let rows = draft.ids().into_iter().map(row).collect();
+            compose.rows = (of, rows);
         }
     }
 
@@ -338,9 +374,15 @@ impl App {
         };
         let stands = |text: &str| run.find(&text.parse().ok()?);
         let id = self.open_id();
-        let known = self.compose.as_ref().map(|it| at(it.draft(), &id));
-        if known.is_some_and(|known| stands(&known) == Some(position)) {
+        let Some(compose) = &mut self.compose else {
             return;
+        };
+        if stands(&at(compose.draft(), &id)) == Some(position) {
+            return;
+        }
+        if matches!(kind, Kind::Moment) && compose.left.as_ref().is_none_or(|it| it.0 != id) {
+            let spelt = compose.draft().field(&id, AT).map(str::to_owned);
+            compose.left = Some((id, spelt));
         }
         let spelt = (moment != Moment::Start).then(|| quoted(&moment.to_string()));
         self.compose(kind, now, |draft, id| {

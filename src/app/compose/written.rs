@@ -62,7 +62,7 @@ impl App {
             return;
         };
         compose.due = None;
-        if compose.theirs.is_some() && !is_end {
+        if compose.is_written() || (compose.theirs.is_some() && !is_end) {
             return;
         }
         let aside = if compose.theirs.is_some() {

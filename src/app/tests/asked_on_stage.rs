@@ -1,5 +1,7 @@
 //! A question on the picture: chips at what it might be, nothing that points at what it is, and one room for all of it.
 
+mod glimpses;
+
 use super::*;
 use crate::{
     figure::{ChipFate, Slot},

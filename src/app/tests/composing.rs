@@ -1,5 +1,7 @@
 //! A lesson is made in the window: its files are what was done, and all of it can be undone.
 
+mod arranged;
+
 use std::fs;
 
 use super::{compose::Act, *};

@@ -199,3 +199,74 @@ fn every_mistake_is_exposed_by_a_scene_of_the_course() {
         "nothing shows that these are wrong: {hidden:?}"
     );
 }
+
+#[test]
+fn a_search_for_a_smaller_scene_can_be_stopped_and_what_it_found_stays() {
+    // Up and down along the top, and back below.
+    let across = |i: i32| 0.613 * f64::from(i) - 6.13;
+    let above = (0..20).map(|i| [across(20 - i), if i % 2 == 0 { 5.37 } else { 1.71 }]);
+    let below = (0..20).map(|i| [across(i), if i % 2 == 0 { -5.21 } else { -1.43 }]);
+    let ring = above.chain(below).map(|[x, y]| format!("[{x:.3}, {y:.2}]"));
+    let ring: Vec<String> = ring.collect();
+    let text = format!(
+        "method = \"faulty-open\"\ncompare = \"sutherland-hodgman\"\nwindow = [-4, -3, 4, 3]\npolygon = [{}]\n",
+        ring.join(", ")
+    );
+    let read = crate::lesson::SceneFormats::standard().read("", text.as_bytes());
+    let scene = read.expect("a scene").scene;
+    let mut bench = Bench::lab("polygons");
+    bench.edit(Edit::Replace(scene.clone()));
+    let kind = crate::labs::Difference::kind_in(bench.app.scene());
+    assert!(kind.is_some());
+    bench.apply(Command::Smaller);
+    if bench.app.is_making_smaller() {
+        bench.apply(Command::Cancel);
+    }
+    let begun = std::time::Instant::now();
+    while bench.app.is_making_smaller() {
+        bench.frame(0.01, Vec::new());
+        assert!(begun.elapsed().as_secs() < 60, "stopped, it ends");
+    }
+    assert_eq!(crate::labs::Difference::kind_in(bench.app.scene()), kind);
+    // To its end, and undone at once.
+    bench.edit(Edit::Replace(scene.clone()));
+    bench.command(Command::Smaller);
+    while bench.app.is_making_smaller() {
+        bench.frame(0.01, Vec::new());
+    }
+    assert!(bench.document().size() < scene.document().size());
+    assert_eq!(crate::labs::Difference::kind_in(bench.app.scene()), kind);
+    bench.undo();
+    assert!(*bench.app.scene() == scene);
+}
+
+#[test]
+fn hunts_by_their_answers_stay_found_when_they_are_made_smaller() {
+    for (lesson, step) in [
+        ("18-what-is-wrong-here", "hunt-answer"),
+        ("18-what-is-wrong-here", "hunt-empty"),
+        ("26-culled-by-mistake", "hunt-side"),
+        ("26-culled-by-mistake", "hunt-faces"),
+        ("30-one-polygon", "hunt-pieces"),
+        ("32-before-the-divide", "hunt-image"),
+    ] {
+        let mut bench = Bench::course(SIZE);
+        bench.command(Command::OpenPage(Page::Step(
+            lesson.to_owned(),
+            step.to_owned(),
+        )));
+        assert!(!bench.app.is_reached(), "{step}");
+        let open = bench.app.bookmark.step().expect("it is there").clone();
+        assert_eq!(open.id, step);
+        let goal = open.goal.expect("a hunt is a goal");
+        bench.edit(Edit::Replace((*goal.reached).clone()));
+        assert!(bench.app.is_reached(), "{step}");
+        bench.command(Command::Smaller);
+        let begun = std::time::Instant::now();
+        while bench.app.is_making_smaller() {
+            bench.frame(0.01, Vec::new());
+            assert!(begun.elapsed().as_secs() < 120, "{step}");
+        }
+        assert!(bench.app.is_reached(), "{step}: what was found is lost");
+    }
+}

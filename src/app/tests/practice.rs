@@ -343,3 +343,36 @@ fn a_whole_run_is_asked_and_marked_at_its_end() {
     assert_eq!(told(&bench), Told::Beforehand);
     assert!(!bench.app.practice.is_on, "its text and its claim open");
 }
+
+#[test]
+fn backspace_takes_a_decision_back_and_its_mark_stays() {
+    let mut bench = Bench::lab("lines");
+    bench.ctx.enable_accesskit();
+    let (steps, asked, _) = answer_wrongly(&mut bench);
+    bench.key(Key::Enter);
+    let next = bench.app.position();
+    assert!(next >= steps[0] && bench.app.practice.is_asking());
+    bench.key(Key::Backspace);
+    assert_eq!(bench.app.position(), steps[0] - 1);
+    assert!(bench.app.practice.is_asking());
+    assert_eq!(bench.app.practice.told, [0, 1], "the first try counts");
+    bench.key(digit(asked.right));
+    assert_eq!(bench.app.practice.told, [1, 2], "and so does the second");
+    let answered: Vec<usize> = bench.app.answers_told().iter().map(|it| it.step).collect();
+    assert_eq!(answered, [steps[0]; 2]);
+    // One after the other, to the first, and no further.
+    bench.key(Key::Enter);
+    bench.key(digit(choice(&bench, steps[1]).right));
+    for step in [steps[1], steps[0], steps[0]] {
+        bench.frame(0.1, Vec::new());
+        bench.key(Key::Backspace);
+        assert_eq!(bench.app.position(), step - 1);
+    }
+    bench.frame(0.1, Vec::new());
+    let words = Catalog::of(Lang::En).term("practice-take-back");
+    let is_offered = |bench: &Bench| bench.names.iter().any(|(name, _)| *name == words);
+    assert!(!is_offered(&bench), "there is nothing to take back");
+    bench.key(digit(asked.right));
+    bench.frame(0.1, Vec::new());
+    assert!(is_offered(&bench));
+}

@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use crate::text::as_markdown;
+
 use super::{Report, STEP_HEAD, columns::Cell, sheet::Sheet};
 
 impl Report {
@@ -19,10 +21,15 @@ impl Report {
 
     pub fn write_markdown(&self, out: &mut impl Write) -> io::Result<()> {
         let term = |key| self.catalog.term(key);
-        write!(out, "## {} · {}\n\n", escaped(&self.name), self.algorithm)?;
+        write!(
+            out,
+            "## {} · {}\n\n",
+            as_markdown(&self.name),
+            self.algorithm
+        )?;
         let source = [term("report-source"), self.source.to_owned()];
         for [name, values] in self.given.iter().chain([&source]) {
-            writeln!(out, "- **{}** · {}", capitalised(name), escaped(values))?;
+            writeln!(out, "- **{}** · {}", capitalised(name), as_markdown(values))?;
         }
         writeln!(out)?;
         if let Some(steps) = &self.steps {
@@ -30,7 +37,7 @@ impl Report {
             let rows = steps.iter().map(|row| row.each_ref().map(lines));
             write_table(&head, ["---:", "---", "---", "---"], rows, out)?;
         }
-        let verdict = escaped(&self.verdict);
+        let verdict = as_markdown(&self.verdict);
         write!(out, "**{}** {verdict}\n\n", term("report-answer"))?;
         let head = [capitalised(&term("panel-cost")), String::new()];
         let cost = self.cost.iter().cloned();
@@ -39,7 +46,7 @@ impl Report {
 }
 
 fn lines(cell: &Cell) -> String {
-    let lines: Vec<String> = cell.iter().map(|line| escaped(line)).collect();
+    let lines: Vec<String> = cell.iter().map(|line| as_markdown(line)).collect();
     lines.join("<br>")
 }
 
@@ -64,40 +71,12 @@ fn capitalised(text: &str) -> String {
     })
 }
 
-/// Text in which nothing is markup. What is none is left alone, so that the page can be read as it is.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut before = ' ';
-    let mut chars = text.chars().peekable();
-    while let Some(c) = chars.next() {
-        let after = chars.peek().copied().unwrap_or(' ');
-        let is_markup = match c {
-            '\\' | '|' | '`' | '*' | '[' | ']' | '~' | '$' => true,
-            '_' => !(before.is_alphanumeric() && after.is_alphanumeric()),
-            '<' => !after.is_whitespace(),
-            '&' => after.is_alphanumeric() || after == '#',
-            _ => false,
-        };
-        if is_markup {
-            out.push('\\');
-        }
-        out.push(c);
-        before = c;
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn nothing_given_is_taken_for_markup() {
-        assert_eq!(
-            escaped("a|b *c* <d> &lt; `e`"),
-            r"a\|b \*c\* \<d> \&lt; \`e\`"
-        );
-        assert_eq!(escaped("u_min < u_max & _x_"), r"u_min < u_max & \_x\_");
+    fn words_of_a_head_begin_with_a_capital() {
         assert_eq!(capitalised("étape"), "Étape");
     }
 }

@@ -74,7 +74,9 @@ impl Extent {
                     hull.add(corners.iter().map(|&at| (at, 0.0)));
                 }
                 Shape3::Ball(centre, radius) => hull.add([(*centre, *radius)]),
-                Shape3::Dot(at) | Shape3::Ring(at) | Shape3::Label(at) => hull.add([(*at, 0.0)]),
+                Shape3::Dot(at) | Shape3::Ring(at) | Shape3::Cross(at) | Shape3::Label(at) => {
+                    hull.add([(*at, 0.0)]);
+                }
                 // They lie on what they measure.
                 Shape3::RightAngle(_) | Shape3::Angle(_) => {}
             }

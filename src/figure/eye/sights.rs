@@ -106,7 +106,7 @@ impl Sights {
             Shape3::Outline(corners) if mark.role != Role::Discarded => {
                 self.polygons.push(all(corners));
             }
-            Shape3::Dot(at) | Shape3::Ring(at) => {
+            Shape3::Dot(at) | Shape3::Ring(at) | Shape3::Cross(at) => {
                 let at = DVec3::from(*at);
                 if !self.points.contains(&at) {
                     self.points.push(at);

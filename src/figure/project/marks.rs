@@ -62,6 +62,7 @@ impl Seen {
             }
             Shape3::Dot(at) => self.point(mark, *at, Shape::Dot),
             Shape3::Ring(at) => self.point(mark, *at, Shape::Ring),
+            Shape3::Cross(at) => self.point(mark, *at, Shape::Cross),
             Shape3::Label(at) => self.point(mark, *at, Shape::Label),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::{
     algo::segment::{CodeClip, CodeEvent, Coded},
-    figure::{BitRow, Bits},
+    figure::{BitRow, Bits, Glimpse},
 };
 
 use super::{
@@ -62,6 +62,11 @@ pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
 
     /// What stands in place of the bits.
     fn rows(_: &CodeStep<'_, N, Self>) -> Option<Table> {
+        None
+    }
+
+    /// What lies beyond a side, where that is drawn.
+    fn beyond(&self, _: Self::Side) -> Option<Mark> {
         None
     }
 
@@ -346,6 +351,13 @@ impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
 
     fn listed(at: &At<'_, Self>, _: &str) -> Vec<Named> {
         at.step.input.written().into_iter().map(I::side).collect()
+    }
+
+    fn glimpse(at: &At<'_, Self>, _: &Row, link: Option<Link>) -> Glimpse {
+        let mut sides = at.step.input.written().into_iter();
+        let side = link.and_then(|link| sides.find(|&side| I::side(side).link == Some(link)));
+        let beyond = side.and_then(|side| at.step.input.beyond(side));
+        beyond.map_or(Glimpse::Nothing, Glimpse::Mark)
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::passages::{
     moved, put, with_body, with_name, with_parts, with_passage, with_title, without,
 };
-use super::statements::{blocks, fields, line_break};
-use super::{Draft, GOAL, NewStep, REACHED, SCENE, SOURCE, is_kebab, quoted};
+use super::statements::{blocks, fields, in_tables, line_break};
+use super::{Draft, GOAL, NewStep, REACHED, SCENE, SOURCE, STEP, is_kebab, quoted};
 use crate::text::Lang;
 
 impl Draft {
@@ -162,11 +162,33 @@ impl Draft {
         let old = self.list(id, GOAL);
         let mut draft = self.with_list(id, GOAL, parts)?;
         if parts.is_empty() {
-            draft = draft.with_field(id, REACHED, None)?;
+            draft = draft.without_reached(id)?;
         }
         for text in draft.texts.values_mut() {
             *text = with_parts(text, id, [&old, parts])?;
         }
+        Some(draft)
+    }
+
+    /// Without the scene that reaches a goal, where no other step shows it and no text names it.
+    fn without_reached(&self, id: &str) -> Option<Self> {
+        let Some(name) = self.word_of(id, REACHED) else {
+            return Some(self.clone());
+        };
+        let mut draft = self.with_field(id, REACHED, None)?;
+        let is_used = draft.toml.contains(&quoted(&name))
+            || draft.texts.values().any(|text| text.contains(&name));
+        let block = blocks(&draft.toml, &format!("scenes.{name}"));
+        if let Some(block) = block.first().filter(|_| !is_used) {
+            draft.toml.replace_range(block.lines.clone(), "");
+        }
+        Some(draft)
+    }
+
+    /// The same lesson with a header for each step, where they stand in one list: `step = [{…}, …]`.
+    pub fn in_tables(&self) -> Option<Self> {
+        let mut draft = self.clone();
+        draft.toml = in_tables(&self.toml, STEP)?;
         Some(draft)
     }
 

@@ -3,6 +3,8 @@
 
 use std::ops::Range;
 
+use toml::de::DeValue;
+
 #[derive(Clone, PartialEq, Debug)]
 struct Statement<'a> {
     /// Whole lines, with what follows on the last one.
@@ -148,6 +150,47 @@ pub fn fields(text: &str) -> Vec<(&str, &str)> {
     statements.filter_map(field).collect()
 }
 
+/// The text with the entries of a list that stands over all headers, `step = [{…}, …]`, as tables at its end, `[[step]]`; comments
+/// between them stand over the next one. `None` where there is no such list.
+pub fn in_tables(text: &str, name: &str) -> Option<String> {
+    let head = blocks(text, "").into_iter().next()?;
+    let (_, lines, value) = head.fields.iter().find(|(key, ..)| key == name)?;
+    let list = &text[value.clone()];
+    let entries = DeValue::parse(list).ok()?;
+    let nl = line_break(text);
+    let (mut tables, mut from) = (String::new(), 1);
+    for entry in entries.get_ref().as_array()? {
+        entry.get_ref().as_table()?;
+        let span = entry.span();
+        tables += &comments(list.get(from..span.start)?, nl);
+        tables.extend(["[[", name, "]]", nl]);
+        from = span.end;
+        let mut rest = list.get(span.start + 1..span.end - 1)?;
+        while !rest.trim().is_empty() {
+            let end = end_of(rest, |c| c == ',');
+            tables.extend([rest[..end].trim(), nl]);
+            rest = rest.get(end + 1..).unwrap_or_default();
+        }
+        tables += nl;
+    }
+    tables += &comments(list.get(from..list.len() - 1)?, nl);
+    let mut text = text.to_owned();
+    text.replace_range(lines.clone(), "");
+    let gap = if text.ends_with('\n') {
+        nl.to_owned()
+    } else {
+        nl.repeat(2)
+    };
+    Some(format!("{text}{gap}{}{nl}", tables.trim_end()))
+}
+
+/// The comments of what stands between the entries of a list, each in its line.
+fn comments(between: &str, nl: &str) -> String {
+    let lines = between.lines();
+    let comments = lines.filter_map(|line| line.find('#').map(|at| line[at..].trim_end()));
+    comments.flat_map(|line| [line, nl]).collect()
+}
+
 /// How its lines end.
 pub fn line_break(text: &str) -> &'static str {
     if text.contains("\r\n") { "\r\n" } else { "\n" }
@@ -281,6 +324,16 @@ mod tests {
         let list = "[\n    [1, 2], # ]\n    [3, 4],\n]";
         assert_eq!(scene.value(TEXT, "segments"), Some(list));
         assert_eq!(fields(TEXT)[0], ("lab", "\"lines\""));
+    }
+
+    #[test]
+    fn a_list_of_steps_becomes_a_header_for_each() {
+        let text = "lab = \"lines\"\nstep = [ # the first\n  {id = \"a\", at = \"end, [1]\"},\n  # the second\n  {id = \"b\", lock = [\"p1\", \"p2\"]},\n]\n\n[scenes.x]\nwindow = [0, 0, 1, 1]\n";
+        let tables = in_tables(text, "step").expect("a list");
+        let expected = "lab = \"lines\"\n\n[scenes.x]\nwindow = [0, 0, 1, 1]\n\n# the first\n[[step]]\nid = \"a\"\nat = \"end, [1]\"\n\n# the second\n[[step]]\nid = \"b\"\nlock = [\"p1\", \"p2\"]\n";
+        assert_eq!(tables, expected);
+        assert_eq!(in_tables(&tables, "step"), None);
+        assert_eq!(in_tables(TEXT, "step"), None);
     }
 
     #[test]

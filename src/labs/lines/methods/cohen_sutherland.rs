@@ -119,6 +119,11 @@ impl CodeLook<2> for Input {
         cut_table(shown)
     }
 
+    fn beyond(&self, edge: Edge) -> Option<Mark> {
+        let wash = Shape::Wash(shared::beyond(&self.window, edge));
+        Some(Mark::new(Role::Accent, wash))
+    }
+
     fn drawing(shown: &Shown<'_>, _: Option<&()>) -> Option<View> {
         let Input {
             window, segment, ..

@@ -134,23 +134,26 @@ pub fn inside_mark(window: &Window, edge: Edge) -> Mark {
 
 /// A side as this step's subject: its line with `y = 1`, and what lies beyond it with `y > 1`.
 pub fn outside_marks(window: &Window, edge: Edge) -> [Mark; 2] {
-    let c = window.border(edge);
-    // What lies beyond is to the left of the line from the first point to the second.
-    let line = match edge {
-        Edge::Left => [[c, 0.0], [c, 1.0]],
-        Edge::Right => [[c, 1.0], [c, 0.0]],
-        Edge::Bottom => [[1.0, c], [0.0, c]],
-        Edge::Top => [[0.0, c], [1.0, c]],
-    };
     let relation = if edge.is_max() { " > " } else { " < " };
     [
-        Mark::new(Role::Signal, Shape::HalfPlane(line))
+        Mark::new(Role::Signal, Shape::HalfPlane(beyond(window, edge)))
             .labelled(border_equation(window, edge))
             .linked(edge_link(edge)),
         Mark::new(Role::Signal, border(window, edge))
             .labelled(side_formula(window, edge, relation))
             .toward(outwards(edge)),
     ]
+}
+
+/// What lies beyond is to the left of the line from the first point to the second.
+pub fn beyond(window: &Window, edge: Edge) -> [[f64; 2]; 2] {
+    let c = window.border(edge);
+    match edge {
+        Edge::Left => [[c, 0.0], [c, 1.0]],
+        Edge::Right => [[c, 1.0], [c, 0.0]],
+        Edge::Bottom => [[1.0, c], [0.0, c]],
+        Edge::Top => [[0.0, c], [1.0, c]],
+    }
 }
 
 const fn outwards(edge: Edge) -> [f64; 2] {

@@ -151,9 +151,11 @@ fn mapped(mut mark: Mark3, to: impl Fn([f64; 3]) -> [f64; 3]) -> Mark3 {
             }
         }
         Shape3::RightAngle(places) | Shape3::Angle(places) => *places = places.map(&to),
-        Shape3::Ball(at, _) | Shape3::Dot(at) | Shape3::Ring(at) | Shape3::Label(at) => {
-            *at = to(*at);
-        }
+        Shape3::Ball(at, _)
+        | Shape3::Dot(at)
+        | Shape3::Ring(at)
+        | Shape3::Cross(at)
+        | Shape3::Label(at) => *at = to(*at),
     }
     mark
 }

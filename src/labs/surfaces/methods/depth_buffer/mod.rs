@@ -12,6 +12,7 @@ use crate::{
         DepthBuffer, DepthBufferEvent as Event, DepthBufferInput, DepthBufferOutput, DepthSteps,
         Fragment,
     },
+    figure::{Decides, Glimpse},
     labs::space::soup::order,
 };
 
@@ -139,6 +140,11 @@ impl<L: Variant> Telling for DepthBuffer<L> {
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
         names::named(at, name)
+    }
+
+    fn glimpse(at: &At<'_, Self>, row: &Row, _: Option<Link>) -> Glimpse {
+        let pixels = raster::after(at, row.decides == Decides::Keeps);
+        pixels.map_or(Glimpse::Nothing, Glimpse::Pixels)
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {

@@ -14,7 +14,7 @@ use super::super::{
 };
 
 use super::{
-    names::{current, fragment_of, pixel_of},
+    names::{current, fragment_of, of_glass, pixel_of},
     numbers::Shades,
     variant::Variant,
 };
@@ -176,5 +176,52 @@ fn toned<'a, L: Variant>(
         let is_current = current.is_some_and(|current| u32::try_from(id) == Ok(current));
         let role = if is_current { Role::Accent } else { Role::Soft };
         shades.pixel::<L>(depth, role)
+    })
+}
+
+/// Pixels around one that might be written, on each side of it.
+const AROUND: i64 = 2;
+/// Of more triangles the tones of a few pixels would take long.
+const MOST_TONED: usize = 1_000;
+
+/// The pixel in hand and those around it, were the fragment written, or were it not. Behind glass neither would say all.
+pub fn after<L: Variant>(at: &At<'_, DepthBuffer<L>>, is_written: bool) -> Option<Raster> {
+    let (own, fragment) = (at.step.input, fragment_of(at)?);
+    let plan = &at.scenery?.scene().raster;
+    let is_plain = own.pixel.is_none() && own.surfaces.triangles().len() <= MOST_TONED;
+    if !is_plain || of_glass(at).is_some() {
+        return None;
+    }
+    let shades = Shades::of::<L>(own, plan);
+    let so_far = &at.step.held.so_far;
+    let [width, height] = own.surfaces.size().map(i64::from);
+    let [column, row] = fragment.pixel.map(i64::from);
+    let stored = |[x, y]: [i64; 2]| {
+        if [x, y] == [column, row] {
+            let written = (i32::try_from(fragment.id).ok()?, fragment.new);
+            let left = (fragment.stored_id, fragment.stored);
+            return Some(if is_written { written } else { left });
+        }
+        let is_there = (0..width).contains(&x) && (0..height).contains(&y);
+        let place = is_there.then_some((y * width + x) as usize)?;
+        Some((*so_far.picture.ids().get(place)?, *so_far.depth.get(place)?))
+    };
+    let pixel = |at: [i64; 2]| {
+        let (id, depth) = stored(at)?;
+        let is_own = u32::try_from(id) == Ok(fragment.id);
+        let role = if is_own { Role::Accent } else { Role::Soft };
+        Some(shades.pixel::<L>(depth, role))
+    };
+    let around = || -AROUND..=AROUND;
+    let places = around().flat_map(|y| around().map(move |x| [column + x, row + y]));
+    let side = (2 * AROUND + 1) as usize;
+    Some(Raster {
+        title: Value::Term("practice-then"),
+        size: [side; 2],
+        pixels: places.map(|at| pixel(at).unwrap_or(Pixel::EMPTY)).collect(),
+        scale: None,
+        under: Vec::new(),
+        current: Some([AROUND as usize; 2]),
+        over: Vec::new(),
     })
 }

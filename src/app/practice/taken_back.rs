@@ -1,0 +1,48 @@
+//! What is shown of an option before it is known, and how a decision is taken back.
+
+use std::borrow::Cow;
+
+use crate::figure::{Glimpse, Mark};
+
+use super::{super::prelude::*, App, Asked, Practice};
+
+impl Practice {
+    /// With what the drawing shows besides while this is pointed at.
+    pub fn with_glimpse<'a>(&self, marks: Cow<'a, [Mark]>, lit: Option<Link>) -> Cow<'a, [Mark]> {
+        let mut marks = marks;
+        if let Some(mark) = self.glimpse(lit) {
+            marks.to_mut().insert(0, mark.clone());
+        }
+        marks
+    }
+
+    pub fn glimpse(&self, lit: Option<Link>) -> Option<&Mark> {
+        let nth = self.option_of(lit?)?;
+        match self.open()?.choice.glimpses.get(nth)? {
+            Glimpse::Mark(mark) => Some(mark),
+            Glimpse::Nothing | Glimpse::Pixels(_) => None,
+        }
+    }
+
+    /// Is there an answer to take back?
+    pub fn has_answered(&self) -> bool {
+        self.is_on && !self.done.is_empty()
+    }
+
+    /// The last decision that has been answered and not been taken back is asked once more; its step. What was answered stays, and
+    /// counts.
+    pub(super) fn take_back(&mut self) -> Option<usize> {
+        let mut answers = self.answers.iter().rev();
+        let last = answers.find(|answer| self.done.contains(&answer.step))?;
+        self.done.remove(&last.step);
+        self.asked = Some(Asked::new(last.step, last.choice.clone(), None));
+        Some(last.step)
+    }
+}
+
+impl App {
+    /// Is it asked what comes?
+    pub fn is_asking(&self) -> bool {
+        self.practice.is_asking()
+    }
+}
