@@ -234,7 +234,6 @@ impl Theme {
         self.text_scale > 1.0
     }
 
-    /// Of text that is so large before any scale.
     pub fn pts(&self, natural: f32, scale: f32) -> f32 {
         (natural * scale).max(self.least_text)
     }
@@ -263,6 +262,7 @@ impl Theme {
         spacing.scroll.dormant_handle_opacity = 0.6;
         spacing.scroll.floating_width = 4.0;
         spacing.interact_size = vec2(32.0, 24.0 * self.text_scale);
+        spacing.default_area_size.y = 4000.0; // a list is as high as the window lets it be
         spacing.slider_width = 128.0;
         spacing.slider_rail_height = 4.0;
         spacing.icon_width = 16.0 * self.text_scale;

@@ -90,7 +90,7 @@ fn choices(
             .x
     });
     let padding = 2.0 * ui.spacing().button_padding.x;
-    let width = widths.fold(ui.available_width(), f32::max) + padding;
+    let width = widths.fold(0.0, f32::max) + padding;
     let room = ui.ctx().content_rect().size() - AROUND;
     let most = (room.x / (width + BETWEEN_COLUMNS)) as usize;
     let n_columns = (rows().count() as f32 * height / room.y).ceil() as usize;
