@@ -131,7 +131,7 @@ expect-one-of = Expected: one of { $names }.
 expect-toml-value = Expected: text in straight "quotation marks", a number, true or false, or a list with commas between its values.
 expect-toml-name = Expected: the letters a–z and A–Z, digits, “-” and “_”.
 expect-utf8 = Expected: text saved as UTF-8.
-expect-link = Expected: “#lesson/step” or “#v1=” and a scene, perhaps behind an address.
+expect-link = Expected: “#lesson/step” or “#v1=” and a scene, with or without an address in front.
 expect-lesson-folder = Expected: a folder with lesson.toml and en.md, or a folder of such folders.
 expect-text = Expected: text in quotation marks.
 expect-number = Expected: a number.

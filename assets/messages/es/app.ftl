@@ -157,8 +157,8 @@ status-memory-aside = No se pudo leer { $path }: { $reason } Ahora se llama { $a
 status-memory-unread = No se pudo leer { $path }: { $reason } Los ajustes y el trabajo no se guardarán.
 status-memory-unkept = Los ajustes y el trabajo no se pueden guardar en { $path }: { $reason }.
 status-memory-full = El navegador no puede guardar los ajustes ni el trabajo: { $reason }.
-status-memory-refused = El navegador no guarda nada de esta página: los ajustes y el trabajo se pierden cuando la cierras. Guarda en un archivo lo que quieras conservar.
-status-fonts-coming = Los caracteres chinos todavía están en camino. Prueba de nuevo dentro de un momento.
+status-memory-refused = El navegador no guarda nada de esta página: los ajustes y el trabajo se perderán cuando la cierres. Guarda en un archivo lo que quieras conservar.
+status-fonts-coming = Los caracteres chinos todavía se están cargando. Prueba de nuevo dentro de un momento.
 status-save-failed = No se pudo guardar la escena: { $reason }
 status-open-failed = No se pudo abrir { $path }: { $reason }
 status-forgotten = Ya no está entre los archivos recientes.
@@ -326,7 +326,7 @@ mark-hints =
        *[other] { $count } partes de la pista vistas
     }
 action-smaller = Una escena más pequeña con la misma diferencia
-smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y se queda la más pequeña hasta ahora.
+smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y deja la más pequeña que se haya encontrado.
 smaller-none = No se ha encontrado una escena más pequeña con la misma diferencia.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.
 

@@ -41,9 +41,9 @@ problem-course-file = Esto no es un curso empaquetado: { $reason }
 problem-course-version = El curso se empaquetó con otra versión de Clipscope: la versión { $version } no se puede leer aquí.
 problem-no-link = Esto no es un enlace de Clipscope.
 problem-link-version = El enlace se hizo con otra versión de Clipscope: { $version } no se puede leer aquí.
-problem-link-damaged = El enlace está cortado o cambiado: su escena no se puede descomprimir.
+problem-link-damaged = El enlace se ha cortado o modificado: su escena no se puede descomprimir.
 problem-link-too-large = La escena del enlace es demasiado grande.
-problem-link-value = «{ $value }» no significa nada como «{ $key }» de un enlace.
+problem-link-value = «{ $value }» no tiene sentido como valor de «{ $key }» en un enlace.
 problem-link-no-lesson = El curso abierto no tiene ninguna lección para «{ $name }».
 problem-link-no-step = La lección no tiene el paso «{ $name }».
 problem-picture-without-link = La imagen no lleva ningún enlace a un paso.
@@ -131,7 +131,7 @@ expect-one-of = Se esperaba: uno de { $names }.
 expect-toml-value = Se esperaba: texto entre comillas rectas "", un número, true o false, o una lista con comas entre sus valores.
 expect-toml-name = Se esperaba: las letras a–z y A–Z, cifras, «-» y «_».
 expect-utf8 = Se esperaba: texto guardado como UTF-8.
-expect-link = Se esperaba: «#lección/paso» o «#v1=» y una escena, quizá detrás de una dirección.
+expect-link = Se esperaba: «#lección/paso» o «#v1=» y una escena; delante puede haber una dirección.
 expect-lesson-folder = Se esperaba: una carpeta con lesson.toml y en.md, o una carpeta de carpetas así.
 expect-text = Se esperaba: texto entre comillas.
 expect-number = Se esperaba: un número.

@@ -76,7 +76,7 @@ raster-brightness = Brillo en milésimas
 
 ## Views
 
-practice-then = lo que queda ahí entonces
+practice-then = lo que quedaría ahí
 raster-depth = Profundidad en milésimas
 raster-depth-unit = Profundidad en unidades de { $unit }
 raster-straight = Distancia del plano cercano al lejano, en milésimas

@@ -157,8 +157,8 @@ status-memory-aside = Não foi possível ler { $path }: { $reason } Agora se cha
 status-memory-unread = Não foi possível ler { $path }: { $reason } Os ajustes e o trabalho não serão guardados.
 status-memory-unkept = Os ajustes e o trabalho não podem ser guardados em { $path }: { $reason }.
 status-memory-full = O navegador não consegue guardar os ajustes nem o trabalho: { $reason }.
-status-memory-refused = O navegador não guarda nada desta página: os ajustes e o trabalho se perdem quando você a fecha. Salve em um arquivo o que quiser conservar.
-status-fonts-coming = Os caracteres chineses ainda estão a caminho. Tente de novo daqui a pouco.
+status-memory-refused = O navegador não guarda nada desta página: os ajustes e o trabalho se perderão quando você a fechar. Salve em um arquivo o que quiser conservar.
+status-fonts-coming = Os caracteres chineses ainda estão sendo carregados. Tente de novo daqui a pouco.
 status-save-failed = Não foi possível salvar a cena: { $reason }
 status-open-failed = Não foi possível abrir { $path }: { $reason }
 status-forgotten = Ele não está mais entre os arquivos recentes.
@@ -263,7 +263,7 @@ practice = Pergunte-me
 action-practise = Antes de cada decisão, pergunte-me o que vem
 practice-question = O que vem agora?
 practice-how = Pressione um número ou escolha.
-practice-take-back = Voltar atrás (Backspace)
+practice-take-back = Desfazer a resposta (Backspace)
 practice-show = Mostre (S)
 practice-right = ✓ { $right }.
 practice-wrong = × { $right }, e não: { $chosen }.
@@ -328,7 +328,7 @@ mark-hints =
        *[other] { $count } partes da dica vistas
     }
 action-smaller = Uma cena menor com a mesma diferença
-smaller-search = Procura-se uma cena menor. Esc interrompe, e a menor até agora fica.
+smaller-search = Procura-se uma cena menor. Esc interrompe a busca e deixa a menor que tiver sido encontrada.
 smaller-none = Não foi encontrada uma cena menor com a mesma diferença.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.
 

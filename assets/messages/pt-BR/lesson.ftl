@@ -43,7 +43,7 @@ problem-no-link = Isto não é um link do Clipscope.
 problem-link-version = O link foi feito por outra versão do Clipscope: { $version } não pode ser lido aqui.
 problem-link-damaged = O link foi cortado ou alterado: não é possível descompactar a cena dele.
 problem-link-too-large = A cena do link é grande demais.
-problem-link-value = “{ $value }” não significa nada como “{ $key }” de um link.
+problem-link-value = “{ $value }” não faz sentido como valor de “{ $key }” em um link.
 problem-link-no-lesson = O curso aberto não tem nenhuma lição para “{ $name }”.
 problem-link-no-step = A lição não tem o passo “{ $name }”.
 problem-picture-without-link = A imagem não traz nenhum link para um passo.
@@ -131,7 +131,7 @@ expect-one-of = Esperado: um de { $names }.
 expect-toml-value = Esperado: texto entre aspas retas "", um número, true ou false, ou uma lista com vírgulas entre seus valores.
 expect-toml-name = Esperado: as letras a–z e A–Z, algarismos, “-” e “_”.
 expect-utf8 = Esperado: texto salvo como UTF-8.
-expect-link = Esperado: “#lição/passo” ou “#v1=” e uma cena, talvez depois de um endereço.
+expect-link = Esperado: “#lição/passo” ou “#v1=” e uma cena; antes pode vir um endereço.
 expect-lesson-folder = Esperado: uma pasta com lesson.toml e en.md, ou uma pasta de pastas assim.
 expect-text = Esperado: texto entre aspas.
 expect-number = Esperado: um número.

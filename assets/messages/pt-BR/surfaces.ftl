@@ -76,7 +76,7 @@ raster-brightness = Brilho em milésimos
 
 ## Views
 
-practice-then = o que fica ali então
+practice-then = o que ficaria ali
 raster-depth = Profundidade em milésimos
 raster-depth-unit = Profundidade em unidades de { $unit }
 raster-straight = Distância do plano próximo ao distante, em milésimos

@@ -294,7 +294,7 @@ goal-ended = { $said }{ $count } 次运行这样结束。
 action-hint = 朝目标的提示：先看由什么决定，再看等式
 mark-hints = 已看过 { $count } 段提示
 action-smaller = 差别相同的更小场景
-smaller-search = 正在找更小的场景。按 Esc 停止，目前最小的会留下。
+smaller-search = 正在找更小的场景。按 Esc 停止，并保留已找到的最小场景。
 smaller-none = 没有找到差别相同的更小场景。
 smaller-no-difference = 这里没有可以缩小的差别：正确方法旁要有一个有错误的方法，并且两者结果不同。
 

@@ -155,7 +155,7 @@ usage-expected-tolerance = 应为不小于 0 的数，例如 1e-9。
 grade-mark-true = 正确：{ $at }
 grade-mark-said = 程序：{ $at }
 grade-raster-true = 正确的像素
-grade-raster-said = 程序的像素（不同 { $count } 个，第一个 { $at }）
+grade-raster-said = 程序的像素（有 { $count } 个不同，第一个在 { $at }）
 grade-title-event = 第一个出错的步骤：{ $event }
 grade-title-output = 第一个有差异的答案
 grade-title-none = 第一道没有正确答案的题
@@ -169,4 +169,4 @@ grade-figure-plain = 这一题只用数字表示。
 table-file = 文件
 table-score = 得分
 
-pack-one-folder = 一个网页只接受一门课程：请只写一个文件夹。
+pack-one-folder = 一个网页只能放一门课程：请只给出一个文件夹。

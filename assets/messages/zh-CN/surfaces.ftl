@@ -58,7 +58,7 @@ raster-brightness = 亮度，以千分之一计
 
 ## Views
 
-practice-then = 那时存的是
+practice-then = 之后存的值
 raster-depth = 深度，以千分之一计
 raster-depth-unit = 深度，以 { $unit } 为单位
 raster-straight = 近平面到远平面的距离，以千分之一计
