@@ -11,11 +11,6 @@ use crate::{
     },
 };
 
-fn on_a_desktop() -> Bench {
-    let app = App::new(Course::default(), Settings::default()).with_platform(Desktop::default());
-    Bench::with(app, SIZE)
-}
-
 #[test]
 fn garbage_that_is_dropped_is_explained_and_changes_nothing() {
     let mut bench = Bench::new(SIZE);
@@ -56,7 +51,7 @@ fn a_scene_is_saved_where_the_dialog_says_over_another_file_when_told_twice() {
     let path = folder.path().join("mine.toml").display().to_string();
     let now = || fs::read(&path).expect("it is there");
     fs::write(&path, "mine").expect("writable");
-    let mut bench = on_a_desktop();
+    let mut bench = Bench::on_a_desktop();
     bench.press(Key::S, ctrl());
     assert!(matches!(bench.app.shown.dialog, Some(Dialog::Save(_))));
     bench.apply(Command::Show(Some(Dialog::Save(Target::new(path.clone())))));
@@ -95,7 +90,7 @@ fn a_saved_scene_keeps_its_moment_and_names_the_window() {
 #[test]
 fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut bench = on_a_desktop();
+    let mut bench = Bench::on_a_desktop();
     bench.press(Key::E, ctrl());
     let Some(Dialog::Export(_, first)) = bench.app.shown.dialog.clone() else {
         panic!("it asks");
@@ -133,7 +128,10 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
                 asks: false,
             },
         };
-        let drawn = Studio::new(figures.theme).draw(&picture).to_png();
+        let moment = bench.app.playback.main().moment(step);
+        let link = bench.app.link_at(step, &moment).fitting();
+        let drawn = Studio::new(figures.theme).draw(&picture);
+        let drawn = drawn.to_linked_png(link.as_deref());
         let is_same = written.expect("a step") == drawn;
         assert!(is_same, "as `clipscope export` draws it");
     }
@@ -223,7 +221,7 @@ fn recent_files_are_at_hand_and_one_that_is_gone_leaves() {
             .display()
             .to_string()
     };
-    let mut bench = on_a_desktop();
+    let mut bench = Bench::on_a_desktop();
     for n in 0..9 {
         bench.edit(Edit::Add(None));
         let save = Dialog::Save(Target::new(path(n)));
@@ -252,7 +250,7 @@ fn recent_files_are_at_hand_and_one_that_is_gone_leaves() {
 
 #[test]
 fn the_figure_goes_to_the_clipboard_as_an_export_writes_it() {
-    let mut bench = on_a_desktop();
+    let mut bench = Bench::on_a_desktop();
     let event = key_event(Key::C, true, ctrl() | Modifiers::SHIFT);
     let output = bench.run(vec![event], Vec::new());
     let copied = output

@@ -48,7 +48,7 @@ const WEDGE: &str = "mtllib wedge.mtl\nusemtl wood\n\
 
 #[test]
 fn a_mesh_that_is_dropped_stands_in_the_free_scene_and_can_be_undone() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let lines = bench.app.scene().clone();
     dropped(&mut bench, "wedge.OBJ", WEDGE);
     assert_eq!(n_added(&bench), 1, "{}", bench.said());
@@ -71,7 +71,7 @@ fn a_mesh_that_is_dropped_stands_in_the_free_scene_and_can_be_undone() {
 
 #[test]
 fn what_is_no_mesh_is_explained_with_its_place_and_changes_nothing() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let before = bench.app.scene().clone();
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (text, place) in [
@@ -102,7 +102,7 @@ fn what_is_no_mesh_is_explained_with_its_place_and_changes_nothing() {
 
 #[test]
 fn what_is_left_out_of_a_mesh_is_said() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     dropped(&mut bench, "odd.obj", &format!("{WEDGE}f 1 2\n"));
     let said = bench.said();
     assert!(said.contains("odd.obj:11:1"), "{said}");
@@ -112,7 +112,7 @@ fn what_is_left_out_of_a_mesh_is_said() {
 
 #[test]
 fn escape_gives_a_mesh_up() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let before = bench.app.scene().clone();
     let folder = folder(&[("large.obj", WEDGE.repeat(10_000).as_bytes())]);
     let path = folder.path().join("large.obj").display().to_string();
@@ -130,7 +130,7 @@ fn escape_gives_a_mesh_up() {
 
 #[test]
 fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let names = ["one.obj", "wedge.mtl", "wood.png", "two.obj"];
     let folder = folder(&names.map(|name| (name, WEDGE.as_bytes())));
     let files = names.map(|name| {
@@ -149,7 +149,7 @@ fn what_comes_along_with_a_mesh_is_no_scene_of_its_own() {
 fn a_mesh_is_painted_with_the_picture_beside_it() {
     const PAINTED: &str = "mtllib wedge.mtl\nusemtl wood\n\
         v 0 0 0\nv 4 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let material = b"newmtl stone\nmap_Kd ../elsewhere.png\nnewmtl wood\nmap_Kd my wood.jpg\n";
     let picture = include_bytes!("../../lesson/mesh_file/grey.jpg");
     let folder = folder(&[
@@ -178,7 +178,7 @@ fn a_picture_of_the_mesh_s_name_is_taken_as_its_texture_and_said() {
         // Its corners have no places on a texture.
         ("wedge.jpg", WEDGE.replace("mtllib wedge.mtl\n", ""), false),
     ] {
-        let mut bench = Bench::new(SIZE);
+        let mut bench = Bench::on_a_desktop();
         let folder = folder(&[(name, grey), ("wedge.obj", text.as_bytes())]);
         bench.drop_file(folder.path().join("wedge.obj"), None);
         wait(&mut bench);
@@ -190,7 +190,7 @@ fn a_picture_of_the_mesh_s_name_is_taken_as_its_texture_and_said() {
 
 #[test]
 fn triangles_without_area_are_counted() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     dropped(
         &mut bench,
         "flat.obj",
@@ -203,7 +203,7 @@ fn triangles_without_area_are_counted() {
 
 #[test]
 fn a_mesh_is_opened_by_its_path_too() {
-    let mut bench = Bench::new(SIZE);
+    let mut bench = Bench::on_a_desktop();
     let folder = folder(&[("wedge.obj", WEDGE.as_bytes())]);
     let path = folder.path().join("wedge.obj").display().to_string();
     bench.apply(Command::Show(Some(Dialog::Open(Target::new(path)))));

@@ -68,6 +68,12 @@ impl Bench {
         Self::with(App::new(Course::default(), Settings::default()), size)
     }
 
+    /// The same, where there are files.
+    fn on_a_desktop() -> Self {
+        let app = App::new(Course::default(), Settings::default());
+        Self::with(app.with_platform(Desktop::default()), SIZE)
+    }
+
     /// On this lab's first scene.
     fn lab(id: &'static str) -> Self {
         let mut bench = Self::new(SIZE);

@@ -27,8 +27,11 @@ fn at_its_largest_everything_is_in_reach() {
             let mut bench = Bench::seen(lang, theme, SIZE);
             bench.command(Command::TextSize(2.0));
             let said = |key: &str| Catalog::of(lang).term(key);
+            let is_method = |(name, _): &(String, Rect)| name.starts_with(&said("panel-algorithm"));
+            let method = bench.named().into_iter().find(is_method);
+            let (_, method) = method.expect("the method's menu");
+            assert!(screen.contains_rect(method), "{theme} {lang}: {method}");
             for key in [
-                "panel-algorithm",
                 "menu-more",
                 "panel-course",
                 "panel-inspector",

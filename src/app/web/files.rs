@@ -26,7 +26,7 @@ use super::super::{
     platform::{Platform, Reader, StageFigure, drawn},
 };
 
-use super::beside::Beside;
+use super::{beside::Beside, host};
 
 type Read = Result<Vec<u8>, FileError>;
 
@@ -71,7 +71,7 @@ impl Platform for PageFiles {
     }
 
     fn lang(&self) -> Lang {
-        super::first_settings().lang
+        host::first_settings().lang
     }
 
     fn address(&self) -> Option<String> {

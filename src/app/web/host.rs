@@ -9,7 +9,10 @@ use send_wrapper::SendWrapper;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{CustomEvent, Document, HtmlCanvasElement, window};
 
-use super::{super::prelude::*, mirror::Mirror};
+use super::{
+    super::{Settings, prelude::*},
+    mirror::Mirror,
+};
 
 pub struct Host(SendWrapper<Around>);
 
@@ -180,4 +183,34 @@ pub fn speak(lang: Lang) {
     let document = window().and_then(|window| window.document());
     let root = document.and_then(|document| document.document_element());
     let _: Option<Result<(), JsValue>> = root.map(|root| root.set_attribute("lang", lang.id()));
+}
+
+/// As on a first visit: in the browser's language, light or dark as the system wishes.
+pub fn first_settings() -> Settings {
+    let languages = window().map(|window| window.navigator().languages());
+    let languages: Vec<String> = languages
+        .into_iter()
+        .flat_map(|languages| {
+            languages
+                .iter()
+                .filter_map(|it| it.as_string())
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    let is_dark = window()
+        .and_then(|window| {
+            window
+                .match_media("(prefers-color-scheme: dark)")
+                .ok()
+                .flatten()
+        })
+        .is_some_and(|wish| wish.matches());
+    Settings {
+        theme: if is_dark {
+            ThemeKind::Dark
+        } else {
+            ThemeKind::Light
+        },
+        ..Settings::for_locales(languages.iter().map(String::as_str))
+    }
 }

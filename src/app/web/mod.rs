@@ -10,7 +10,7 @@ use eframe::{WebOptions, WebRunner};
 use egui::Ui;
 use js_sys::Function;
 use wasm_bindgen::JsValue;
-use web_sys::{HtmlCanvasElement, window};
+use web_sys::HtmlCanvasElement;
 
 use crate::{
     lesson::{Course, FileError, unpacked},
@@ -61,36 +61,6 @@ impl eframe::App for Page {
     }
 }
 
-/// As on a first visit: in the browser's language, light or dark as the system wishes.
-fn first_settings() -> Settings {
-    let languages = window().map(|window| window.navigator().languages());
-    let languages: Vec<String> = languages
-        .into_iter()
-        .flat_map(|languages| {
-            languages
-                .iter()
-                .filter_map(|it| it.as_string())
-                .collect::<Vec<_>>()
-        })
-        .collect();
-    let is_dark = window()
-        .and_then(|window| {
-            window
-                .match_media("(prefers-color-scheme: dark)")
-                .ok()
-                .flatten()
-        })
-        .is_some_and(|wish| wish.matches());
-    Settings {
-        theme: if is_dark {
-            ThemeKind::Dark
-        } else {
-            ThemeKind::Light
-        },
-        ..Settings::for_locales(languages.iter().map(String::as_str))
-    }
-}
-
 /// A course that a page's address names: where it lies, and the file that was fetched from there.
 pub type Fetched = (String, Option<Vec<u8>>);
 
@@ -132,7 +102,7 @@ pub async fn start(
         let (course, folder, unread) = opened(fetched);
         let settings = Settings {
             folder,
-            ..stored.unwrap_or_else(first_settings)
+            ..stored.unwrap_or_else(host::first_settings)
         };
         let beside = Beside::new(beside);
         let files = PageFiles::new(beside.clone());

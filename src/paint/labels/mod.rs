@@ -25,7 +25,7 @@ use self::{
 pub use self::obstacles::Obstacle;
 
 /// Of a drawing whose smaller side has so many points labels are as large as at scale 1; of larger ones larger.
-const ROOMY: f32 = 120.0;
+const ROOMY: f32 = 250.0;
 /// More labels than this would cover the figure, and finding places for them would take longer than a frame.
 const MOST_LABELS: usize = 160;
 const PLATE: Vec2 = vec2(3.0, 1.0);
