@@ -168,13 +168,12 @@ fn watched(
     shown.pointed
 }
 
-/// The room of the lines of code and of the rows of the table: what they want, or of what is left as much as can be. Rows that
-/// come at other steps do not take more than half of it from the lines.
+/// The room of the lines of code and of the rows of the table: what they want, or of what is left as much as can be.
 fn shares(left: f32, [code, table]: [f32; 2]) -> [f32; 2] {
     if code + table <= left {
         return [code, table];
     }
-    let code = (left - table).max(code.min(CODE_LEAST.max(0.5 * left)));
+    let code = (left - table).max(CODE_LEAST.min(code));
     [code, (left - code).max(WATCH_LEAST.min(table))]
 }
 
@@ -323,17 +322,4 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
 fn code_links<'a>(app: &App, ui: &Ui, state: &'a mut StageState, column: usize) -> &'a CodeLinks {
     let found = || app.playback.code_links(column);
     state.code_links[column].get(app.on_stage(), ui, 0.0, found)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_that_come_at_other_steps_leave_the_lines_half_of_the_room() {
-        assert_eq!(shares(400.0, [150.0, 200.0]), [150.0, 200.0]);
-        assert_eq!(shares(300.0, [200.0, 120.0]), [180.0, 120.0]);
-        assert_eq!(shares(300.0, [400.0, 280.0]), [150.0, 150.0]);
-        assert_eq!(shares(300.0, [110.0, 280.0]), [110.0, 190.0]);
-    }
 }

@@ -203,12 +203,8 @@ impl Theme {
         static SIZED: LazyLock<Vec<[Theme; 2]>> = LazyLock::new(|| {
             let of_size = |kind, text| {
                 let theme = Theme::of(kind).with_text(text);
-                let (signal, signal_text) = (theme.ink, theme.ink);
-                let hushed = Theme {
-                    signal,
-                    signal_text,
-                    ..theme.clone()
-                };
+                let mut hushed = theme.clone();
+                (hushed.signal, hushed.signal_text) = (theme.ink, theme.ink);
                 [theme, hushed]
             };
             let of_kind = |kind| TEXT_SIZES.map(|text| of_size(kind, text));
@@ -379,10 +375,8 @@ mod tests {
         assert_eq!([text_size(1.33, 0), text_size(17.0, 0)], [1.25, 2.0]);
         for kind in ThemeKind::ALL {
             // A window has a least size of text, which a page can do without.
-            let of_window = Theme {
-                least_text: PROJECTOR.least_text,
-                ..Theme::of(kind).clone()
-            };
+            let mut of_window = Theme::of(kind).clone();
+            of_window.least_text = PROJECTOR.least_text;
             assert_eq!(Theme::sized(kind, 1.0), &of_window);
             assert_eq!(
                 Theme::sized(kind, 2.0).text_scale,

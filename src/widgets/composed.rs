@@ -54,7 +54,9 @@ impl Composition<'_> {
             em: TEXT_PTS * theme.text_scale,
             spacing,
             title: height.map_or(0.0, |height| {
-                (0.5 * spacing.inset + height + LEAST_UNDER_TITLE).max(spacing.titled)
+                // On a projector the drawings keep that room.
+                let over = if theme.has_large_text() { 0.0 } else { 0.5 };
+                (over * spacing.inset + height + LEAST_UNDER_TITLE).max(spacing.titled)
             }),
             name: name * theme.title_scale,
             caption,

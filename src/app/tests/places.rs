@@ -99,8 +99,6 @@ fn nothing_in_the_inspector_moves_from_one_step_of_a_run_to_the_next() {
     each_step_in_english(|bench, place| {
         let headings = ["panel-watch", "cost-title", "cost-divisions", "cost-sums"];
         let mut known: BTreeMap<&str, Rect> = BTreeMap::new();
-        // What a page needs is known in its second frame.
-        bench.frame(0.1, Vec::new());
         for step in some_steps(bench.n_steps(), 5) {
             bench.app.seek(step);
             // What stands below the rows is measured first.

@@ -26,7 +26,8 @@ use super::super::{
     platform::{Platform, Reader, StageFigure, drawn},
 };
 
-use super::{beside::Beside, host};
+use super::beside::Beside;
+use super::host::first_settings;
 
 type Read = Result<Vec<u8>, FileError>;
 
@@ -71,7 +72,7 @@ impl Platform for PageFiles {
     }
 
     fn lang(&self) -> Lang {
-        host::first_settings().lang
+        first_settings().lang
     }
 
     fn address(&self) -> Option<String> {

@@ -50,7 +50,13 @@ impl Sheet {
         let row_height = row_height.fold(0.0, f32::max);
         let mut room = left;
         if row_height > 0.0 {
-            room.take_bottom(row_height + self.gap() + self.spacing.inset);
+            // Numbers of the axes end above what stands below, where there is room for that.
+            let clear = if self.has_large_text() {
+                0.0
+            } else {
+                self.spacing.inset
+            };
+            room.take_bottom(row_height + self.gap() + clear);
         }
         let (drawn, under) = self.under(way, room, &groups, most);
         let mut slots = vec![(drawing.id, drawn)];
@@ -212,9 +218,13 @@ impl Sheet {
         slots
     }
 
+    const fn has_large_text(&self) -> bool {
+        self.spacing.is_fixed && self.em > LARGE_EM
+    }
+
     fn least_height(&self, way: Way, drawing: &Need, height: f32) -> f32 {
         let least = drawing.least[1] * READABLE;
-        let part = if self.spacing.is_fixed && self.em > LARGE_EM {
+        let part = if self.has_large_text() {
             BESIDE_LARGE_TEXT
         } else {
             DRAWING
