@@ -193,7 +193,7 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
                     } else {
                         text.color(look.theme.accent)
                     };
-                    let response = ui.add(Button::new(text).frame(false).wrap());
+                    let response = ui.add(Button::new(text).frame(false).truncate());
                     response.widget_info(|| {
                         let said = format!("{name}, {step}");
                         WidgetInfo::selected(Role::RadioButton, true, is_current, said)

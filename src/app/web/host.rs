@@ -9,10 +9,8 @@ use send_wrapper::SendWrapper;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{CustomEvent, Document, HtmlCanvasElement, window};
 
-use super::{
-    super::{Settings, prelude::*},
-    mirror::Mirror,
-};
+use super::super::{prelude::*, settings::Settings};
+use super::mirror::Mirror;
 
 pub struct Host(SendWrapper<Around>);
 
