@@ -1,6 +1,6 @@
 //! The inspector: pseudocode, watch table, cost.
 
-use egui::{Role, WidgetInfo};
+use egui::{Role, TextStyle, WidgetInfo};
 
 use crate::{
     figure::{CodeLinks, Frame, unseen},
@@ -182,10 +182,20 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     let cards = app.scene().document().methods();
     for (i, (card, step)) in cards.into_iter().zip(app.playback.steps()).enumerate() {
         let is_current = i == column;
+        // As at the last step, so that a name that takes two lines does so at all of them.
+        let last = step_text(look, [step[1]; 2]);
+        let last = ui.painter().layout_no_wrap(
+            last,
+            TextStyle::Small.resolve(ui.style()),
+            look.theme.soft,
+        );
         let (name, step) = (app.name_of(card), step_text(look, step));
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                ui.label(RichText::new(&step).small().color(look.theme.soft));
+                ui.scope(|ui| {
+                    ui.set_min_width(last.size().x);
+                    ui.label(RichText::new(&step).small().color(look.theme.soft));
+                });
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let text = RichText::new(&name);
                     let text = if is_current {
@@ -193,7 +203,7 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
                     } else {
                         text.color(look.theme.accent)
                     };
-                    let response = ui.add(Button::new(text).frame(false).truncate());
+                    let response = ui.add(Button::new(text).frame(false).wrap());
                     response.widget_info(|| {
                         let said = format!("{name}, {step}");
                         WidgetInfo::selected(Role::RadioButton, true, is_current, said)
