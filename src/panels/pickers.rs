@@ -135,10 +135,9 @@ fn grouped(methods: Vec<&'static MethodCard>) -> Vec<Vec<Row>> {
         if !groups.iter().any(|(known, _)| *known == key) {
             groups.push((key, key.map(Row::Heading).into_iter().collect()));
         }
-        let group = groups.iter_mut().find(|(known, _)| *known == key);
-        group
-            .into_iter()
-            .for_each(|(_, rows)| rows.push(Row::Choice(card)));
+        if let Some((_, rows)) = groups.iter_mut().find(|(known, _)| *known == key) {
+            rows.push(Row::Choice(card));
+        }
     }
     groups.sort_by_key(|(key, _)| *key == Some("faulty-title"));
     groups.into_iter().map(|(_, rows)| rows).collect()

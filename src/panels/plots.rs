@@ -58,7 +58,7 @@ pub fn power_plot(
     look: Look<'_>,
     (id, axes): (&'static str, [&'static str; 2]),
     height: f32,
-    lines: Vec<PowerLine>,
+    lines: &[PowerLine],
 ) {
     let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
     let plot = Plot::new(id)
@@ -100,7 +100,7 @@ pub fn power_plot(
             color,
             style,
             points,
-        } in &lines
+        } in lines
         {
             let points: Vec<[f64; 2]> = points.iter().map(|at| at.map(libm::log10)).collect();
             let line = Line::new(look.say(name_key), points);

@@ -119,9 +119,9 @@ fn lines(ui: &mut Ui, look: Look<'_>, costs: &CullingCosts, height: f32) {
             points: points.collect(),
         }
     };
-    let lines = Culling::ALL.into_iter().enumerate().map(line).collect();
+    let lines: Vec<PowerLine> = Culling::ALL.into_iter().enumerate().map(line).collect();
     let axes = ["culling-axis-objects", "culling-axis-millis"];
-    power_plot(ui, look, ("culling-lines", axes), height, lines);
+    power_plot(ui, look, ("culling-lines", axes), height, &lines);
 }
 
 /// Which way is the fastest, and from how many objects on it is another.

@@ -19,7 +19,7 @@ fn costs_view(ui: &mut Ui, look: Look<'_>, costs: &mut SurfaceCosts, height: f32
     let sweep = &costs.sweep;
     let axes = ["surface-costs-triangles", "surface-costs-counts"];
     let lines = lines(look, sweep);
-    power_plot(ui, look, ("surface-costs-lines", axes), height, lines);
+    power_plot(ui, look, ("surface-costs-lines", axes), height, &lines);
     if costs.is_done() {
         for message in told(sweep) {
             ui.label(RichText::new(look.catalog.message(&message)).text_style(theme::strong()));
