@@ -283,10 +283,8 @@ impl App {
         };
         let path = path_of(&export.path, export.figures, export.next);
         let drawn = self.drawn(&export, ctx);
-        let is_shown = export.scene == *self.scene();
-        let moment = self.playback.main().moment(export.next);
-        let link = is_shown.then(|| self.link_at(export.next, &moment).fitting());
-        let bytes = drawn.map(|image| image.to_linked_png(link.flatten().as_deref()));
+        let link = self.link_of(&export);
+        let bytes = drawn.map(|image| image.to_linked_png(link.as_deref()));
         let written = bytes.and_then(|bytes| self.platform.write(&path, &bytes));
         self.notices.clear();
         if written.is_ok() && export.next < export.last {
@@ -305,6 +303,13 @@ impl App {
         }
         let keys = ["status-exported", "status-export-failed"];
         self.report(&path, written, keys, now);
+    }
+
+    /// To the next figure of an export, unless the scene has been changed since.
+    fn link_of(&self, export: &Export) -> Option<String> {
+        let is_shown = self.pending.is_none() && export.scene == *self.history.now();
+        let moment = is_shown.then(|| self.playback.main().moment(export.next))?;
+        self.link_at(export.next, &moment).fitting()
     }
 
     /// The next figure of an export.

@@ -18,11 +18,11 @@ use super::{App, desk::Page, errand::Errand, hint::Help, prelude::*};
 /// What is found within this time is on the stage in the same frame.
 const AT_ONCE: Duration = Duration::from_millis(16);
 
-/// A smaller scene is looked for: of this version of the scene.
+/// A scene that is smaller than this one is looked for.
 struct Search {
     found: Errand<Option<Scene>>,
     is_stopped: Arc<AtomicBool>,
-    revision: u64,
+    than: Scene,
 }
 
 #[derive(Default)]
@@ -82,7 +82,7 @@ impl App {
         self.goals.search = Some(Search {
             found: Errand::start(ctx, look),
             is_stopped,
-            revision: self.history.revision(),
+            than: self.history.now().clone(),
         });
         self.take_smaller(AT_ONCE, now);
         if self.is_making_smaller() {
@@ -106,7 +106,7 @@ impl App {
         let Some(search) = &mut self.goals.search else {
             return;
         };
-        let is_of_now = search.revision == self.history.revision();
+        let is_of_now = search.than == *self.history.now();
         if !is_of_now {
             search.is_stopped.store(true, Ordering::Relaxed);
         }

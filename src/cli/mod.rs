@@ -139,26 +139,20 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
     if !path.exists() && Link::is_one(&name) {
         return linked(name, catalog);
     }
-    let unread = |error| {
-        let message = Message::new("status-open-failed")
-            .with("path", name.clone())
-            .with("reason", Diagnostic::from(error));
-        catalog.message(&message)
+    let unread = |reason: Diagnostic| {
+        let message = Message::new("status-open-failed").with("path", name.clone());
+        catalog.message(&message.with("reason", reason))
     };
     if is_mesh(path) {
-        ask(path, MAX_SCENE_BYTES).map_err(unread)?;
+        ask(path, MAX_SCENE_BYTES).map_err(|error| unread(error.into()))?;
         return Ok(Opening {
             mesh: Some(name),
             ..Opening::default()
         });
     }
-    let bytes = read_file(path, MAX_SCENE_BYTES).map_err(unread)?;
+    let bytes = read_file(path, MAX_SCENE_BYTES).map_err(|error| unread(error.into()))?;
     if is_png(&bytes) {
-        let without = || {
-            let reason = Message::new("problem-picture-without-link");
-            let message = Message::new("status-open-failed").with("path", name.clone());
-            catalog.message(&message.with("reason", reason))
-        };
+        let without = || unread(Message::new("problem-picture-without-link").into());
         return linked(link_in(&bytes).ok_or_else(without)?, catalog);
     }
     let scene = SceneFormats::standard().read(&name, &bytes);

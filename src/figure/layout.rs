@@ -22,8 +22,6 @@ mod stand;
 #[cfg(test)]
 mod tests;
 
-use std::borrow::Cow;
-
 use super::{extent::Need, view::ViewId};
 
 use arranged::{Arranged, drawings, drop_last};
@@ -118,31 +116,28 @@ impl Sheet {
 
     /// The needs that all have room, and how they stand. In a window, whose text has a least size, with the room that all of their
     /// text has then, if there is as much; else rows are folded, else columns left out.
-    fn settled<'n>(
-        &self,
-        stages: &[Slot],
-        needs: &'n [Vec<Need>],
-    ) -> (Cow<'n, [Vec<Need>]>, Arranged) {
+    fn settled(&self, stages: &[Slot], needs: &[Vec<Need>]) -> (Vec<Vec<Need>>, Arranged) {
         const SIDES: [[bool; 2]; 3] = [[true, true], [true, false], [false, true]];
-        let whole = |sides: [bool; 2]| {
-            let whole = |need: &Need| {
-                let least = |i: usize| if sides[i] { need.whole[i] } else { 0.0 };
-                let least = [0, 1].map(|i| need.least[i].max(least(i)));
-                Need { least, ..*need }
+        let wanting = |sides: [bool; 2]| {
+            let need = |need: &Need| {
+                let whole = [0, 1].map(|i| if sides[i] { need.whole[i] } else { 0.0 });
+                let least = [0, 1].map(|i| need.least[i].max(whole[i]));
+                Need {
+                    least,
+                    whole,
+                    ..*need
+                }
             };
-            let whole = |needs: &Vec<Need>| needs.iter().map(whole).collect();
-            needs.iter().map(whole).collect::<Vec<Vec<Need>>>()
+            let needs = needs.iter().map(|needs| needs.iter().map(need).collect());
+            let needs: Vec<Vec<Need>> = needs.collect();
+            let arranged = self.settle(stages, &needs);
+            (needs, arranged)
         };
         let is_more = |need: &Need| (0..2).any(|i| need.whole[i] > need.least[i]);
         let has_more = self.spacing.is_fixed && needs.iter().flatten().any(is_more);
-        for sides in SIDES.into_iter().filter(|_| has_more) {
-            let whole = whole(sides);
-            let arranged = self.settle(stages, &whole);
-            if arranged.reads_all(&whole) {
-                return (whole.into(), arranged);
-            }
-        }
-        (needs.into(), self.settle(stages, needs))
+        let mut tried = SIDES.into_iter().filter(|_| has_more).map(wanting);
+        let read = tried.find(|(needs, arranged)| arranged.reads_all(needs));
+        read.unwrap_or_else(|| wanting([false, false]))
     }
 
     /// The views in the way in which they stand where nothing has been taken away, as long as they have room.

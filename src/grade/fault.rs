@@ -94,9 +94,9 @@ impl Fault {
         }
     }
 
-    pub(super) const fn step(&self) -> Option<usize> {
+    const fn event(&self) -> Option<&EventFault> {
         match self {
-            Self::Event(fault) => Some(fault.step),
+            Self::Event(fault) => Some(fault),
             Self::Output { .. }
             | Self::Missing
             | Self::Extra { .. }
@@ -106,13 +106,18 @@ impl Fault {
         }
     }
 
+    pub(super) fn step(&self) -> Option<usize> {
+        self.event().map(|fault| fault.step)
+    }
+
     /// What the program said and what is true, null where there is nothing; cut where it is long.
     pub(super) fn said_and_true(&self) -> [Json; 2] {
         self.both().map(of_moderate_length)
     }
 
     pub(super) fn whole(&self) -> Whole {
-        let ([said, truth], step) = (self.both(), self.true_step());
+        let [said, truth] = self.both();
+        let step = self.event().and_then(|fault| fault.true_step);
         let difference = match self {
             Self::Output { difference, .. } => Some(difference),
             Self::Event(fault) => fault.difference.as_ref(),
@@ -130,18 +135,6 @@ impl Fault {
             path: difference.map(|it| it.path.clone()).unwrap_or_default(),
             parts: parts.unwrap_or_default(),
             step,
-        }
-    }
-
-    const fn true_step(&self) -> Option<usize> {
-        match self {
-            Self::Event(fault) => fault.true_step,
-            Self::Output { .. }
-            | Self::Missing
-            | Self::Extra { .. }
-            | Self::BadJson { .. }
-            | Self::Refuses { .. }
-            | Self::Refusable { .. } => None,
         }
     }
 

@@ -8,8 +8,6 @@ use crate::figure::extent::Need;
 
 /// Of its column's height a drawing keeps this part at least, and of its width.
 const DRAWING: f32 = 0.42;
-/// The same in a window whose text is as large as on a projector, and keeps a least size.
-const BESIDE_LARGE_TEXT: f32 = 0.38;
 /// Text is large from this many points on.
 const LARGE_EM: f32 = 16.0;
 const NARROW: f32 = 0.3;
@@ -156,7 +154,7 @@ impl Sheet {
         let inset = self.spacing.inset;
         let lowered: Vec<Need> = groups.under.iter().map(|need| way.lowered(need)).collect();
         let under: Vec<&Need> = lowered.iter().collect();
-        let least_height = self.least_height(way, groups.drawing, height);
+        let least_height = least_height(way, groups.drawing, height);
         let strips = self.heights(&under, height - least_height - inset);
         // As far as they all are seen, the drawing keeps half.
         let half = self.heights(&under, 0.5 * height);
@@ -222,20 +220,6 @@ impl Sheet {
         self.spacing.is_fixed && self.em > LARGE_EM
     }
 
-    fn least_height(&self, way: Way, drawing: &Need, height: f32) -> f32 {
-        let least = drawing.least[1] * READABLE;
-        let part = if self.has_large_text() {
-            BESIDE_LARGE_TEXT
-        } else {
-            DRAWING
-        };
-        if way == Way::Low {
-            least
-        } else {
-            least.max(part * height)
-        }
-    }
-
     fn gap(&self) -> f32 {
         GAP[1] * self.readable()
     }
@@ -265,7 +249,7 @@ impl Sheet {
         let [width, height] = stage.size();
         let has_room = |need: &&&Need| need.least[0] * READABLE <= width - 2.0 * self.spacing.inset;
         let needs: Vec<&Need> = needs.iter().filter(has_room).copied().collect();
-        let room = height - self.least_height(way, drawing, height) - self.spacing.inset;
+        let room = height - least_height(way, drawing, height) - self.spacing.inset;
         let heights = self.heights(&needs, room);
         if heights.is_empty() {
             return Vec::new();
@@ -334,5 +318,14 @@ impl Way {
             least: [need.least[0], part * need.least[1]],
             ..*need
         }
+    }
+}
+
+fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {
+    let least = drawing.least[1] * READABLE;
+    if way == Way::Low {
+        least
+    } else {
+        least.max(DRAWING * height)
     }
 }

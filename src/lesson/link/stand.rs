@@ -41,11 +41,15 @@ impl Stand<'_> {
         let Some((lesson, step)) = self.step else {
             return scene(None);
         };
+        let name = StepName {
+            lesson: lesson.id.clone(),
+            step: Some(step.id.clone()),
+        };
         let is_there = step.position() == Some(self.position)
             || (*self.moment == Moment::End && step.moment == Moment::End);
         let to_step = Link {
             at: (!is_there).then(|| self.moment.clone()),
-            ..Link::to_step(&lesson.id, &step.id)
+            ..Link::to(Opens::Step(name.clone()))
         };
         if *step.scene == *self.scene {
             return to_step;
@@ -58,15 +62,7 @@ impl Stand<'_> {
             let beside = Some(beside.unwrap_or_default().to_owned());
             return Link { beside, ..to_step };
         }
-        let of = step_name(lesson, step);
-        scene(Some(of))
-    }
-}
-
-fn step_name(lesson: &Lesson, step: &LessonStep) -> StepName {
-    StepName {
-        lesson: lesson.id.clone(),
-        step: Some(step.id.clone()),
+        scene(Some(name))
     }
 }
 
