@@ -4,7 +4,8 @@ use crate::{
     algo::line::{
         BruteForce, CohenSutherland, CyrusBeck, LiangBarsky, NichollLeeNicholl,
         faulty::{
-            FaultyCohenSutherland, LooksOnce, OutwardCyrusBeck, RejectsTwoOutside, TurnsSlope,
+            FaultyCohenSutherland, FaultyLiangBarsky, LooksOnce, OutwardCyrusBeck,
+            RejectsTwoOutside, TurnsSlope,
         },
     },
     geom::{ConvexPolygon, GeomError, Segment, Window},
@@ -27,14 +28,14 @@ pub(super) static SOLVERS: [Solver; 5] = [
         ),
         Mistake::called::<CohenSutherland, FaultyCohenSutherland<LooksOnce>>(
             "looks-once",
-            "mistake-looks-once",
+            "alg-faulty-looks-once",
         ),
         Mistake::called::<CohenSutherland, FaultyCohenSutherland<RejectsTwoOutside>>(
             "rejects-two-outside",
-            "mistake-rejects-two-outside",
+            "alg-faulty-two-outside",
         ),
     ]),
-    Solver::of::<LiangBarsky>(),
+    Solver::of::<LiangBarsky>().knowing(&[Mistake::of::<LiangBarsky, FaultyLiangBarsky>()]),
     Solver::of::<CyrusBeck>().knowing(&[Mistake::of::<CyrusBeck, OutwardCyrusBeck>()]),
     Solver::of::<NichollLeeNicholl>(),
 ];

@@ -53,6 +53,7 @@ cs-and-open = AND = { $bits }: no side has both ends beyond it. The codes cannot
 cs-choose = The lowest bit that is set belongs to the { $edge }: { $end } is beyond it.
 cs-cut = { $end } is cut off at { $border }.
 cs-reject = Reject: both ends are { $region }; AND = { $and }.
+cs-reject-two = Reject: both ends are outside the window.
 cs-option-inside = Both ends are inside.
 cs-option-not-inside = Not everything is inside.
 cs-option-undecided = No side has both ends beyond it.
@@ -80,6 +81,14 @@ words-cs-choose = Otherwise take the side of the lowest bit that is set.
 words-cs-end = Exactly one end is beyond it.
 words-cs-cut = Move that end to where the segment crosses the side.
 words-cs-recode = Give this end a new code.
+alg-faulty-looks-once = Wrong: only one cut is made
+faulty-looks-once-differs = Step { $step } is the first that differs: after one cut, the program accepts what is left, whatever the new code says.
+code-faulty-looks-once = if cut once or code₁ OR code₂ = 0: accept
+words-faulty-looks-once = If no bit is set in either code, or an end has been cut, everything that is left is visible.
+alg-faulty-two-outside = Wrong: two ends outside are rejected
+faulty-two-outside-differs = Step { $step } is the first that differs: neither code is 0, so the program rejects, though no side has both ends beyond it.
+code-faulty-two-outside = if code₁ ≠ 0 and code₂ ≠ 0: reject
+words-faulty-two-outside = If each code has a bit that is set, both ends are outside, and nothing is visible.
 settings-bit-order = Bit order
 bit-order-tbrl = top, bottom, right, left
 bit-order-lrbt = left, right, bottom, top
@@ -90,6 +99,7 @@ lb-delta = P(u) = P₁ + u (P₂ − P₁): along the segment x and y change by 
 lb-row = k = { $k }, { $edge }: u · p ≤ q, { $direction }.
 lb-parallel-inside = The segment is parallel to the { $edge } and inside it: this side alone decides nothing.
 lb-parallel-outside = The segment is parallel to the { $edge } and outside it: no u is possible.
+lb-parallel-forgotten = The segment is parallel to the { $edge }: the program goes on without a check.
 lb-enter = The line enters through the { $edge }: u_min goes up.
 lb-enter-idle = The line enters through the { $edge }, but not after u_min: no change.
 lb-leave = The line leaves through the { $edge }: u_max goes down.
@@ -113,6 +123,10 @@ words-lb-enter = p < 0: the line enters here. No part before q/p can be visible.
 words-lb-leave = p > 0: the line leaves here. No part after q/p can be visible.
 words-lb-empty = If the interval is empty, nothing is visible.
 words-lb-accept = Otherwise the ends of the interval are the ends of the visible part.
+alg-faulty-parallel = Wrong: p = 0 is not checked
+faulty-parallel-differs = Step { $step } is the first that differs: p = 0 and q < 0, so the segment is outside this side, but the program goes on.
+code-faulty-parallel = if p = 0: next side
+words-faulty-parallel = p = 0: the segment is parallel to the side; go on to the next side.
 
 ## Cyrus–Beck
 

@@ -53,6 +53,7 @@ cs-and-open = AND = { $bits }: ningún borde deja fuera los dos extremos. Los c�
 cs-choose = El último 1 es el del { $edge }: { $end } está más allá.
 cs-cut = { $end } se recorta en { $border }.
 cs-reject = Se rechaza: los dos extremos están { $region }; AND = { $and }.
+cs-reject-two = Se rechaza: los dos extremos están fuera de la ventana.
 cs-option-inside = Los dos extremos están dentro.
 cs-option-not-inside = No todo está dentro.
 cs-option-undecided = Ningún borde deja fuera los dos extremos.
@@ -80,6 +81,14 @@ words-cs-choose = Si no, toma el borde del último 1.
 words-cs-end = Exactamente un extremo está más allá de él.
 words-cs-cut = Lleva ese extremo adonde el segmento cruza el borde.
 words-cs-recode = Dale un código nuevo.
+alg-faulty-looks-once = Erróneo: se corta una sola vez
+faulty-looks-once-differs = El paso { $step } es el primero que difiere: tras un corte, el programa acepta lo que queda, diga lo que diga el código nuevo.
+code-faulty-looks-once = si ya hay un corte o code₁ OR code₂ = 0: aceptar
+words-faulty-looks-once = Si ningún código tiene bits 1, o ya se ha cortado un extremo, todo lo que queda es visible.
+alg-faulty-two-outside = Erróneo: se rechaza con los dos extremos fuera
+faulty-two-outside-differs = El paso { $step } es el primero que difiere: ningún código es 0 y el programa rechaza, aunque ningún borde deje fuera a los dos extremos.
+code-faulty-two-outside = si code₁ ≠ 0 y code₂ ≠ 0: rechazar
+words-faulty-two-outside = Si cada código tiene algún bit 1, los dos extremos están fuera y no se ve nada.
 settings-bit-order = Orden de los bits
 bit-order-tbrl = arriba, abajo, derecha, izquierda
 bit-order-lrbt = izquierda, derecha, abajo, arriba
@@ -90,6 +99,7 @@ lb-delta = P(u) = P₁ + u (P₂ − P₁): a lo largo del segmento, x e y cambi
 lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
 lb-parallel-inside = Es paralelo al { $edge } y está por dentro: este borde, por sí solo, no decide nada.
 lb-parallel-outside = Es paralelo al { $edge } y está por fuera: ningún valor de u sirve.
+lb-parallel-forgotten = El segmento es paralelo al { $edge }: el programa sigue sin comprobar nada.
 lb-enter = La recta entra por el { $edge }: u_min sube.
 lb-enter-idle = La recta entra por el { $edge }, pero no después de u_min: nada cambia.
 lb-leave = La recta sale por el { $edge }: u_max baja.
@@ -113,6 +123,10 @@ words-lb-enter = p < 0: la recta entra por aquí. Antes de q/p no puede verse na
 words-lb-leave = p > 0: la recta sale por aquí. Después de q/p no puede verse nada.
 words-lb-empty = Si el intervalo está vacío, no se ve nada.
 words-lb-accept = Si no, los extremos del intervalo son los de la parte visible.
+alg-faulty-parallel = Erróneo: con p = 0 no se comprueba nada
+faulty-parallel-differs = El paso { $step } es el primero que difiere: p = 0 y q < 0, así que el segmento queda fuera de este borde, pero el programa sigue.
+code-faulty-parallel = si p = 0: borde siguiente
+words-faulty-parallel = p = 0: el segmento es paralelo al borde; pasa al borde siguiente.
 
 ## Cyrus–Beck
 

@@ -53,6 +53,7 @@ cs-and-open = AND = { $bits }: nenhum lado deixa os dois extremos de fora. Os c�
 cs-choose = O último bit 1 é o da { $edge }: { $end } está além dela.
 cs-cut = { $end } é cortado em { $border }.
 cs-reject = Rejeitado: os dois extremos estão { $region }; AND = { $and }.
+cs-reject-two = Rejeitado: os dois extremos estão fora da janela.
 cs-option-inside = Os dois extremos estão dentro.
 cs-option-not-inside = Nem tudo está dentro.
 cs-option-undecided = Nenhum lado deixa os dois extremos de fora.
@@ -80,6 +81,14 @@ words-cs-choose = Senão, tome o lado do último bit 1, o menos significativo.
 words-cs-end = Exatamente um extremo está além dele.
 words-cs-cut = Leve esse extremo até onde o segmento cruza o lado.
 words-cs-recode = Dê a ele um novo código.
+alg-faulty-looks-once = Errado: só um corte é feito
+faulty-looks-once-differs = O passo { $step } é o primeiro que difere: depois de um corte, o programa aceita o que sobra, diga o que disser o novo código.
+code-faulty-looks-once = se já há um corte ou code₁ OR code₂ = 0: aceite
+words-faulty-looks-once = Se nenhum dos códigos tem bit 1, ou um extremo já foi cortado, tudo o que sobrou é visível.
+alg-faulty-two-outside = Errado: dois extremos de fora são rejeitados
+faulty-two-outside-differs = O passo { $step } é o primeiro que difere: nenhum código é 0, e o programa rejeita, embora nenhum lado deixe os dois extremos de fora.
+code-faulty-two-outside = se code₁ ≠ 0 e code₂ ≠ 0: rejeite
+words-faulty-two-outside = Se cada código tem um bit 1, os dois extremos estão fora, e nada é visível.
 settings-bit-order = Ordem dos bits
 bit-order-tbrl = superior, inferior, direita, esquerda
 bit-order-lrbt = esquerda, direita, inferior, superior
@@ -90,6 +99,7 @@ lb-delta = P(u) = P₁ + u (P₂ − P₁): ao longo do segmento, x varia Δx e 
 lb-row = k = { $k } ({ $edge }): u · p ≤ q, { $direction }.
 lb-parallel-inside = É paralelo à { $edge } e está do lado de dentro: este lado, sozinho, não decide nada.
 lb-parallel-outside = É paralelo à { $edge } e está do lado de fora: nenhum u serve.
+lb-parallel-forgotten = É paralelo à { $edge }: o programa segue sem verificar nada.
 lb-enter = A reta entra pela { $edge }: u_min sobe.
 lb-enter-idle = A reta entra pela { $edge }, mas não depois de u_min: nada muda.
 lb-leave = A reta sai pela { $edge }: u_max desce.
@@ -113,6 +123,10 @@ words-lb-enter = p < 0: a reta entra por aqui. Antes de q/p, nada pode ser visí
 words-lb-leave = p > 0: a reta sai por aqui. Depois de q/p, nada pode ser visível.
 words-lb-empty = Se o intervalo é vazio, nada é visível.
 words-lb-accept = Senão, os extremos do intervalo são os da parte visível.
+alg-faulty-parallel = Errado: p = 0 não é verificado
+faulty-parallel-differs = O passo { $step } é o primeiro que difere: p = 0 e q < 0, então o segmento está fora deste lado, mas o programa segue adiante.
+code-faulty-parallel = se p = 0: próximo lado
+words-faulty-parallel = p = 0: o segmento é paralelo ao lado; passe ao próximo lado.
 
 ## Cyrus–Beck
 

@@ -53,6 +53,7 @@ cs-and-open = AND = { $bits }：没有一条边界使两端点都在它的外侧
 cs-choose = 最低位的 1 对应{ $edge }：{ $end } 在其外侧。
 cs-cut = 在 { $border } 处截断：{ $end } 移到交点。
 cs-reject = 舍弃：两端点都在{ $region }；AND = { $and }。
+cs-reject-two = 舍弃：两端点都在窗口外。
 cs-option-inside = 两端点都在裁剪区域内。
 cs-option-not-inside = 并非全在裁剪区域内。
 cs-option-undecided = 没有哪条边界使两端点都在其外侧。
@@ -80,6 +81,14 @@ words-cs-choose = 否则取最低位的 1 所对应的边界。
 words-cs-end = 恰有一个端点在它的外侧。
 words-cs-cut = 把这个端点移到线段与该边界的交点处。
 words-cs-recode = 重新给它编码。
+alg-faulty-looks-once = 错误：只截断一次
+faulty-looks-once-differs = 从第 { $step } 步起出现差别：截断一次之后，不管新的区域码是什么，程序都接受剩下的部分。
+code-faulty-looks-once = 若已截断一次或 code₁ OR code₂ = 0，则接受
+words-faulty-looks-once = 若两个区域码的各位全为 0，或已有一端被截断，则剩下的全部可见。
+alg-faulty-two-outside = 错误：两端点都在窗口外就舍弃
+faulty-two-outside-differs = 从第 { $step } 步起出现差别：两个区域码都不为 0，程序便舍弃，尽管没有一条边界使两端点都在它的外侧。
+code-faulty-two-outside = 若 code₁ ≠ 0 且 code₂ ≠ 0，则舍弃
+words-faulty-two-outside = 若两个区域码都有为 1 的位，则两端点都在窗口外，线段完全不可见。
 settings-bit-order = 区域码的位序
 bit-order-tbrl = 上、下、右、左
 bit-order-lrbt = 左、右、下、上
@@ -90,6 +99,7 @@ lb-delta = P(u) = P₁ + u (P₂ − P₁)：沿线段从头到尾，x、y 的�
 lb-row = k = { $k }，{ $edge }：u · p ≤ q，{ $direction }。
 lb-parallel-inside = 与{ $edge }平行且在其内侧：单凭这条边界还不能判定。
 lb-parallel-outside = 与{ $edge }平行且在其外侧：任何 u 都不满足。
+lb-parallel-forgotten = 与{ $edge }平行：程序不作判断，继续处理下一条边界。
 lb-enter = 直线由{ $edge }进入：u_min 增大。
 lb-enter-idle = 直线由{ $edge }进入，但不晚于 u_min：不变。
 lb-leave = 直线由{ $edge }离开：u_max 减小。
@@ -113,6 +123,10 @@ words-lb-enter = p < 0：直线由此进入，在 q/p 之前不可能可见。
 words-lb-leave = p > 0：直线由此离开，在 q/p 之后不可能可见。
 words-lb-empty = 若参数区间为空，则线段完全不可见。
 words-lb-accept = 否则，区间的两端就是可见部分的两端。
+alg-faulty-parallel = 错误：p = 0 时不作判断
+faulty-parallel-differs = 从第 { $step } 步起出现差别：p = 0 且 q < 0，线段在这条边界外侧，程序却继续处理下一条边界。
+code-faulty-parallel = 若 p = 0，则处理下一条边界
+words-faulty-parallel = p = 0：线段与边界平行；继续处理下一条边界。
 
 ## Cyrus–Beck
 

@@ -6,7 +6,7 @@ use crate::{
         parameter::Ratio,
         segment::{CodeClip, CodeRules, Coded, Ends, LineClip, LineRules},
     },
-    geom::{Axis, ConvexPolygon, Edge},
+    geom::{Axis, ConvexPolygon, Edge, Window},
     trace::Real,
 };
 
@@ -22,6 +22,17 @@ impl LineRules for NormalsOutside {
 
 /// Cyrus–Beck with this mistake.
 pub type OutwardCyrusBeck = LineClip<2, ConvexPolygon, NormalsOutside>;
+
+/// p = 0 is passed over as if nothing had to be asked: what runs parallel outside a side stays.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ForgetsParallel;
+
+impl LineRules for ForgetsParallel {
+    const FORGETS_PARALLEL: bool = true;
+}
+
+/// Liang–Barsky with this mistake.
+pub type FaultyLiangBarsky = LineClip<2, Window, ForgetsParallel>;
 
 /// The slope is turned over, Δx/Δy where Δy/Δx belongs; measured, as most programs do, along what is left.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -34,6 +34,8 @@ pub trait LineRules: Copy + 'static {
     const DIVIDES_FIRST: bool = false;
     /// Is what lies outside of each plane taken for its inside?
     const TURNS_NORMALS: bool = false;
+    /// Is a line that runs parallel to a plane taken for inside, and nobody looks?
+    const FORGETS_PARALLEL: bool = false;
 }
 
 impl LineRules for Right {}
@@ -188,7 +190,7 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
             }
             tell.tell(held, Event::Row { plane, row })?;
             let visible = if p == R::new(0.0) {
-                let inside = q >= R::new(0.0);
+                let inside = L::FORGETS_PARALLEL || q >= R::new(0.0);
                 let q = B::shown(q.get());
                 tell.tell(held, Event::Parallel { plane, q, inside })?;
                 inside

@@ -3,7 +3,13 @@
 
 use crate::{
     algo::{
-        line::{self, WindowInput, faulty::OutwardCyrusBeck},
+        line::{
+            self, WindowInput,
+            faulty::{
+                FaultyCohenSutherland, FaultyLiangBarsky, LooksOnce, OutwardCyrusBeck,
+                RejectsTwoOutside,
+            },
+        },
         why::{DoubleArea, Mean, Strips, Why},
     },
     figure::Body,
@@ -89,8 +95,8 @@ fn pass<M: LineTelling>(scene: &Scene, segments: &[Segment]) -> Pass {
     Box::new(move || inputs.iter().filter_map(silent::<M>).count())
 }
 
-/// Every method, in the order in which they are taught; the mistake last.
-pub static METHODS: [MethodEntry<MethodInfo>; 9] = [
+/// Every method, in the order in which they are taught; mistakes last.
+pub static METHODS: [MethodEntry<MethodInfo>; 12] = [
     info::<line::BruteForce>(),
     info::<line::CohenSutherland>(),
     info::<line::LiangBarsky>(),
@@ -99,6 +105,9 @@ pub static METHODS: [MethodEntry<MethodInfo>; 9] = [
     why::<Why<Mean>, line::BruteForce>(),
     why::<Why<Strips>, line::LiangBarsky>(),
     why::<Why<DoubleArea>, line::NichollLeeNicholl>(),
+    wrong::<FaultyCohenSutherland<LooksOnce>, line::CohenSutherland>(),
+    wrong::<FaultyCohenSutherland<RejectsTwoOutside>, line::CohenSutherland>(),
+    wrong::<FaultyLiangBarsky, line::LiangBarsky>(),
     wrong::<OutwardCyrusBeck, line::CyrusBeck>(),
 ];
 

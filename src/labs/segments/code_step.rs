@@ -1,7 +1,7 @@
 //! Clipping by codes, told: in the plane and in space the same steps, said in each one's own words.
 
 use crate::{
-    algo::segment::{CodeClip, CodeEvent, Coded},
+    algo::segment::{CodeClip, CodeEvent, CodeRules, Coded},
     figure::{BitRow, Bits, Glimpse},
 };
 
@@ -31,8 +31,6 @@ pub type EventOf<const N: usize, I> = CodeEvent<N, <I as Coded<N>>::Code, <I as 
 
 pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
     type Scenery: Send + Sync + 'static;
-    const ID: &'static str;
-    const NAME_KEY: &'static str;
     const SOURCE: &'static str;
     const KEYS: CodeKeys;
 
@@ -73,6 +71,15 @@ pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
     fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
 }
 
+/// How the method is called by one set of rules.
+pub trait CodeVariant<const N: usize, I: Coded<N>>: CodeRules<N, I> {
+    const ID: &'static str;
+    const NAME_KEY: &'static str;
+    const CODE: &'static [CodeLine] = &LINES;
+    /// Of a mistake: what is said at the first step that the right rules do not do.
+    const DIFFERS_KEY: Option<&'static str> = None;
+}
+
 pub struct CodeStep<'a, const N: usize, I: Coded<N>> {
     pub input: &'a I,
     pub event: Option<EventOf<N, I>>,
@@ -88,7 +95,7 @@ pub struct CodeStep<'a, const N: usize, I: Coded<N>> {
 }
 
 impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
-    pub fn of(step: &Step<'a, CodeClip<N, I>>) -> Self {
+    pub fn of<L: CodeRules<N, I>>(step: &Step<'a, CodeClip<N, I, L>>) -> Self {
         let mut shown = Self {
             input: step.input,
             event: step.event(),
@@ -123,7 +130,8 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
                 self.n_cuts[end.idx()] += 1;
             }
             CodeEvent::Accept { ends } => self.verdict = Some(Some(ends)),
-            CodeEvent::Choose { .. } | CodeEvent::Reject { .. } => {}
+            CodeEvent::Reject { .. } => self.verdict = Some(None),
+            CodeEvent::Choose { .. } => {}
         }
     }
 
@@ -268,12 +276,16 @@ impl<'a, const N: usize, I: CodeLook<N>> CodeStep<'a, N, I> {
 
 const CODES_VIEW: &str = "codes";
 
-const CODES: usize = 0;
-const ACCEPT: usize = 2;
-const REJECT: usize = 3;
-const CHOOSE: usize = 4;
-const CUT: usize = 6;
-const RECODE: usize = 7;
+pseudocode! {
+    CODES: 0, "code-cs-codes", "words-cs-codes";
+    LOOP: 0, "code-cs-loop", "words-cs-loop";
+    ACCEPT: 1, "code-cs-accept", "words-cs-accept";
+    REJECT: 1, "code-cs-reject", "words-cs-reject";
+    CHOOSE: 1, "code-cs-choose", "words-cs-choose";
+    END: 1, "code-cs-end", "words-cs-end";
+    CUT: 1, "code-cs-cut", "words-cs-cut";
+    RECODE: 1, "code-cs-recode", "words-cs-recode";
+}
 
 const fn code_row(line: usize, key: &'static str) -> Row {
     Row::new(Test, line, key)
@@ -281,22 +293,18 @@ const fn code_row(line: usize, key: &'static str) -> Row {
         .about("end")
 }
 
-impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
+impl<const N: usize, I, L> Telling for CodeClip<N, I, L>
+where
+    I: CodeLook<N>,
+    L: CodeVariant<N, I>,
+{
     type Scenery = I::Scenery;
 
-    const ID: &'static str = I::ID;
-    const NAME_KEY: &'static str = I::NAME_KEY;
+    const ID: &'static str = L::ID;
+    const NAME_KEY: &'static str = L::NAME_KEY;
     const SOURCE: &'static str = I::SOURCE;
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-cs-codes", "words-cs-codes"),
-        code_line(0, "code-cs-loop", "words-cs-loop"),
-        code_line(1, "code-cs-accept", "words-cs-accept"),
-        code_line(1, "code-cs-reject", "words-cs-reject"),
-        code_line(1, "code-cs-choose", "words-cs-choose"),
-        code_line(1, "code-cs-end", "words-cs-end"),
-        code_line(1, "code-cs-cut", "words-cs-cut"),
-        code_line(1, "code-cs-recode", "words-cs-recode"),
-    ];
+    const CODE: &'static [CodeLine] = L::CODE;
+    const DIFFERS_KEY: Option<&'static str> = L::DIFFERS_KEY;
     const WATCH: &'static [Watched] = &[
         Watched::Names(&["P₁", "P₂", "t"]),
         Watched::Seen(&["code₁", "code₂", "OR", "AND"], CODES_VIEW),
@@ -340,6 +348,9 @@ impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
         touch: CodeEvent::Accept { ends } if is_point(ends) =>
             Row::new(Accept, ACCEPT, I::KEYS.one_point[0]);
         accept: CodeEvent::Accept { .. } => Row::new(Accept, ACCEPT, "line-accept");
+        reject_two: CodeEvent::Reject { and } if and == I::Code::default() =>
+            Row::new(Reject, REJECT, "cs-reject-two")
+                .so(&["code₁ = {code₁} ≠ 0", "code₂ = {code₂} ≠ 0"]);
         reject: CodeEvent::Reject { .. } => Row::new(Reject, REJECT, I::KEYS.reject);
     }
 
@@ -370,8 +381,8 @@ impl<const N: usize, I: CodeLook<N>> Telling for CodeClip<N, I> {
 }
 
 /// Is it one of the first two codes, before any cut? And how many bits are set, three at most.
-fn found<const N: usize, I: CodeLook<N>>(
-    step: &Step<'_, CodeClip<N, I>>,
+fn found<const N: usize, I: CodeLook<N>, L: CodeRules<N, I>>(
+    step: &Step<'_, CodeClip<N, I, L>>,
     code: I::Code,
 ) -> (bool, usize) {
     let sides = step.input.written().into_iter();

@@ -17,7 +17,7 @@ const AXIS_VIEW: &str = "axis";
 
 pub const START: usize = 0;
 pub const EACH: usize = 1;
-const PARALLEL: usize = 2;
+pub const PARALLEL: usize = 2;
 const ENTER: usize = 3;
 const LEAVE: usize = 4;
 const EMPTY: usize = 5;
@@ -76,6 +76,8 @@ where
         goes_out: LineEvent::Row { row, .. } if row.p_and_q()[0] > 0.0 =>
             plane_row(B::KEYS.row[1]);
         goes_along: LineEvent::Row { .. } => plane_row(B::KEYS.row[2]);
+        not_asked: LineEvent::Parallel { .. } if L::FORGETS_PARALLEL =>
+            row(Phase, PARALLEL, "lb-parallel-forgotten").so(&["{of q}{q}"]);
         inside: LineEvent::Parallel { inside: true, .. } =>
             row(Test, PARALLEL, B::KEYS.parallel[0]).so(&["{of q}{q} ≥ 0"])
                 .answers("parallel").keeps("segment");

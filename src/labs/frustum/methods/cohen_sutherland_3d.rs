@@ -9,7 +9,7 @@ use crate::{
         frustum::prelude::*,
         segments::{
             CodeStep,
-            code_step::{CodeKeys, CodeLook},
+            code_step::{CodeKeys, CodeLook, CodeVariant},
         },
     },
 };
@@ -79,11 +79,14 @@ fn fate(input: &Input, asked: Option<End>) -> Option<Fate> {
     fate
 }
 
+impl CodeVariant<3, Input> for Right {
+    const ID: &'static str = "cohen-sutherland-3d";
+    const NAME_KEY: &'static str = "alg-cohen-sutherland-3d";
+}
+
 impl CodeLook<3> for Input {
     type Scenery = Scenery;
 
-    const ID: &'static str = "cohen-sutherland-3d";
-    const NAME_KEY: &'static str = "alg-cohen-sutherland-3d";
     const SOURCE: &'static str = "Newman & Sproull, 1973";
     const KEYS: CodeKeys = CodeKeys {
         opening: "space-line-opening-box",

@@ -1,14 +1,18 @@
 //! Cohen–Sutherland, shown.
 
 use crate::{
-    algo::line::{
-        BitOrder, CohenSutherland, CohenSutherlandEvent as Event, CohenSutherlandInput as Input,
-        Outcode,
+    algo::{
+        line::{
+            BitOrder, CohenSutherlandEvent as Event, CohenSutherlandInput as Input, Outcode,
+            faulty::{LooksOnce, RejectsTwoOutside},
+        },
+        ring::Right,
+        segment::CodeClip,
     },
     labs::{
         segments::{
             CodeStep,
-            code_step::{CodeKeys, CodeLook},
+            code_step::{ACCEPT, CodeKeys, CodeLook, CodeVariant, LINES, REJECT},
         },
         words::position_formula,
     },
@@ -24,7 +28,7 @@ use super::{
 
 type Shown<'a> = CodeStep<'a, 2, Input>;
 
-impl LineTelling for CohenSutherland {
+impl<L: CodeVariant<2, Input>> LineTelling for CodeClip<2, Input, L> {
     const WRITES_CODES: bool = true;
 
     fn input(scene: &Scene, segment: Segment) -> Input {
@@ -44,11 +48,25 @@ impl LineTelling for CohenSutherland {
     }
 }
 
+impl CodeVariant<2, Input> for Right {
+    const ID: &'static str = "cohen-sutherland";
+    const NAME_KEY: &'static str = "alg-cohen-sutherland";
+}
+
+mistakes! { CodeVariant<2, Input>:
+    LooksOnce {
+        "faulty-looks-once", "alg-faulty-looks-once", "faulty-looks-once-differs";
+        CODE = LINES but ACCEPT: "code-faulty-looks-once" "words-faulty-looks-once";
+    }
+    RejectsTwoOutside {
+        "faulty-two-outside", "alg-faulty-two-outside", "faulty-two-outside-differs";
+        CODE = LINES but REJECT: "code-faulty-two-outside" "words-faulty-two-outside";
+    }
+}
+
 impl CodeLook<2> for Input {
     type Scenery = ();
 
-    const ID: &'static str = "cohen-sutherland";
-    const NAME_KEY: &'static str = "alg-cohen-sutherland";
     const SOURCE: &'static str = "D. Cohen, I. Sutherland, 1967; Newman & Sproull, 1973";
     const KEYS: CodeKeys = CodeKeys {
         opening: "line-opening",

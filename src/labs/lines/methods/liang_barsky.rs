@@ -1,8 +1,15 @@
 //! Liang–Barsky, shown.
 
 use crate::{
-    algo::{line::LiangBarsky, ring::Right},
-    labs::segments::{LineKeys, LineLook, LineStep, LineVariant, SeenRow},
+    algo::{
+        line::faulty::ForgetsParallel,
+        ring::Right,
+        segment::{LineClip, LineRules},
+    },
+    labs::segments::{
+        LineKeys, LineLook, LineStep, LineVariant, SeenRow,
+        inequalities::{N_LINES, PARALLEL},
+    },
 };
 
 use super::{
@@ -10,7 +17,17 @@ use super::{
     shared::{SegmentInterval, bounded, ends, outside_marks, point, put_formulas, side, side_key},
 };
 
-impl LineTelling for LiangBarsky {
+const LINES: [CodeLine; N_LINES] = [
+    code_line(0, "code-lb-start", "words-lb-start"),
+    code_line(0, "code-lb-each", "words-lb-each"),
+    code_line(1, "code-lb-parallel", "words-lb-parallel"),
+    code_line(1, "code-lb-enter", "words-lb-enter"),
+    code_line(1, "code-lb-leave", "words-lb-leave"),
+    code_line(1, "code-lb-empty", "words-lb-empty"),
+    code_line(0, "code-lb-accept", "words-lb-accept"),
+];
+
+impl<L: LineRules + LineVariant<2, Window>> LineTelling for LineClip<2, Window, L> {
     fn input(scene: &Scene, segment: Segment) -> WindowInput {
         scene.with(segment)
     }
@@ -23,15 +40,14 @@ impl LineTelling for LiangBarsky {
 impl LineVariant<2, Window> for Right {
     const ID: &'static str = "liang-barsky";
     const NAME_KEY: &'static str = "alg-liang-barsky";
-    const CODE: &'static [CodeLine] = &[
-        code_line(0, "code-lb-start", "words-lb-start"),
-        code_line(0, "code-lb-each", "words-lb-each"),
-        code_line(1, "code-lb-parallel", "words-lb-parallel"),
-        code_line(1, "code-lb-enter", "words-lb-enter"),
-        code_line(1, "code-lb-leave", "words-lb-leave"),
-        code_line(1, "code-lb-empty", "words-lb-empty"),
-        code_line(0, "code-lb-accept", "words-lb-accept"),
-    ];
+    const CODE: &'static [CodeLine] = &LINES;
+}
+
+mistakes! { LineVariant<2, Window>:
+    ForgetsParallel {
+        "faulty-parallel", "alg-faulty-parallel", "faulty-parallel-differs";
+        CODE = LINES but PARALLEL: "code-faulty-parallel" "words-faulty-parallel";
+    }
 }
 
 impl LineLook<2> for Window {
