@@ -15,10 +15,14 @@ if ! chromium >/dev/null || ! command -v node >/dev/null; then
 fi
 CHROMIUM=$(chromium)
 export CHROMIUM
+# What plays a learning platform, for these tests alone.
+target=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
+scorm=$target/scorm-again-3.4.3
+[ -d "$scorm" ] || { command -v npm || install npm; npm install --silent --no-fund --no-audit --prefix "$scorm" scorm-again@3.4.3; } >&2
+export SCORM_AGAIN=$scorm/node_modules/scorm-again
 
 [ -n "${SKIP_BUILD:-}" ] || ./build.sh --quick
 # What the desktop says of the same scenes.
-target=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
 [ -n "${CLIPSCOPE:-}" ] || cargo build --manifest-path ../Cargo.toml --locked --bin clipscope
 export CLIPSCOPE=${CLIPSCOPE:-$target/debug/clipscope}
 exec node tests/run.mjs "$@"

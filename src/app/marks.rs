@@ -29,6 +29,12 @@ impl App {
         told.unwrap_or_default()
     }
 
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn reached_of_step(&self) -> Option<bool> {
+        let opened = self.bookmark.lesson().zip(self.bookmark.step());
+        opened.and_then(|(lesson, step)| self.reached_of(lesson, step))
+    }
+
     /// `3 / 5`: of a lesson's questions and goals so many have been told and reached; nothing where none has.
     pub(super) fn tally_of(&self, lesson: &Lesson) -> String {
         let tally = self.settings.progress.of_lesson(lesson);

@@ -24,15 +24,22 @@ pub struct Progress {
     pub steps: BTreeMap<String, Mark>,
 }
 
-/// A step that was seen, and how its question was answered.
+/// A step that was seen, and how its question was answered. What is not so yet is not written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Mark {
+    #[serde(skip_serializing_if = "is_nothing")]
     pub told: Told,
     /// Has its goal been reached?
+    #[serde(skip_serializing_if = "is_nothing")]
     pub reached: bool,
     /// How many parts of the hint towards it have been seen.
+    #[serde(skip_serializing_if = "is_nothing")]
     pub hints: usize,
+}
+
+fn is_nothing<T: Default + PartialEq>(of: &T) -> bool {
+    *of == T::default()
 }
 
 /// How a question was answered, the better the later.
@@ -129,6 +136,18 @@ impl Progress {
             steps: steps.map(|(name, mark)| (name.clone(), *mark)).collect(),
         };
         of_these.json().to_string()
+    }
+
+    /// As much as there can be of a lesson.
+    pub fn mark_all(&mut self, lesson: &Lesson) {
+        for step in &lesson.steps {
+            let mark = Mark {
+                told: step.asks.map_or(Told::Open, |_| Told::AfterTheNumbers),
+                reached: step.goal.is_some(),
+                hints: step.goal.as_ref().map_or(0, |_| 9),
+            };
+            self.steps.insert(name(&lesson.id, &step.id), mark);
+        }
     }
 
     fn json(&self) -> serde_json::Value {

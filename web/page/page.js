@@ -137,7 +137,7 @@ async function run() {
   watch();
   keepKeys(canvas);
   if (EMBED) embed(canvas);
-  if (PACKED_LESSONS && !location.hash) location.hash = PACKED_LESSONS[0];
+  if (PACKED_LESSONS && !location.hash) location.replace(`#${PACKED_LESSONS[0]}`);
   const course = await otherCourse();
   await startUnfocused(() => app.start(canvas, beside, ...course));
   talk();
@@ -155,14 +155,20 @@ async function keep() {
   const kept = await navigator.serviceWorker.register(new URL("sw.js", location.href)).catch(() => null);
   kept?.addEventListener("updatefound", () => {
     const newer = kept.installing;
-    newer?.addEventListener("statechange", () => {
-      if (newer.state !== "installed" || !navigator.serviceWorker.controller) return;
-      at("newer").textContent = say.newer;
-      at("newer").href = location.href;
-      at("newer").onclick = () => location.reload();
-      at("newer").hidden = false;
-    });
+    newer?.addEventListener("statechange", () => newer.state === "installed" && navigator.serviceWorker.controller && tellNewer());
   });
+  document.addEventListener("visibilitychange", () => document.hidden || kept?.update().catch(() => {}));
+}
+
+/// A page that came with the newer set is no older than that.
+async function tellNewer() {
+  const answer = await fetch(new URL("index.html", location.href), { cache: "no-cache" }).catch(() => null);
+  const own = new URL(import.meta.url).pathname.split("/").pop();
+  if (!answer?.ok || (await answer.text()).includes(own)) return;
+  at("newer").textContent = say.newer;
+  at("newer").href = location.href;
+  at("newer").onclick = () => location.reload();
+  at("newer").hidden = false;
 }
 
 run().catch((error) => {

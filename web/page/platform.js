@@ -1,33 +1,21 @@
 // A learning platform around this page: SCORM 1.2 by the API of a window around it, or SPLICE by messages to it. What a student has
 // reached is the app's own score (0 to 1) of some lessons and the marks that it comes from; nothing is reckoned here.
 
-/// What SCORM 1.2 keeps of a state.
-const MOST_STATE = 4096;
-
-/// The state, without steps that were only seen where there is no room for them.
-function fitting(progress) {
-  if (progress.length <= MOST_STATE) return progress;
-  const state = JSON.parse(progress);
-  const steps = Object.entries(state.steps).filter(([, mark]) => mark.told !== "open" || mark.reached);
-  const short = JSON.stringify({ ...state, steps: Object.fromEntries(steps) });
-  return short.length <= MOST_STATE ? short : null;
-}
-
-/// Has `heard` told of each answer, and of every change, once all of a frame has been told.
+/// Has `heard` told of all answers and goals of a frame, and of every change, once all of it has been told.
 function listen(heard) {
-  const now = { score: null, open: null, progress: null };
-  let answers = [];
+  const now = { page: null, score: null, open: null, progress: null };
+  let done = [];
   let waits = false;
   addEventListener("clipscope-told", ({ detail }) => {
-    const told = JSON.parse(detail);
-    if (told.answered) answers.push(told);
-    if (told.progress) Object.assign(now, told);
-    if (waits || !(told.answered || told.progress)) return;
+    const { answered, reached, ...told } = JSON.parse(detail);
+    if (answered || reached) done.push({ page: told.page, answered: answered ?? "reached" });
+    Object.assign(now, told);
+    if (waits) return;
     waits = true;
     queueMicrotask(() => {
       waits = false;
-      heard(now, answers);
-      answers = [];
+      heard(now, done);
+      done = [];
     });
   });
 }
@@ -46,30 +34,36 @@ function scormApi() {
   }
 }
 
-/// `HHHH:MM:SS.SS`, as SCORM 1.2 writes a time.
+/// `HH:MM:SS`.
 export function timespan(ms) {
-  const two = (n) => String(n).padStart(2, "0");
   const secs = Math.floor(ms / 1000);
-  return `${String(Math.floor(secs / 3600)).padStart(4, "0")}:${two(Math.floor(secs / 60) % 60)}:${two(secs % 60)}`;
+  return [secs / 3600, (secs / 60) % 60, secs % 60].map((n) => String(Math.floor(n)).padStart(2, "0")).join(":");
 }
 
 /// Reports these lessons to a SCORM 1.2 platform, if there is one.
 export function scorm(lessons, ask) {
   const api = scormApi();
   if (!api) return false;
+  const get = (key) => String(api.LMSGetValue(key));
   const set = (key, value) => api.LMSSetValue(key, String(value));
   const began = Date.now();
   api.LMSInitialize("");
-  if (!["completed", "passed", "failed"].includes(api.LMSGetValue("cmi.core.lesson_status"))) {
+  if (!["completed", "passed", "failed"].includes(get("cmi.core.lesson_status"))) {
     set("cmi.core.lesson_status", "incomplete");
     api.LMSCommit("");
   }
-  let n = Number(api.LMSGetValue("cmi.interactions._count")) || 0;
-  listen(({ score, open, progress }, answers) => {
-    const state = fitting(progress ?? "");
-    if (state) set("cmi.suspend_data", state);
-    if (answers.length === 0) return;
-    for (const { page, answered } of answers) {
+  // What this browser remembers may be another student's.
+  ask({ scored: lessons, afresh: true, progress: get("cmi.suspend_data") || null });
+  const place = get("cmi.core.lesson_location");
+  if (place && location.hash === `#${lessons[0]}`) location.replace(`#${place}`);
+  let n = Number(get("cmi.interactions._count")) || 0;
+  let isOver = false;
+  listen(({ page, score, open, progress }, done) => {
+    if (isOver) return;
+    if (progress) set("cmi.suspend_data", progress);
+    if (page) set("cmi.core.lesson_location", page);
+    if (done.length === 0) return;
+    for (const { page, answered } of done) {
       set(`cmi.interactions.${n}.id`, page.replace(/[^A-Za-z0-9]+/g, "_"));
       set(`cmi.interactions.${n}.type`, "performance");
       set(`cmi.interactions.${n}.result`, answered === "missed" ? "wrong" : "correct");
@@ -81,17 +75,20 @@ export function scorm(lessons, ask) {
     if (open === 0) set("cmi.core.lesson_status", "completed");
     api.LMSCommit("");
   });
-  const kept = api.LMSGetValue("cmi.suspend_data");
-  ask({ scored: lessons, progress: kept || null });
-  let isOver = false;
+  const keep = () => {
+    set("cmi.core.session_time", timespan(Date.now() - began));
+    api.LMSCommit("");
+  };
+  document.addEventListener("visibilitychange", () => document.hidden && !isOver && keep());
   addEventListener("pagehide", () => {
     if (isOver) return;
-    isOver = true;
-    set("cmi.core.session_time", timespan(Date.now() - began));
     set("cmi.core.exit", "suspend");
-    api.LMSCommit("");
+    keep();
+    isOver = true;
     api.LMSFinish("");
   });
+  // A page that the browser has kept as it was has been finished.
+  addEventListener("pageshow", ({ persisted }) => persisted && location.reload());
   return true;
 }
 
@@ -99,7 +96,7 @@ export function scorm(lessons, ask) {
 export function splice(lessons, ask) {
   const parent = window.parent;
   if (parent === window) return;
-  const activity = location.href;
+  const activity = new URL(`#${lessons.join()}`, location.href).href;
   let n = 0;
   const post = (subject, more) => {
     n += 1;
@@ -112,10 +109,10 @@ export function splice(lessons, ask) {
     isTold = true;
     post("SPLICE.reportScoreAndState", { score: latest.score, state: latest.progress });
   };
-  listen((now, answers) => {
-    [latest, isTold] = [{ ...now }, false];
-    for (const { page, answered } of answers) post("SPLICE.sendEvent", { name: "answered", data: { page, answered } });
-    if (answers.length > 0) report();
+  listen((now, done) => {
+    if (now.progress && now.progress !== latest?.progress) [latest, isTold] = [{ ...now }, false];
+    for (const data of done) post("SPLICE.sendEvent", { name: "answered", data });
+    if (done.length > 0) report();
   });
   addEventListener("message", ({ source, data }) => {
     const isAnswer = source === parent && data?.subject === "SPLICE.getState.response";

@@ -8,13 +8,14 @@ import { gunzipSync } from "node:zlib";
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".png": "image/png", ".json": "application/json" };
 
 /// `manner` is what the server does to files of the program: "well", "cut" (half of it, then the connection ends), "short" (half of
-/// it, and calls that all), "inflated" (what is gzipped it unpacks), "gone".
+/// it, and calls that all), "inflated" (what is gzipped it unpacks), "gone". `pages` are there besides, by their names.
 export async function serve(folder, path = "/a/school/clipscope/") {
-  const state = { manner: "well", asked: [] };
+  const state = { manner: "well", asked: [], pages: new Map() };
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
     state.asked.push(pathname);
     const name = normalize(decodeURIComponent(pathname.slice(path.length)) || "index.html");
+    if (state.pages.has(name)) return response.writeHead(200, { "content-type": TYPES[extname(name)] }).end(state.pages.get(name));
     const file = join(folder, name.endsWith("/") ? `${name}index.html` : name);
     if (!pathname.startsWith(path) || name.startsWith("..") || !existsSync(file)) return response.writeHead(404).end();
     const isProgram = /\.(bin|wasm)$/.test(file);

@@ -206,3 +206,5 @@ table-file = file
 table-score = score
 
 pack-one-folder = A page takes one course: name one folder.
+pack-too-many =
+    These lessons have { $count } characters of marks, and SCORM 1.2 keeps { $most } of a student: make packages of fewer lessons.

@@ -202,3 +202,5 @@ table-file = archivo
 table-score = puntuación
 
 pack-one-folder = Una página admite un solo curso: indica una sola carpeta.
+pack-too-many =
+    Las marcas de estas lecciones ocupan { $count } caracteres, y SCORM 1.2 guarda { $most } de cada estudiante: haz paquetes con menos lecciones.

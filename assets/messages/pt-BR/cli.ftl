@@ -200,3 +200,5 @@ table-file = arquivo
 table-score = pontuação
 
 pack-one-folder = Uma página aceita um só curso: indique uma única pasta.
+pack-too-many =
+    As marcas destas lições ocupam { $count } caracteres, e o SCORM 1.2 guarda { $most } de cada estudante: faça pacotes com menos lições.

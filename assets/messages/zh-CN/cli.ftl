@@ -168,3 +168,4 @@ table-file = 文件
 table-score = 得分
 
 pack-one-folder = 一个网页只能放一门课程：请只给出一个文件夹。
+pack-too-many = 这些课的学习记录有 { $count } 个字符，而 SCORM 1.2 只为每位学生保存 { $most } 个字符：请把课分成几个包。

@@ -15,7 +15,8 @@ pub struct Talk {
     place: String,
     stands: Option<Stands>,
     told: Json,
-    answered: Option<(String, Told)>,
+    /// Of the open step: how its question is answered, and whether its goal is reached.
+    done: Option<(String, Told, Option<bool>)>,
     /// The lessons whose score the page wants, and the marks that it has been told of.
     scored: Vec<String>,
     marks: Option<Progress>,
@@ -44,7 +45,8 @@ impl Stands {
 }
 
 /// What another page may ask: `{"page": "05-intervals/entering", "lang": "es", "theme": "dark"}`, each or all of it. A platform asks for
-/// the score of lessons, `{"scored": ["05-intervals"]}`, and brings marks that it has kept, `{"progress": "…"}`.
+/// the score of lessons, `{"scored": ["05-intervals"]}`, and brings marks that it has kept, `{"progress": "…"}`, to which others than its own
+/// student's are not added: `{"afresh": true}`.
 #[derive(Default, Deserialize)]
 #[serde(default)]
 struct Asked {
@@ -53,6 +55,7 @@ struct Asked {
     lang: Option<Lang>,
     theme: Option<ThemeKind>,
     scored: Option<Vec<String>>,
+    afresh: bool,
     progress: Option<String>,
 }
 
@@ -79,11 +82,18 @@ impl Talk {
     }
 
     fn obey(&mut self, app: &mut App, asked: Asked) {
+        if asked.afresh {
+            app.begin_afresh();
+        }
+        if let Some(progress) = &asked.progress {
+            app.take_up_marks(progress.as_bytes());
+        }
+        if asked.afresh || asked.progress.is_some() {
+            // What was done another time is not told again.
+            self.done = None;
+        }
         if let Some(page) = asked.page {
             app.open_link(&format!("#{page}"));
-        }
-        if let Some(progress) = asked.progress {
-            app.take_up_marks(progress.as_bytes());
         }
         self.scored = asked
             .scored
@@ -105,15 +115,21 @@ impl Talk {
             tell(&now);
             self.told = now;
         }
-        let answered = Some((place, app.told_of_step()));
-        if self.answered != answered {
-            let before = self.answered.take();
-            if let (Some((before, _)), Some((now, told))) = (before, &answered)
-                && before == *now
-            {
-                tell(&json!({"page": now, "answered": told}));
-            }
-            self.answered = answered;
+        self.tell_done((place, app.told_of_step(), app.reached_of_step()));
+    }
+
+    /// What has been answered or reached since the frame before, on the same page.
+    fn tell_done(&mut self, now: (String, Told, Option<bool>)) {
+        let before = self.done.replace(now.clone());
+        let (page, told, reached) = now;
+        let Some(before) = before.filter(|before| before.0 == page) else {
+            return;
+        };
+        if before.1 != told {
+            tell(&json!({"page": page, "answered": told}));
+        }
+        if before.2 != reached && reached == Some(true) {
+            tell(&json!({"page": page, "reached": true}));
         }
     }
 

@@ -56,6 +56,11 @@ pub(super) fn pack(args: &Args) -> Outcome {
     if !matches!(read, Outcome::Done) {
         return Outcome::Unusable;
     }
+    if let Some(kept) = scorm::too_much(&chosen.lessons) {
+        let message = Message::new("pack-too-many").with("count", kept);
+        say(args.lang, &message.with("most", scorm::MOST_STATE));
+        return Outcome::Unusable;
+    }
     let out = args.out.clone();
     let out = out.unwrap_or_else(|| format!("{}.zip", first.id).into());
     match scorm::package(&args.page, &chosen.lessons, args.lang) {

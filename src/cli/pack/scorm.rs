@@ -9,11 +9,28 @@ use std::{
 
 use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 
-use crate::{lesson::Lesson, text::Lang};
+use crate::{
+    lesson::{Lesson, Progress},
+    text::Lang,
+};
 
 /// What a package has no use for: it is not there without its platform, and is no page of its own.
 const LEFT_OUT: [&str; 2] = ["sw.js", "example.html"];
 const PAGE: &str = "index.html";
+/// What SCORM 1.2 keeps of a student, in characters.
+pub const MOST_STATE: usize = 4096;
+
+/// How long the marks of these lessons become, where that is more than a platform keeps.
+pub fn too_much(lessons: &[Lesson]) -> Option<usize> {
+    let lessons: Vec<&Lesson> = lessons.iter().collect();
+    let mut all = Progress {
+        begun: u64::from(u32::MAX),
+        ..Progress::default()
+    };
+    lessons.iter().for_each(|lesson| all.mark_all(lesson));
+    let length = all.written_of(&lessons).chars().count();
+    (length > MOST_STATE).then_some(length)
+}
 
 /// The bytes of the package; the same for the same page.
 pub fn package(page: &Path, lessons: &[Lesson], lang: Lang) -> io::Result<Vec<u8>> {
@@ -140,6 +157,13 @@ mod tests {
             course.lessons[0].id, course.lessons[1].id
         );
         assert!(manifest.contains(&launched), "{manifest}");
+    }
+
+    #[test]
+    fn what_a_platform_keeps_has_room_for_a_chapter() {
+        let course = Course::embedded();
+        assert_eq!(too_much(&course.lessons[..8]), None);
+        assert!(too_much(&course.lessons).is_some_and(|length| length > 10_000));
     }
 
     #[test]
