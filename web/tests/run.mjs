@@ -1,4 +1,5 @@
-// Opens the page in a real browser and looks at it: `node run.mjs [PART OF A NAME]`. test.sh builds what it needs.
+// Opens the page in a real browser and looks at it: `node run.mjs [PART OF A NAME]`. test.sh builds what it needs. `PART=1/2` takes
+// every second test, for two that run beside each other.
 
 import { bench, server, tests } from "./bench.mjs";
 import { Browser } from "./browser.mjs";
@@ -7,9 +8,11 @@ import "./platforms.mjs";
 import "./links.mjs";
 
 const wanted = process.argv[2] ?? "";
+const [part, parts] = (process.env.PART ?? "1/1").split("/").map(Number);
+const chosen = tests.filter(({ name }, i) => name.includes(wanted) && i % parts === part - 1);
 let n_failed = 0;
 const began = Date.now();
-for (const { name, run } of tests.filter(({ name }) => name.includes(wanted))) {
+for (const { name, run } of chosen) {
   const start = Date.now();
   server.state.manner = "well";
   try {
@@ -25,5 +28,5 @@ for (const { name, run } of tests.filter(({ name }) => name.includes(wanted))) {
 }
 await bench.browser.close();
 server.close();
-console.log(`${n_failed} failed, in ${((Date.now() - began) / 1000).toFixed(0)} s`);
+console.log(`${n_failed} of ${chosen.length} failed, in ${((Date.now() - began) / 1000).toFixed(0)} s`);
 process.exit(n_failed ? 1 : 0);
