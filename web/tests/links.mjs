@@ -87,11 +87,12 @@ test("another course is opened from beside the page, and one that is not there i
     desktop("pack", "--web", join(folder, "own"));
     server.state.pages.set("courses/ours/course.json", readFileSync(join(folder, "own/course.json")));
     const page = await opened({ search: "?course=courses/ours/", init: PLAIN });
-    assert((await read(page)).includes("A lesson of ours"), await read(page));
+    const labels = (page) => page.see("[...document.querySelectorAll('#mirror [aria-label]')].map((it) => it.ariaLabel).join()");
+    assert((await labels(page)).includes("A lesson of ours"), await labels(page));
     assert((await copied(page)).startsWith(`${server.url}?course=courses/ours/#`));
     assertQuiet(page);
     const lost = await opened({ search: "?course=courses/nobodys", init: PLAIN });
-    const said = await read(lost);
+    const said = (await read(lost)) + (await labels(lost));
     assert(said.includes("courses/nobodys") && !said.includes("A lesson of ours"));
   }));
 
