@@ -26,7 +26,7 @@ const SPACING: Spacing = Spacing {
     gutter: 0.0,
     inset: INDENT,
     titled: 2.0 * INDENT,
-    name: 44.0,
+    name: 36.0,
     over_caption: 0.0,
     keeps: 0.75,
     is_fixed: true,
@@ -114,16 +114,24 @@ fn lay_out(
 ) -> Layout {
     let width = composition.column_width(rect);
     let look = composition.look;
-    let own = *state.captions.get(app.on_stage(), ui, width, || {
-        height_for_all(ui.painter(), look, app.playback.sentences(), width)
-    });
     // Two methods leave no room for sentences that are not shown.
     let album = app
         .album
         .as_ref()
         .filter(|_| composition.headings.len() == 1);
     let lesson = album.map(|album| album.caption_height(ui.painter(), look, width));
-    let caption = lesson.map_or(own, |lesson| lesson.max(own));
+    // The lesson's sentences are those of its scenes.
+    let is_told = album.is_some_and(|album| album.find(app.scene()).is_some());
+    let mut own = || {
+        *state.captions.get(app.on_stage(), ui, width, || {
+            height_for_all(ui.painter(), look, app.playback.sentences(), width)
+        })
+    };
+    let caption = match lesson {
+        Some(lesson) if is_told => lesson,
+        Some(lesson) => lesson.max(own()),
+        None => own(),
+    };
     ui.painter()
         .rect_filled(rect, 0.0, app.look().theme.background);
     let heights = [caption, 0.0];

@@ -10,12 +10,12 @@ use super::{
     lens::Lens,
     run::Run,
     small_pictures::{Multiples, Raster, Tiles},
-    values::{Bits, Costs, Lists},
+    values::{Bits, Costs, Lists, Products},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
 };
 
-use tables::{table_need, whole_table};
+use tables::{Letters, TableRoom};
 
 /// Steps of a run that are asked what they show: a view that comes or grows is there at one of them.
 const MOST_ASKED: usize = 24;
@@ -63,6 +63,11 @@ pub struct Need {
 
 impl View {
     pub fn need(&self) -> Need {
+        self.need_said(&mut Letters::default())
+    }
+
+    fn need_said(&self, letters: &mut Letters) -> Need {
+        let mut whole = [0.0; 2];
         let (stand, least, natural) = match &self.body {
             Body::Plane(_) => (Stand::Drawing, DRAWING[0], DRAWING[1]),
             Body::Space(space) => match Lens::from(space.seer).aspect() {
@@ -89,8 +94,9 @@ impl View {
             Body::Clippers(_) => (Stand::Across, [25.5, 5.6], [f32::MAX, 6.8]),
             Body::Bits(bits) => bits_need(bits),
             Body::Table(table) => {
-                let [least, natural] = table_need(table);
-                (Stand::Beside, least, natural)
+                let room = TableRoom::of(table, letters);
+                whole = room.whole;
+                (Stand::Beside, room.least, room.natural)
             }
             Body::Costs(costs) => costs_need(costs),
             Body::Graph(graph) => graph_need(graph),
@@ -101,11 +107,9 @@ impl View {
             }
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
-                let rows = products.products.len() as f32;
-                let is_measured = products.measured.is_some();
-                let [low, high] = if is_measured { [5.6, 11.5] } else { [0.0; 2] };
-                let least = [17.0, 3.7 * rows + low];
-                (Stand::Beside, least, [28.0, 9.5 * rows + high])
+                let (room, high) = products_room(products);
+                whole = [0.0, high];
+                room
             }
         };
         Need {
@@ -114,15 +118,8 @@ impl View {
             least,
             natural,
             aspect: self.aspect(),
-            whole: self.whole().unwrap_or_default(),
+            whole,
             is_equal: false,
-        }
-    }
-
-    fn whole(&self) -> Option<[f32; 2]> {
-        match &self.body {
-            Body::Table(table) => Some(whole_table(table)),
-            _ => None,
         }
     }
 
@@ -185,6 +182,16 @@ fn bits_need(bits: &Bits) -> (Stand, [f32; 2], [f32; 2]) {
     (Stand::Beside, least, natural)
 }
 
+/// With the height of text of 12 points.
+fn products_room(products: &Products) -> ((Stand, [f32; 2], [f32; 2]), f32) {
+    let rows = products.products.len() as f32;
+    let spans = products.measured.as_ref().map(|it| it.spans.len() as f32);
+    let [low, high] = spans.map_or([0.0; 2], |_| [5.6, 11.5]);
+    let whole = 5.6 * rows + spans.map_or(0.0, |spans| 7.3 + 1.5 * spans);
+    let least = [17.0, 3.7 * rows + low];
+    ((Stand::Beside, least, [28.0, 9.5 * rows + high]), whole)
+}
+
 fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {
     let n = costs.counts.len() as f32;
     // Of two a row has both; of more each has its own.
@@ -235,11 +242,14 @@ pub fn needs(
     mut look: impl FnMut(&[View], &Caption),
 ) -> Vec<Need> {
     let mut needs: Vec<Need> = Vec::new();
+    let mut letters: Vec<Letters> = Vec::new();
     ask(run, MOST_ASKED, |shown| {
         let views = shown.views();
         look(&views, &shown.caption());
-        for view in views.iter().filter(|view| view.id != ViewId::ASKED) {
-            let more = view.need();
+        letters.resize_with(views.len().max(letters.len()), Letters::default);
+        let views = views.iter().zip(&mut letters);
+        for (view, letters) in views.filter(|(view, _)| view.id != ViewId::ASKED) {
+            let more = view.need_said(letters);
             match needs.iter_mut().find(|need| need.id == more.id) {
                 Some(need) => need.widen(&more),
                 None => needs.push(more),

@@ -37,6 +37,8 @@ const PARTS: [f32; 3] = [1.0, 0.85, 0.7];
 const SAME: f32 = 0.99;
 /// From the seats of a lecture hall, text that can be read is worth so much of a drawing that no page has to keep.
 const SEATED: f32 = 0.8;
+/// In a window, of a drawing's side.
+const READ: f32 = 0.6;
 /// The white space of a page, or of the window's stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spacing {
@@ -115,7 +117,7 @@ impl Sheet {
     }
 
     /// The needs that all have room, and how they stand. In a window, whose text has a least size, with the room that all of their
-    /// text has then, if there is as much; else rows are folded, else columns left out.
+    /// text has then, if there is as much and no drawing is much smaller for it; else rows are folded, else columns left out.
     fn settled(&self, stages: &[Slot], needs: &[Vec<Need>]) -> (Vec<Vec<Need>>, Arranged) {
         const SIDES: [[bool; 2]; 3] = [[true, true], [true, false], [false, true]];
         let wanting = |sides: [bool; 2]| {
@@ -135,9 +137,13 @@ impl Sheet {
         };
         let is_more = |need: &Need| (0..2).any(|i| need.whole[i] > need.least[i]);
         let has_more = self.spacing.is_fixed && needs.iter().flatten().any(is_more);
+        let plain = wanting([false, false]);
+        let least = plain.1.scale * READ.powi(stages.len() as i32);
+        let is_read = |(needs, arranged): &(Vec<Vec<Need>>, Arranged)| {
+            arranged.reads_all(needs) && arranged.scale >= least
+        };
         let mut tried = SIDES.into_iter().filter(|_| has_more).map(wanting);
-        let read = tried.find(|(needs, arranged)| arranged.reads_all(needs));
-        read.unwrap_or_else(|| wanting([false, false]))
+        tried.find(is_read).unwrap_or(plain)
     }
 
     /// The views in the way in which they stand where nothing has been taken away, as long as they have room.

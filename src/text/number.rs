@@ -45,9 +45,10 @@ pub struct Alike {
 
 impl Alike {
     pub(super) fn add(&mut self, x: Quantity) {
-        self.has_fraction = self.has_fraction || x.form(Notation::Own).is_fraction();
-        self.has_decimal = self.has_decimal || x.form(Notation::Own).is_decimal();
-        self.has_decimal_only = self.has_decimal_only || x.form(Notation::Fractions).is_decimal();
+        let own = x.form(Notation::Own);
+        self.has_fraction |= own.is_fraction();
+        self.has_decimal |= own.is_decimal();
+        self.has_decimal_only |= own.is_decimal() && x.form(Notation::Fractions).is_decimal();
     }
 
     pub const fn notation(self) -> Notation {
@@ -194,8 +195,13 @@ fn fraction(x: f64, max_denominator: u32) -> Option<(u64, u64)> {
 
 /// Four significant digits at most; or two decimals, so that 123.45 and 1000.5 stay themselves.
 fn is_short_decimal(x: f64) -> bool {
-    let decimals = x.to_string().split_once('.').map_or(0, |(_, d)| d.len());
-    decimals <= 2 || significant_digits(x) <= DIGITS
+    let mut parts = 1.0;
+    // So many decimals have four digits of the smallest number that is no power of ten.
+    (1..=7).any(|decimals| {
+        parts *= 10.0;
+        let n = (x * parts).round();
+        n / parts == x && (decimals <= 2 || n < 1e4)
+    })
 }
 
 fn significant_digits(x: f64) -> usize {

@@ -164,10 +164,9 @@ impl<'a> Pseudocode<'a> {
                 let colour = if is_current { theme.ink } else { theme.soft };
                 let at = pos2(rect.left() + set.indent, rect.center().y);
                 let (text, align) = (&set.text, Align2::LEFT_CENTER);
-                text.paint_in(ui.painter(), at, align, colour);
+                let told = text.paint_in(ui.painter(), at, align, colour);
                 if line.told < line.text.len() {
-                    let left = (at.x + text.size().x + 6.0).min(rect.right() - BAR.x);
-                    let bar = Rect::from_min_size(pos2(left, at.y - 0.5 * BAR.y), BAR);
+                    let bar = untold(rect, told);
                     ui.painter().rect_filled(bar, 2.0, theme.hairline);
                 }
                 if response.hovered() {
@@ -190,4 +189,35 @@ struct SetLine {
     indent: f32,
     text: Typeset,
     height: f32,
+}
+
+/// What stands for the rest of a line, after what is told of it.
+fn untold(line: Rect, told: Rect) -> Rect {
+    const GAP: f32 = 6.0;
+    const LEAST: f32 = 12.0;
+    let left = (told.right() + GAP).min(line.right() - LEAST);
+    let size = vec2(BAR.x.min(line.right() - left), BAR.y);
+    Rect::from_min_size(pos2(left, line.center().y - 0.5 * BAR.y), size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_for_the_rest_of_a_line_covers_nothing_that_is_told() {
+        let line = Rect::from_min_size(pos2(10.0, 20.0), vec2(264.0, 36.0));
+        for width in [0.0, 60.0, 160.0, 200.0, 246.0] {
+            let told = line.with_max_x(line.left() + width);
+            let bar = untold(line, told);
+            assert!(
+                line.contains_rect(bar) && bar.left() > told.right(),
+                "{width}: {bar:?}"
+            );
+            assert!(
+                bar.width() >= BAR.x.min(264.0 - width - 6.0),
+                "{width}: {bar:?}"
+            );
+        }
+    }
 }

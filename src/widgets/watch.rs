@@ -102,7 +102,7 @@ impl SectionRoom {
         let values = self.columns.iter().sum::<f32>();
         let widths = [self.names.max(NAME_WIDTH - GAP), self.names];
         let names = widths.into_iter().find(|names| names + values <= room);
-        let names = names.unwrap_or(self.word);
+        let names = names.unwrap_or_else(|| self.word.max(room - values));
         [names, names + values]
     }
 

@@ -246,6 +246,27 @@ fn no_step_of_the_course_loses_a_view_in_the_window() {
     assert!(lost.is_empty(), "{} steps: {lost:#?}", lost.len());
 }
 
+/// At 1280 × 720, beside the course and the inspector.
+#[test]
+fn what_is_measured_beside_a_drawing_is_whole() {
+    let mut bench = Bench::course(vec2(1280.0, 720.0));
+    bench.command(Command::Open([6, 1]));
+    let written = bench.written();
+    let measured = written.iter().find(|(text, ..)| text == "n·D = 10");
+    let (_, rect, clip) = measured.unwrap_or_else(|| panic!("it is in {written:?}"));
+    assert!(clip.contains_rect(*rect), "{rect:?} in {clip:?}");
+}
+
+#[test]
+fn long_names_in_the_watch_table_stand_clear_of_each_other() {
+    let mut bench = Bench::seen(Lang::Es, ThemeKind::Light, vec2(1024.0, 768.0));
+    bench.command(Command::Open([30, 0]));
+    let written = bench.texts();
+    let names = ["un solo polígono", "triángulo a triángulo"];
+    let [first, second] = names.map(|name| place_of(&written, name).expect("it is there"));
+    assert!(first.bottom() <= second.top() + 2.0, "{first:?} {second:?}");
+}
+
 #[test]
 fn what_is_pointed_at_in_a_view_lights_up_on_the_stage() {
     let mut lit = BTreeSet::new();

@@ -33,7 +33,19 @@ impl Sheet {
         };
         let drawing = groups.drawing;
         let over = self.across(way, &mut stage, drawing, &groups.over, Slot::take_top);
-        let across = self.across(way, &mut stage, drawing, &groups.across, Slot::take_bottom);
+        // Under drawings that are to be equal what is read is as low as it can be.
+        let is_equal = needs.iter().any(|need| need.is_equal);
+        let lowest = |need: &&Need| {
+            let [width, height] = need.natural;
+            let height = if is_equal { need.least[1] } else { height };
+            Need {
+                natural: [width, height],
+                ..**need
+            }
+        };
+        let across: Vec<Need> = groups.across.iter().map(lowest).collect();
+        let across: Vec<&Need> = across.iter().collect();
+        let across = self.across(way, &mut stage, drawing, &across, Slot::take_bottom);
         let side = match share {
             Some(share) => share * stage.size()[0],
             None => self.natural_width(&groups.beside, part),
@@ -271,8 +283,9 @@ impl Sheet {
             let mut slot = rest.take_top(height);
             // What stands under the drawing for want of room is no wider than it would be beside it.
             if need.aspect.is_none() {
-                let natural = slot.min[0] + SPREAD * need.natural[0] * self.em;
-                slot.max[0] = slot.max[0].min(natural.round());
+                let natural = SPREAD * need.natural[0] * self.em;
+                let most = natural.max(need.least[0] * self.readable());
+                slot.max[0] = slot.max[0].min((slot.min[0] + most).round());
             }
             slots.push((need.id, slot));
             rest.take_top(self.gap());

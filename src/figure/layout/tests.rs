@@ -39,6 +39,74 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
     }
 }
 
+const WINDOW: &Spacing = &Spacing {
+    margin: 0.0,
+    gutter: 0.0,
+    inset: 24.0,
+    titled: 0.0,
+    name: 0.0,
+    over_caption: 0.0,
+    keeps: 0.75,
+    is_fixed: true,
+};
+
+/// A space seen by an eye, and six rows about it.
+fn space_and_table(camera: impl Fn(Need) -> Need) -> Vec<Need> {
+    let drawing = |id, aspect| Need {
+        aspect: Some(aspect),
+        ..need(id, Stand::Drawing, [22.0, 7.5], [30.0, 24.0])
+    };
+    let table = Need {
+        whole: [28.0, 15.5],
+        ..need("table", Stand::Beside, [18.5, 11.7], [21.0, 24.2])
+    };
+    vec![drawing("eye", 0.7), camera(drawing("camera", 1.0)), table]
+}
+
+fn side(layout: &Layout, nth: usize, aspect: f32) -> f32 {
+    let [width, height] = layout.columns[0].views[nth].1.size();
+    width.min(aspect * height) / aspect.sqrt()
+}
+
+#[test]
+fn more_height_makes_no_drawing_much_smaller_for_its_text() {
+    let mut needs = space_and_table(|camera| Need {
+        stand: Stand::Inset,
+        ..camera
+    });
+    needs[1].natural = [10.0, 10.0];
+    for width in (560..1000).step_by(30) {
+        let drawn = |height: usize| {
+            let sheet = Sheet {
+                spacing: WINDOW,
+                ..sheet([width as f32, height as f32], 13.0)
+            };
+            side(&sheet.lay_out(std::slice::from_ref(&needs)), 0, 0.7)
+        };
+        for height in (420..760).step_by(20) {
+            let [low, high] = [height, height + 20].map(drawn);
+            assert!(high > 0.55 * low, "{width}, {height}: {low}, then {high}");
+        }
+    }
+}
+
+#[test]
+fn pictures_that_are_to_be_equal_have_their_room_before_rows() {
+    let needs = space_and_table(|camera| Need {
+        is_equal: true,
+        ..camera
+    });
+    let sheet = Sheet {
+        spacing: WINDOW,
+        title: 0.0,
+        ..sheet([768.0, 540.0], 13.0)
+    };
+    let layout = sheet.lay_out(&[needs]);
+    let [eye, camera] = [(0, 0.7), (1, 1.0)].map(|(nth, aspect)| side(&layout, nth, aspect));
+    assert_eq!(layout.columns[0].views.len(), 3);
+    assert!(eye > 185.0 && camera > 185.0, "{eye} {camera}");
+}
+
 fn needs() -> Vec<Need> {
     vec![
         need("plane", Stand::Drawing, [22.0, 8.5], [30.0, 24.0]),
@@ -56,16 +124,6 @@ fn is_apart(a: Slot, b: Slot) -> bool {
 /// In windows of many sizes, each 40 points lower for a while.
 #[test]
 fn what_takes_height_away_for_a_while_moves_little_to_another_side() {
-    const WINDOW: &Spacing = &Spacing {
-        margin: 0.0,
-        gutter: 0.0,
-        inset: 24.0,
-        titled: 0.0,
-        name: 0.0,
-        over_caption: 0.0,
-        keeps: 0.75,
-        is_fixed: true,
-    };
     let mut needs = needs();
     needs[0].aspect = Some(1.3);
     needs.truncate(4);

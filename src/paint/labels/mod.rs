@@ -325,18 +325,23 @@ fn candidates(
     let reach = Rect::from_points(&centres).expand2(size);
     let nearby = obstacles
         .iter()
-        .filter(|it| it.bounds().intersects(reach) && (label.keeps_off_solids || !it.is_surface()));
-    let nearby: Vec<&Obstacle> = nearby.collect();
-    let is_disc = |obstacle: &&&Obstacle| matches!(obstacle, Obstacle::Disc(..));
-    let discs: Vec<Obstacle> = nearby.iter().filter(is_disc).map(|&&disc| disc).collect();
+        .map(|it| (it.bounds(), *it))
+        .filter(|(bounds, it)| {
+            bounds.intersects(reach) && (label.keeps_off_solids || !it.is_surface())
+        });
+    let nearby: Vec<(Rect, Obstacle)> = nearby.collect();
+    let discs = nearby.iter().map(|(_, obstacle)| *obstacle);
+    let discs: Vec<Obstacle> = discs
+        .filter(|it| matches!(it, Obstacle::Disc(..)))
+        .collect();
     let if_so = |is_so: bool, cost: f32| if is_so { cost } else { 0.0 };
     let of_place = |place: LabelPlace| {
         let rect = Rect::from_center_size(place.centre, size);
         // Whole pixels keep the text crisp.
         let rect = rect.translate(rect.min.round() - rect.min);
         let near = rect.expand2(APART);
-        let touching = nearby.iter().filter(|it| it.bounds().intersects(near));
-        let covered: f32 = touching.map(|obstacle| obstacle.cost(rect)).sum();
+        let touching = nearby.iter().filter(|(bounds, _)| bounds.intersects(near));
+        let covered: f32 = touching.map(|(_, obstacle)| obstacle.cost(rect)).sum();
         let covered = covered * if label.is_chip { UNDER_A_CHIP } else { 1.0 };
         let is_free = |covered: &Rect| !covered.intersects(near);
         let is_seen = stage.shrink(3.0).contains_rect(rect) && around.covered.iter().all(is_free);

@@ -1,5 +1,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
+use proptest::prelude::*;
+
 use super::*;
 
 const ON_THE_BOARD: &[(&str, f64, &str)] = &[
@@ -172,4 +174,21 @@ fn numbers_beside_each_other_are_of_one_kind() {
     }
     assert!(Quantity::Ratio(1.0, 3.0).is_exact(Notation::Fractions));
     assert!(!Quantity::Ratio(1.0, 3.0).is_exact(Notation::Decimals));
+}
+
+proptest! {
+    #[test]
+    fn a_decimal_is_short_as_its_text_is(
+        x in prop_oneof![
+            SMALL..LARGE,
+            (1..2_000_000_u32, 1..9).prop_map(|(n, places)| f64::from(n) / 10_f64.powi(places)),
+        ],
+        ulps in -1..=1_i64,
+    ) {
+        let x = f64::from_bits(x.to_bits().saturating_add_signed(ulps)).max(SMALL);
+        prop_assume!(x.fract() != 0.0);
+        let decimals = x.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let is_short = decimals <= 2 || significant_digits(x) <= DIGITS;
+        prop_assert_eq!(is_short_decimal(x), is_short, "{}", x);
+    }
 }

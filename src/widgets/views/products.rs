@@ -155,7 +155,13 @@ fn draw_measured(slate: &mut Slate<'_>, rect: Rect, measured: &Measured) {
     let stroke = slate.stroke(2.25, theme.signal);
     slate.painter.line_segment(ends, stroke);
     segment(slate, bar, &scale, measured);
-    names(slate, bar, &scale, measured);
+    let reach = bar.expand2(vec2(slate.pts(4.0), slate.pts(2.0 * ROW)));
+    names(
+        slate,
+        reach.with_max_y(reach.bottom().min(rect.bottom())),
+        (bar, &scale),
+        measured,
+    );
     for (nth, span) in measured.spans.iter().enumerate() {
         let y = bar.bottom() + slate.pts(ROW + (nth as f32 + 0.5) * SPAN);
         length(slate, y.round() + 0.5, &scale, bar.right(), span);
@@ -211,9 +217,9 @@ fn segment(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured)
     }
 }
 
-fn names(slate: &mut Slate<'_>, bar: Rect, scale: &Scale, measured: &Measured) {
+/// A number that has no room is left out.
+fn names(slate: &mut Slate<'_>, room: Rect, (bar, scale): (Rect, &Scale), measured: &Measured) {
     let theme = slate.theme();
-    let room = bar.expand2(vec2(slate.pts(4.0), slate.pts(2.0 * ROW)));
     let above = bar.top() - 0.6 * slate.pts(ROW);
     let below = bar.bottom() + 0.6 * slate.pts(ROW);
     let [(first, from), (second, to)] = &measured.ends;

@@ -2,10 +2,10 @@
 //!
 //! Numbers stand to the right of their column, under a symbol; words to the left, under a word or nothing.
 
-use std::borrow::Cow;
+use std::{borrow::Cow, cell::RefCell};
 
 use crate::{
-    figure::{Table, TableRow},
+    figure::{Table, TableNote, TableRow},
     text::Token,
 };
 
@@ -28,29 +28,37 @@ struct Column {
 
 struct Plan {
     columns: Vec<Column>,
-    /// What a stacked fraction takes: every row has room for one.
+    /// What a stacked fraction takes: every row has room for one, and the first for its titles.
     row: f32,
+    header: f32,
     notes: f32,
 }
 
 impl Plan {
-    fn of(slate: &Slate<'_>, table: &Table, width: f32) -> Self {
-        let columns = table.header.iter().enumerate();
-        let style = (Face::Plain, NOTE_SIZE, slate.theme().ink);
-        let height = |text: &Message| slate.sentence(text, width, style).size().y;
-        let notes: f32 = table.notes.iter().map(|note| height(&note.text)).sum();
-        let is_bare = table.notes.is_empty();
+    fn of(slate: &Slate<'_>, table: &Table, room: f32) -> Self {
+        let ink = slate.theme().ink;
+        let titles = table.header.iter();
+        let title = |title: &Formula| slate.formula(title, (Face::Strong, SIZE, ink)).size();
+        let titles: Vec<Vec2> = titles.map(title).collect();
+        let short = slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x;
+        let sizes = titles.iter().enumerate();
+        let columns = sizes.map(|(idx, title)| column(slate, table, idx, [title.x, short]));
+        let number = |x: f64| Formula::default().num(x);
+        let fraction = Formula::default().over(number(3.0), number(8.0));
+        let fraction = slate.formula(&fraction, (Face::Strong, SIZE, ink)).size().y;
+        let row = fraction.max(slate.pts(1.9 * SIZE));
         Self {
-            columns: columns
-                .map(|(i, title)| column(slate, table, i, title))
-                .collect(),
-            row: row_height(slate, table),
-            notes: if is_bare {
-                0.0
-            } else {
-                slate.pts(NOTE_GAP) + notes
-            },
+            columns: columns.collect(),
+            row,
+            header: titles.iter().map(|title| title.y).fold(row, f32::max),
+            notes: notes_height(slate, table, room - 2.0 * slate.pts(PAD)),
         }
+    }
+
+    /// Of so many rows under the first, with so much air.
+    fn height(&self, slate: &Slate<'_>, n_rows: usize, air: f32) -> f32 {
+        let air = 2.0 * slate.pts(air);
+        self.header + air + n_rows as f32 * (self.row + air)
     }
 
     fn width(&self, slate: &Slate<'_>, gap: f32) -> f32 {
@@ -79,109 +87,117 @@ fn is_word(title: &Formula) -> bool {
 }
 
 /// As wide as what stands in it; one of numbers as a short one at least, so that it stays where it is when one comes.
-fn column(slate: &Slate<'_>, table: &Table, idx: usize, title: &Formula) -> Column {
-    let ink = slate.theme().ink;
-    let least = match title.0[..] {
-        [] => 0.0,
-        _ => slate.words("−0.88", (Face::Plain, SIZE, ink)).size().x,
-    };
-    let width = slate.formula(title, (Face::Strong, SIZE, ink)).size().x;
+fn column(slate: &Slate<'_>, table: &Table, idx: usize, [title, short]: [f32; 2]) -> Column {
     let values = table.rows.iter().filter_map(|row| match idx {
         0 => Some(&row.name),
         _ => row.cells.get(idx - 1)?.value.as_ref(),
     });
     let widths = values.map(|value| slate.width(value, Face::Strong, SIZE));
+    let heading = &table.header[idx];
+    let least = if heading.0.is_empty() { 0.0 } else { short };
     Column {
-        width: widths.fold(least.max(width), f32::max),
-        is_words: idx == 0 || is_word(title),
+        width: widths.fold(least.max(title), f32::max),
+        is_words: idx == 0 || is_word(heading),
     }
 }
 
-fn row_height(slate: &Slate<'_>, table: &Table) -> f32 {
-    let number = |x: f64| Formula::default().num(x);
-    let fraction = Formula::default().over(number(3.0), number(8.0));
-    let style = (Face::Strong, SIZE, slate.theme().ink);
-    let height = |formula: &Formula| slate.formula(formula, style).size().y;
-    let titles = table.header.iter().map(height);
-    titles.fold(height(&fraction).max(slate.pts(1.9 * SIZE)), f32::max)
+fn notes_height(slate: &Slate<'_>, table: &Table, width: f32) -> f32 {
+    if table.notes.is_empty() {
+        return 0.0;
+    }
+    let style = (Face::Plain, NOTE_SIZE, slate.theme().ink);
+    let height = |note: &TableNote| slate.sentence(&note.text, width, style).size().y;
+    slate.pts(NOTE_GAP) + table.notes.iter().map(height).sum::<f32>()
 }
 
-/// Where text may not be so small that all columns have room: without the widest of words, as long as that is needed.
-fn trimmed<'t>(slate: &Slate<'_>, table: &'t Table, width: f32) -> Cow<'t, Table> {
-    let mut trimmed = Cow::Borrowed(table);
-    let least = slate.theme().least_text;
-    if least == 0.0 {
-        return trimmed;
-    }
+/// Where text may not be so small that all columns have room: without the widest of words, as long as that is needed. With how
+/// that stands at the slate's scale.
+fn planned<'t>(slate: &Slate<'_>, table: &'t Table, width: f32) -> (Cow<'t, Table>, Plan) {
+    let whole = Plan::of(slate, table, width);
     let least = Slate {
-        scale: least / SIZE,
+        scale: slate.theme().least_text / SIZE,
         ..Slate::new(slate.painter, slate.look)
     };
-    loop {
-        let plan = Plan::of(&least, &trimmed, width);
+    let has_room = slate.scale >= least.scale && whole.width(slate, GAPS[0]) <= width;
+    if least.scale == 0.0 || has_room || !table.header.iter().skip(1).any(is_word) {
+        return (Cow::Borrowed(table), whole);
+    }
+    let mut trimmed = Cow::Borrowed(table);
+    let widest = |table: &Table| {
+        let plan = Plan::of(&least, table, width);
         let columns = plan.columns.iter().enumerate().skip(1);
         let words = columns.filter(|(_, column)| column.is_words);
         let widest = words.max_by(|(_, a), (_, b)| a.width.total_cmp(&b.width));
-        let Some((widest, _)) = widest.filter(|_| plan.width(&least, GAPS[0]) > width) else {
-            return trimmed;
-        };
+        let widest = widest.filter(|_| plan.width(&least, GAPS[0]) > width);
+        widest.map(|(widest, _)| widest)
+    };
+    while let Some(widest) = widest(&trimmed) {
         let table = trimmed.to_mut();
         table.header.remove(widest);
-        for row in table
-            .rows
-            .iter_mut()
-            .filter(|row| widest <= row.cells.len())
-        {
+        let rows = table.rows.iter_mut();
+        for row in rows.filter(|row| widest <= row.cells.len()) {
             row.cells.remove(widest - 1);
         }
     }
+    let plan = match &trimmed {
+        Cow::Borrowed(_) => whole,
+        Cow::Owned(trimmed) => Plan::of(slate, trimmed, width),
+    };
+    (trimmed, plan)
 }
 
 impl OnSlate for Table {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         let fold_below = FOLD_BELOW * natural.scale;
-        let table = trimmed(&natural, self, room.x);
-        let plan_of = |slate: &Slate<'_>| Plan::of(slate, &table, room.x - 2.0 * slate.pts(PAD));
-        let slate = natural.fitted_in(room, |slate| {
-            let plan = plan_of(slate);
-            let row = plan.row + 2.0 * slate.pts(AIR[0]);
-            let height = |n_rows: usize| row * (n_rows + 1) as f32 + plan.notes;
+        let (table, plan) = planned(&natural, self, room.x);
+        // What has been measured last, and at which scale.
+        let measured = RefCell::new((natural.scale, plan));
+        let wanted = |slate: &Slate<'_>| {
+            let mut measured = measured.borrow_mut();
+            if measured.0 != slate.scale {
+                *measured = (slate.scale, Plan::of(slate, &table, room.x));
+            }
+            let plan = &measured.1;
+            let height = |n_rows: usize| plan.height(slate, n_rows, AIR[0]) + plan.notes;
             // Rows are folded before their text becomes too small.
             let mut n_rows = self.rows.len();
             if room.y / height(n_rows) * slate.scale < fold_below {
                 n_rows = n_rows.min(LEAST_ROWS);
             }
             vec2(plan.width(slate, GAPS[0]), height(n_rows))
-        });
+        };
+        let slate = natural.fitted_in(room, wanted);
         // Rows that have no room are folded; a column that had none would be cut.
-        slate.shrunk_to(LEAST_SCALE, vec2(room.x, f32::INFINITY), |slate| {
-            vec2(plan_of(slate).width(slate, GAPS[0]), 1.0)
-        })
+        slate.shrunk_to(LEAST_SCALE, vec2(room.x, f32::INFINITY), wanted)
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let text_width = rect.width() - 2.0 * slate.pts(PAD);
-        let table = trimmed(slate, self, rect.width());
-        let mut plan = Plan::of(slate, &table, text_width);
+        let (table, mut plan) = planned(slate, self, rect.width());
         // Notes go before rows are folded.
-        let rows = (plan.row + 2.0 * slate.pts(AIR[0])) * (self.rows.len() + 1) as f32;
-        if rows + plan.notes > rect.height() {
+        if plan.height(slate, self.rows.len(), AIR[0]) + plan.notes > rect.height() {
             plan.notes = 0.0;
         }
         let width = rect.width().min(plan.width(slate, GAPS[1]));
         let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
         let edges = plan.edges(slate, rect);
         let room = rect.height() - plan.notes;
-        let [least, most] = AIR.map(|air| plan.row + 2.0 * slate.pts(air));
-        let n_fit = ((room / least + 0.01) as usize).saturating_sub(1);
+        let least = plan.row + 2.0 * slate.pts(AIR[0]);
+        let n_fit = ((room - plan.height(slate, 0, AIR[0])) / least + 0.01) as usize;
         let focus = self.rows.iter().position(|row| row.is_current);
         let fold = Fold::about(self.rows.len(), focus, n_fit.max(LEAST_ROWS));
-        let step = (room / (fold.n_rows() + 1) as f32)
-            .clamp(least, most)
-            .floor();
+        let n_rows = fold.n_rows();
+        let spare = (room - plan.height(slate, n_rows, 0.0)) / (n_rows + 1) as f32;
+        let [least, most] = AIR.map(|air| 2.0 * slate.pts(air));
+        let air = spare.clamp(least, most);
+        let [first, step] = [plan.header, plan.row].map(|height| (height + air).floor());
         let place = |nth: usize| {
-            let top = rect.top() + nth as f32 * step;
-            Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
+            let (top, height) = match nth {
+                0 => (0.0, first),
+                _ => (first + (nth - 1) as f32 * step, step),
+            };
+            let at = rect.min + vec2(0.0, top);
+            Rect::from_min_size(at, vec2(width, height))
         };
         header(slate, place(0), &table, &edges);
         for idx in fold.shown.clone() {
