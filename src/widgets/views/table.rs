@@ -28,9 +28,8 @@ struct Column {
 
 struct Plan {
     columns: Vec<Column>,
-    /// What a stacked fraction takes: every row has room for one, and the first for its titles.
+    /// What a stacked fraction takes: every row has room for one.
     row: f32,
-    header: f32,
     notes: f32,
 }
 
@@ -49,16 +48,14 @@ impl Plan {
         let row = fraction.max(slate.pts(1.9 * SIZE));
         Self {
             columns: columns.collect(),
-            row,
-            header: titles.iter().map(|title| title.y).fold(row, f32::max),
+            row: titles.iter().map(|title| title.y).fold(row, f32::max),
             notes: notes_height(slate, table, room - 2.0 * slate.pts(PAD)),
         }
     }
 
-    /// Of so many rows under the first, with so much air.
-    fn height(&self, slate: &Slate<'_>, n_rows: usize, air: f32) -> f32 {
-        let air = 2.0 * slate.pts(air);
-        self.header + air + n_rows as f32 * (self.row + air)
+    /// Of so many rows under their titles, as low as they can be.
+    fn height(&self, slate: &Slate<'_>, n_rows: usize) -> f32 {
+        (self.row + 2.0 * slate.pts(AIR[0])) * (n_rows + 1) as f32
     }
 
     fn width(&self, slate: &Slate<'_>, gap: f32) -> f32 {
@@ -158,7 +155,7 @@ impl OnSlate for Table {
                 *measured = (slate.scale, Plan::of(slate, &table, room.x));
             }
             let plan = &measured.1;
-            let height = |n_rows: usize| plan.height(slate, n_rows, AIR[0]) + plan.notes;
+            let height = |n_rows: usize| plan.height(slate, n_rows) + plan.notes;
             // Rows are folded before their text becomes too small.
             let mut n_rows = self.rows.len();
             if room.y / height(n_rows) * slate.scale < fold_below {
@@ -175,29 +172,23 @@ impl OnSlate for Table {
         let text_width = rect.width() - 2.0 * slate.pts(PAD);
         let (table, mut plan) = planned(slate, self, rect.width());
         // Notes go before rows are folded.
-        if plan.height(slate, self.rows.len(), AIR[0]) + plan.notes > rect.height() {
+        if plan.height(slate, self.rows.len()) + plan.notes > rect.height() {
             plan.notes = 0.0;
         }
         let width = rect.width().min(plan.width(slate, GAPS[1]));
         let rect = Rect::from_min_size(rect.min, vec2(width, rect.height()));
         let edges = plan.edges(slate, rect);
         let room = rect.height() - plan.notes;
-        let least = plan.row + 2.0 * slate.pts(AIR[0]);
-        let n_fit = ((room - plan.height(slate, 0, AIR[0])) / least + 0.01) as usize;
+        let [least, most] = AIR.map(|air| plan.row + 2.0 * slate.pts(air));
+        let n_fit = ((room / least + 0.01) as usize).saturating_sub(1);
         let focus = self.rows.iter().position(|row| row.is_current);
         let fold = Fold::about(self.rows.len(), focus, n_fit.max(LEAST_ROWS));
-        let n_rows = fold.n_rows();
-        let spare = (room - plan.height(slate, n_rows, 0.0)) / (n_rows + 1) as f32;
-        let [least, most] = AIR.map(|air| 2.0 * slate.pts(air));
-        let air = spare.clamp(least, most);
-        let [first, step] = [plan.header, plan.row].map(|height| (height + air).floor());
+        let step = (room / (fold.n_rows() + 1) as f32)
+            .clamp(least, most)
+            .floor();
         let place = |nth: usize| {
-            let (top, height) = match nth {
-                0 => (0.0, first),
-                _ => (first + (nth - 1) as f32 * step, step),
-            };
-            let at = rect.min + vec2(0.0, top);
-            Rect::from_min_size(at, vec2(width, height))
+            let top = rect.top() + nth as f32 * step;
+            Rect::from_min_size(pos2(rect.left(), top), vec2(width, step))
         };
         header(slate, place(0), &table, &edges);
         for idx in fold.shown.clone() {
