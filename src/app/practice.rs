@@ -95,10 +95,20 @@ impl Practice {
         matches!(&self.asked, Some(it) if it.chosen.is_some())
     }
 
-    /// Does the open step of the course wait for an answer, and its text with it?
+    /// Does the open step of the course wait for an answer, or for the rest of its run, and its text with it?
     pub fn asks_for_a_step(&self) -> bool {
-        let is_of_step = |asked: &Asked| asked.of.is_some() || self.of.is_some();
-        self.open().is_some_and(is_of_step)
+        let is_of_run = self.is_on && self.of.is_some();
+        is_of_run || self.open().is_some_and(|asked| asked.of.is_some())
+    }
+
+    /// What was answered of another recording than this one.
+    fn forget_answers(&mut self, recording: u64) {
+        if self.recording != recording {
+            self.recording = recording;
+            self.done.clear();
+            self.answers.clear();
+            self.told = [0; 2];
+        }
     }
 
     /// The option that is about this.
@@ -256,7 +266,7 @@ impl App {
         }
         self.practice.asked = None;
         self.practice.kept.clear();
-        self.practice.recording = self.playback.recording;
+        self.practice.forget_answers(self.playback.recording);
         self.keep_room();
         let page = self.bookmark.page();
         let asks = self.bookmark.step().and_then(|step| step.asks);
@@ -363,11 +373,9 @@ impl App {
         if self.practice.recording == recording {
             return;
         }
-        self.practice.recording = recording;
         // Of a scene that was changed no answer is the step's.
         self.practice.of = None;
-        self.practice.done.clear();
-        self.practice.answers.clear();
+        self.practice.forget_answers(recording);
         if self.practice.is_on {
             self.keep_room();
         }

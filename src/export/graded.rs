@@ -124,7 +124,7 @@ impl Page<'_> {
         );
         let truth = (
             "grade-figure-true",
-            (&self.wrong.truth, 0),
+            (self.wrong.expected(), 0),
             [theme.accent, theme.accent],
         );
         let y = self.boxed(ui, TOP, said);

@@ -115,8 +115,12 @@ impl Fault {
         self.both().map(of_moderate_length)
     }
 
-    pub(super) fn whole(&self) -> Whole {
-        let [said, truth] = self.both();
+    /// Where no answer can be read, the true one stands for what was expected.
+    pub(super) fn whole(&self, answer: Option<&Json>) -> Whole {
+        let [said, truth] = match (self, answer) {
+            (Self::Missing | Self::BadJson { .. }, Some(answer)) => [Json::Null, answer.clone()],
+            _ => self.both(),
+        };
         let step = self.event().and_then(|fault| fault.true_step);
         let difference = match self {
             Self::Output { difference, .. } => Some(difference),

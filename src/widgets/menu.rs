@@ -1,7 +1,7 @@
 //! Menus: rows that touch, each as wide as the menu; and the menus for the language and the theme.
 
 use egui::{
-    InnerResponse, PopupCloseBehavior, Style, WidgetText,
+    InnerResponse, PopupCloseBehavior, ScrollArea, Style, WidgetText,
     containers::menu::{self, MenuButton, MenuConfig, SubMenuButton},
 };
 
@@ -13,6 +13,8 @@ use crate::{
 use super::prelude::*;
 
 const ROW_PTS: f32 = 4.0;
+/// The bar over a menu, and what stays free below.
+const AROUND_PTS: f32 = 72.0;
 
 /// Space inside the rows, and none between them: wherever the pointer is, it is on one.
 pub fn menu_style(style: &mut Style) {
@@ -47,6 +49,12 @@ fn opening<R>(
     closes: PopupCloseBehavior,
     content: impl FnOnce(&mut Ui) -> R,
 ) -> InnerResponse<Option<R>> {
+    // What is taller than the window scrolls.
+    let most = ui.ctx().content_rect().height() - AROUND_PTS;
+    let content = |ui: &mut Ui| {
+        let rows = ScrollArea::vertical().max_height(most);
+        rows.show(ui, content).inner
+    };
     let config = MenuConfig::new().style(menu_style).close_behavior(closes);
     let (response, inner) = if menu::is_in_menu(ui) {
         SubMenuButton::new(title).config(config).ui(ui, content)

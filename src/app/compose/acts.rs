@@ -250,6 +250,10 @@ impl App {
         let offered = Goal::offered(&scene);
         self.write_in(Kind::Once, now, |draft, id| {
             if is_set {
+                // Where students begin is dragged anew, and no other step is to follow.
+                let own = draft.shares_scene(id).then(|| draft.fresh(id));
+                let own = own.and_then(|name| draft.with_own_scene(id, &name, &written));
+                let draft = own.as_ref().unwrap_or(draft);
                 draft.with_reached(id, offered.get(..1)?, &written)
             } else {
                 draft.with_goal(id, &[])

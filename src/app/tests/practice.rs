@@ -335,11 +335,13 @@ fn a_whole_run_is_asked_and_marked_at_its_end() {
     let mut n_answers = 0;
     while let Some(right) = bench.app.practice.open().map(|asked| asked.choice.right) {
         bench.command(Command::Choose(right));
+        assert!(bench.app.practice.asks_for_a_step(), "its text waits");
         bench.command(Command::Play);
         n_answers += 1;
         assert!(n_answers < 1_000, "it ends");
     }
     assert!(n_answers > 1);
+    assert!(!bench.app.practice.asks_for_a_step());
     assert_eq!(told(&bench), Told::Beforehand);
     assert!(!bench.app.practice.is_on, "its text and its claim open");
 }

@@ -66,6 +66,13 @@ impl Wrong {
         (!whole.path.is_empty()).then_some((&whole.path, &whole.parts))
     }
 
+    /// What is true there; where no answer can be read, the whole true one.
+    #[must_use]
+    pub fn expected(&self) -> &Json {
+        let whole = self.whole.as_ref().filter(|_| self.truth.is_null());
+        whole.map_or(&self.truth, |whole| &whole.truth)
+    }
+
     fn drawn(&self) -> Option<(&Whole, &Right)> {
         let Known { truth, .. } = self.known.as_ref()?;
         Some((self.whole.as_ref()?, truth.as_ref().as_ref().ok()?))

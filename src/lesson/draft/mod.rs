@@ -122,6 +122,13 @@ impl Draft {
         shown.collect()
     }
 
+    /// Does another step show the scene of this one?
+    pub fn shares_scene(&self, id: &str) -> bool {
+        let (own, shown) = (self.scene_of(id), self.scenes());
+        let mut others = shown.iter().filter(|(step, _)| step != id);
+        others.any(|(_, scene)| own.as_ref() == Some(scene))
+    }
+
     pub fn scene_of(&self, id: &str) -> Option<String> {
         let mut scenes = self.scenes().into_iter();
         scenes.find(|(step, _)| step == id).map(|(_, scene)| scene)

@@ -181,3 +181,21 @@ fn a_goal_can_be_what_decides() {
     let is_decisive = |part: &&String| part.starts_with("event.") && part.contains(" @ ");
     assert!(offered.iter().any(|part| is_decisive(&part)), "{offered:?}");
 }
+
+#[test]
+fn a_goal_is_dragged_on_a_scene_of_its_own() {
+    let (mut bench, _folder, root) = begun();
+    bench.act(Act::Add(None));
+    bench.pause();
+    let scene = |course: &Course, nth: usize| course.lessons[0].steps[nth].scene.clone();
+    let before = checked(&root);
+    assert!(scene(&before, 0) == scene(&before, 1), "both show one");
+    bench.act(Act::Goal(true));
+    let handles = bench.document().handles();
+    bench.edit(Edit::Drag(handles[0], [-3.0, -3.0, 0.0]));
+    bench.edit(Edit::Drag(handles[1], [-3.0, 3.0, 0.0]));
+    bench.pause();
+    let after = checked(&root);
+    assert!(scene(&after, 0) == scene(&before, 0), "as it was");
+    assert!(scene(&after, 1) != scene(&before, 1), "dragged");
+}
