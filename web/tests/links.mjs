@@ -175,6 +175,7 @@ test("a page that was left open is told that there is a newer one, and a page th
     await other.running();
     await page.until("!document.querySelector('#newer').hidden", "it is told");
     assert(await other.see("document.querySelector('#newer').hidden"), "the newer one says nothing");
+    await page.send("Page.bringToFront");
     await page.see("document.querySelector('#newer').click()");
     await page.until("!!document.querySelector('script[src*=newer]')");
     await page.running();
