@@ -101,16 +101,6 @@ impl Practice {
         is_of_run || self.open().is_some_and(|asked| asked.of.is_some())
     }
 
-    /// What was answered of another recording than this one.
-    fn forget_answers(&mut self, recording: u64) {
-        if self.recording != recording {
-            self.recording = recording;
-            self.done.clear();
-            self.answers.clear();
-            self.told = [0; 2];
-        }
-    }
-
     /// The option that is about this.
     pub fn option_of(&self, link: Link) -> Option<usize> {
         let links = &self.open()?.choice.links;
@@ -266,7 +256,9 @@ impl App {
         }
         self.practice.asked = None;
         self.practice.kept.clear();
-        self.practice.forget_answers(self.playback.recording);
+        if self.practice.forget_answers(self.playback.recording) {
+            self.practice.told = [0; 2];
+        }
         self.keep_room();
         let page = self.bookmark.page();
         let asks = self.bookmark.step().and_then(|step| step.asks);

@@ -249,7 +249,9 @@ impl Tally {
         let fault = fault.unwrap_or(Fault::Missing);
         let [said, truth] = fault.said_and_true();
         let id = known.as_ref().map(|known| known.id.clone());
-        let right = known.as_ref().and_then(|known| known.truth.as_ref().as_ref().ok());
+        let right = known
+            .as_ref()
+            .and_then(|known| known.truth.as_ref().as_ref().ok());
         let whole = is_drawn.then(|| fault.whole(right.map(|right| &right.output)));
         Wrong {
             case: (!is_stray).then_some(place),

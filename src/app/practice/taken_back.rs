@@ -24,6 +24,17 @@ impl Practice {
         }
     }
 
+    /// What was answered of another recording than this one goes. Was there another?
+    pub(super) fn forget_answers(&mut self, recording: u64) -> bool {
+        let is_another = self.recording != recording;
+        if is_another {
+            self.recording = recording;
+            self.done.clear();
+            self.answers.clear();
+        }
+        is_another
+    }
+
     /// Is there an answer to take back?
     pub fn has_answered(&self) -> bool {
         self.is_on && !self.done.is_empty()

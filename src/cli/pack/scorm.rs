@@ -27,7 +27,9 @@ pub fn too_much(lessons: &[Lesson]) -> Option<usize> {
         begun: u64::from(u32::MAX),
         ..Progress::default()
     };
-    lessons.iter().for_each(|lesson| all.mark_all(lesson));
+    for lesson in &lessons {
+        all.mark_all(lesson);
+    }
     let length = all.written_of(&lessons).chars().count();
     (length > MOST_STATE).then_some(length)
 }
