@@ -361,13 +361,11 @@ impl App {
 
     /// Another recording has other decisions: it is asked where the run stands now.
     pub(super) fn ask_anew(&mut self) {
-        let recording = self.playback.recording;
-        if self.practice.recording == recording {
+        if !self.practice.forget_answers(self.playback.recording) {
             return;
         }
         // Of a scene that was changed no answer is the step's.
         self.practice.of = None;
-        self.practice.forget_answers(recording);
         if self.practice.is_on {
             self.keep_room();
         }

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     ends::{ENDS, is_point, left_in, place},
+    line_step::LineVariant,
     prelude::*,
 };
 
@@ -69,15 +70,6 @@ pub trait CodeLook<const N: usize>: Coded<N, Output: Answer> {
     }
 
     fn drawing(shown: &CodeStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Option<View>;
-}
-
-/// How the method is called by one set of rules.
-pub trait CodeVariant<const N: usize, I: Coded<N>>: CodeRules<N, I> {
-    const ID: &'static str;
-    const NAME_KEY: &'static str;
-    const CODE: &'static [CodeLine] = &LINES;
-    /// Of a mistake: what is said at the first step that the right rules do not do.
-    const DIFFERS_KEY: Option<&'static str> = None;
 }
 
 pub struct CodeStep<'a, const N: usize, I: Coded<N>> {
@@ -296,7 +288,7 @@ const fn code_row(line: usize, key: &'static str) -> Row {
 impl<const N: usize, I, L> Telling for CodeClip<N, I, L>
 where
     I: CodeLook<N>,
-    L: CodeVariant<N, I>,
+    L: CodeRules<N, I> + LineVariant<N, I>,
 {
     type Scenery = I::Scenery;
 

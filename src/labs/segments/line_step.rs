@@ -96,10 +96,11 @@ pub trait LineLook<const N: usize>: Bounds<N, Output: Answer> {
     fn drawing(shown: &LineStep<'_, N, Self>, scenery: Option<&Self::Scenery>) -> Vec<View>;
 }
 
+/// How a method is called by one set of rules; `B` is what it clips against, or what it is given.
 pub trait LineVariant<const N: usize, B>: Copy + 'static {
     const ID: &'static str;
     const NAME_KEY: &'static str;
-    /// Its pseudocode: seven lines, of the same sense in all of them.
+    /// Its pseudocode, as many lines and of the same sense for all rules.
     const CODE: &'static [CodeLine];
     /// Of a mistake: what is said at the first step that the right rules do not do.
     const DIFFERS_KEY: Option<&'static str> = None;

@@ -124,9 +124,10 @@ impl Draft {
 
     /// Does another step show the scene of this one?
     pub fn shares_scene(&self, id: &str) -> bool {
-        let (own, shown) = (self.scene_of(id), self.scenes());
-        let mut others = shown.iter().filter(|(step, _)| step != id);
-        others.any(|(_, scene)| own.as_ref() == Some(scene))
+        let shown = self.scenes();
+        let own = shown.iter().find(|(step, _)| step == id);
+        let shows = |scene: &String| shown.iter().filter(|(_, it)| it == scene).count();
+        own.is_some_and(|(_, scene)| shows(scene) > 1)
     }
 
     pub fn scene_of(&self, id: &str) -> Option<String> {

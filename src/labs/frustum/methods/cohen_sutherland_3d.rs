@@ -9,7 +9,7 @@ use crate::{
         frustum::prelude::*,
         segments::{
             CodeStep,
-            code_step::{CodeKeys, CodeLook, CodeVariant},
+            code_step::{CodeKeys, CodeLook, LINES},
         },
     },
 };
@@ -79,9 +79,10 @@ fn fate(input: &Input, asked: Option<End>) -> Option<Fate> {
     fate
 }
 
-impl CodeVariant<3, Input> for Right {
+impl LineVariant<3, Input> for Right {
     const ID: &'static str = "cohen-sutherland-3d";
     const NAME_KEY: &'static str = "alg-cohen-sutherland-3d";
+    const CODE: &'static [CodeLine] = &LINES;
 }
 
 impl CodeLook<3> for Input {

@@ -7,12 +7,12 @@ use crate::{
             faulty::{LooksOnce, RejectsTwoOutside},
         },
         ring::Right,
-        segment::CodeClip,
+        segment::{CodeClip, CodeRules},
     },
     labs::{
         segments::{
-            CodeStep,
-            code_step::{ACCEPT, CodeKeys, CodeLook, CodeVariant, LINES, REJECT},
+            CodeStep, LineVariant,
+            code_step::{ACCEPT, CodeKeys, CodeLook, LINES, REJECT},
         },
         words::position_formula,
     },
@@ -28,7 +28,7 @@ use super::{
 
 type Shown<'a> = CodeStep<'a, 2, Input>;
 
-impl<L: CodeVariant<2, Input>> LineTelling for CodeClip<2, Input, L> {
+impl<L: CodeRules<2, Input> + LineVariant<2, Input>> LineTelling for CodeClip<2, Input, L> {
     const WRITES_CODES: bool = true;
 
     fn input(scene: &Scene, segment: Segment) -> Input {
@@ -48,12 +48,13 @@ impl<L: CodeVariant<2, Input>> LineTelling for CodeClip<2, Input, L> {
     }
 }
 
-impl CodeVariant<2, Input> for Right {
+impl LineVariant<2, Input> for Right {
     const ID: &'static str = "cohen-sutherland";
     const NAME_KEY: &'static str = "alg-cohen-sutherland";
+    const CODE: &'static [CodeLine] = &LINES;
 }
 
-mistakes! { CodeVariant<2, Input>:
+mistakes! { LineVariant<2, Input>:
     LooksOnce {
         "faulty-looks-once", "alg-faulty-looks-once", "faulty-looks-once-differs";
         CODE = LINES but ACCEPT: "code-faulty-looks-once" "words-faulty-looks-once";
