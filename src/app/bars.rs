@@ -331,7 +331,7 @@ fn timeline(app: &App, ui: &mut Ui) {
     let transport = &app.playback.transport;
     let catalog = app.look().catalog;
     let run = app.playback.main();
-    let difference = app.playback.difference;
+    let difference = app.difference_told();
     let note = difference.map(|difference| catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.

@@ -70,7 +70,7 @@ impl Bookmark {
     pub fn bounds_of(&self, scene: &Scene) -> [[f64; 2]; 2] {
         let lesson = self.step().and(self.lesson());
         lesson.map_or_else(
-            || scene.document().bounds(),
+            || scene.document().frame(),
             |lesson| lesson.bounds_of(scene),
         )
     }

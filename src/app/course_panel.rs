@@ -85,7 +85,10 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
     }
     shown_answer(app, ui);
     let is_last = app.bookmark.at[1] + 1 == lesson.steps.len();
-    if let Some(it) = lesson.card(app.settings.lang).filter(|_| is_last) {
+    if let Some(it) = lesson
+        .card(app.settings.lang)
+        .filter(|_| is_last && !app.is_hunting())
+    {
         card(ui, look, it);
     }
     if !lesson.speaks(app.settings.lang) {
@@ -143,7 +146,8 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let waits = app.practice.asks_for_a_step();
     let asks = app.bookmark.step().is_some_and(|step| step.asks.is_some()) && !waits;
     let has_answer = app.has_answer() && !waits;
-    if !has_source && !has_answer && !asks {
+    let has_hint = goal_panel::has_hint(app) && !waits;
+    if !has_source && !has_answer && !asks && !has_hint {
         return;
     }
     Panel::bottom("under the lesson")
@@ -153,6 +157,9 @@ fn foot(app: &App, ui: &mut Ui, lesson: &Lesson) {
             padded(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 8.0;
                 ui.add_space(4.0);
+                if has_hint {
+                    goal_panel::hint_button(app, ui);
+                }
                 if has_answer {
                     answer_button(app, ui);
                 }

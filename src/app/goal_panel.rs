@@ -1,4 +1,5 @@
-//! Under the parts of a goal: a hint, as far as it was asked for, and where the runs have ended.
+//! Under the parts of a goal: a hint, as far as it was asked for, and where the runs have ended. The button that asks for the hint
+//! is always in sight.
 
 use egui::{Role, Sense, WidgetInfo, accesskit::Live};
 
@@ -17,23 +18,36 @@ pub fn show(app: &App, ui: &mut Ui) {
     so_far(app, ui);
 }
 
+/// Is there more of the hint to be asked for?
+pub fn has_hint(app: &App) -> bool {
+    !app.met().is_empty() && !app.is_reached() && app.goals.help.n_shown < PARTS
+}
+
+pub fn hint_button(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    ui.horizontal(|ui| {
+        if ui.add(Button::new(accent(look, "goal-hint"))).clicked() {
+            app.push(Command::Hint);
+        }
+        let part = Message::new("goal-hint-part")
+            .with("part", Value::Count(app.goals.help.n_shown))
+            .with("count", Value::Count(PARTS));
+        let part = RichText::new(look.catalog.message(&part)).small();
+        ui.label(part.color(look.theme.soft));
+    });
+}
+
 fn hint(app: &App, ui: &mut Ui) {
     let (look, help) = (app.look_at_step(), &app.goals.help);
-    if help.n_shown < PARTS {
-        ui.horizontal(|ui| {
-            if ui.add(Button::new(accent(look, "goal-hint"))).clicked() {
-                app.push(Command::Hint);
-            }
-            let part = Message::new("goal-hint-part")
-                .with("part", Value::Count(help.n_shown))
-                .with("count", Value::Count(PARTS));
-            let part = RichText::new(look.catalog.message(&part)).small();
-            ui.label(part.color(look.theme.soft));
-        });
+    let id = Id::unique("parts of the hint in sight");
+    let before: usize = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    if help.n_shown != before {
+        ui.data_mut(|data| data.insert_temp(id, help.n_shown));
     }
     if help.n_shown == 0 {
         return;
     }
+    let top = ui.cursor().min;
     let hint = &help.hint;
     let decides = match &hint.decides {
         Some(said) => look.catalog.message(said),
@@ -47,6 +61,9 @@ fn hint(app: &App, ui: &mut Ui) {
         for text in equation.chain(notes) {
             said(ui, look, &text);
         }
+    }
+    if help.n_shown > before {
+        ui.scroll_to_rect(Rect::from_min_max(top, ui.min_rect().max), None);
     }
 }
 

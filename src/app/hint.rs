@@ -88,8 +88,14 @@ impl App {
         let scene = self.playback.scene();
         let runs = scene.by_method(self.playback.runs());
         let (now, sign, wanted) = goal.compared(open, scene, &runs)?;
+        // A sign only where the number itself is not the goal.
+        let sign = if sign == "=" {
+            String::new()
+        } else {
+            format!("{sign} ")
+        };
         let message = Message::new("goal-hint-now").with("now", now);
-        Some(message.with("sign", sign.to_owned()).with("wanted", wanted))
+        Some(message.with("sign", sign).with("wanted", wanted))
     }
 
     /// Counts where the run of the scene ends, once nothing is dragged any more; not that of the step's own scene.

@@ -318,6 +318,7 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
         Some((counts, counts, method))
     };
     let compared = beside.or_else(baseline);
+    let compared = compared.filter(|_| !app.is_hunting());
     let name = |method: &MethodCard| app.name_of(method);
     let other_name = compared.map(|(.., method)| name(method));
     let other_name = other_name.unwrap_or_default();

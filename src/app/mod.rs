@@ -322,7 +322,8 @@ impl App {
         self.look_at_goal();
         self.take_recorded(&ctx);
         self.take_up_lesson();
-        self.playback.hide_mistakes(self.hides_mistakes());
+        self.playback
+            .hide(self.hides_mistakes(), self.practice.is_asking());
         let album = self.album.as_ref();
         self.playback.prepare(self.stage.bounds(), album);
 

@@ -219,6 +219,13 @@ impl App {
         self.playback.difference.filter(|_| !is_asking)
     }
 
+    /// Is a scene looked for in which two programs differ? What each of them costs would tell that they do.
+    pub(super) fn is_hunting(&self) -> bool {
+        let has_goal = !self.met().is_empty();
+        let both = self.playback.difference.is_some();
+        has_goal && both && self.hides_mistakes() && !self.is_reached()
+    }
+
     pub(super) fn has_answer(&self) -> bool {
         let [_, step_idx] = self.bookmark.at;
         let step = self.bookmark.step().and(self.bookmark.lesson());

@@ -43,6 +43,7 @@ pub struct Playback {
     comparison: (Vec<&'static str>, Comparison),
     /// Would the name of a mistake answer what is asked?
     hides_mistakes: bool,
+    hides_answer: bool,
     together: Option<Frame>,
     /// How numbers are written: those of the whole run, and those of the present step.
     notations: [Notation; 2],
@@ -92,6 +93,7 @@ impl Playback {
             told: found.told,
             comparison,
             hides_mistakes: false,
+            hides_answer: false,
             together: None,
             notations: [Notation::Own; 2],
             eyes: None,
@@ -199,9 +201,11 @@ impl Playback {
         }
     }
 
-    /// Would the name of a mistake answer what is asked?
-    pub fn hide_mistakes(&mut self, are_hidden: bool) {
-        if std::mem::replace(&mut self.hides_mistakes, are_hidden) != are_hidden {
+    /// Would the names of mistakes, or pictures of what comes, answer what is asked?
+    pub fn hide(&mut self, mistakes: bool, what_comes: bool) {
+        let was = [self.hides_mistakes, self.hides_answer];
+        if was != [mistakes, what_comes] {
+            [self.hides_mistakes, self.hides_answer] = [mistakes, what_comes];
             self.framed_at = None;
         }
     }
@@ -217,6 +221,9 @@ impl Playback {
         self.frames = runs.map(|(run, [step, _])| run.frame(step)).collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
+        if self.hides_answer {
+            self.frames.iter_mut().for_each(Frame::hide_answer);
+        }
         let methods = self.scene.document().methods();
         let ids = ids(&methods);
         if self.comparison.0 != ids {

@@ -1,6 +1,7 @@
 //! Asking what comes: practice does before every decision of a run, a step of a lesson before its own. What might come, what
 //! does, and why are the step's own.
 
+mod asked;
 mod taken_back;
 
 use std::{collections::BTreeSet, ops::ControlFlow};
@@ -12,18 +13,8 @@ use crate::{
 
 use super::{App, Command, answers::Answer, desk::Page, prelude::*};
 
-/// What has a digit of its own; more options than these are a list.
-pub(super) const DIGITS: [Key; 9] = [
-    Key::Num1,
-    Key::Num2,
-    Key::Num3,
-    Key::Num4,
-    Key::Num5,
-    Key::Num6,
-    Key::Num7,
-    Key::Num8,
-    Key::Num9,
-];
+pub(super) use asked::{Asked, DIGITS};
+
 /// Of so many steps the decisions are looked at to keep room for their questions.
 const MOST_LOOKED_AT: usize = 512;
 
@@ -43,31 +34,6 @@ pub struct Practice {
     /// The step of the course that asks its whole run, and whether an answer had to be shown.
     of: Option<Page>,
     is_helped: bool,
-}
-
-pub struct Asked {
-    /// The decision's: until it is answered the stage shows the step before.
-    step: usize,
-    pub(super) choice: Choice,
-    /// What was answered; the right one where the answer was asked for.
-    pub(super) chosen: Option<usize>,
-    pub(super) is_shown: bool,
-    chips: Vec<Chip>,
-    /// The step of the course that asks it, where none of a practice does.
-    of: Option<Page>,
-}
-
-impl Asked {
-    fn new(step: usize, choice: Choice, of: Option<Page>) -> Self {
-        Self {
-            step,
-            chips: choice.chips(None, DIGITS.len()),
-            choice,
-            chosen: None,
-            is_shown: false,
-            of,
-        }
-    }
 }
 
 impl Practice {
@@ -187,8 +153,8 @@ impl App {
                 return None;
             }
             Command::TakeBack if self.practice.has_answered() => {
-                if let Some(step) = self.practice.take_back() {
-                    self.seek(step - 1);
+                if let Some(stands) = self.practice.take_back() {
+                    self.seek(stands);
                 }
                 return None;
             }
@@ -281,9 +247,11 @@ impl App {
         let Some((step, choice)) = self.playback.main().decision_by(home) else {
             return;
         };
-        self.practice.asked = Some(Asked::new(step, choice, page));
+        let asked = Asked::in_run(self.playback.main(), step, choice);
+        let stands = asked.stands;
+        self.practice.asked = Some(Asked { of: page, ..asked });
         self.keep_room();
-        self.seek(step - 1);
+        self.seek(stands);
     }
 
     /// To this step, or as far as the first decision on the way that has not been answered.
@@ -293,20 +261,22 @@ impl App {
         let done = &self.practice.done;
         let mut asked = None;
         if to > now {
-            self.playback
-                .main()
-                .visit([now + 1, to], &mut |step, shown| {
-                    if done.contains(&step) {
-                        return ControlFlow::Continue(());
-                    }
-                    let Some(choice) = shown.options().filter(Choice::is_open) else {
-                        return ControlFlow::Continue(());
-                    };
-                    asked = Some(Asked::new(step, choice, None));
-                    ControlFlow::Break(())
-                });
+            let run = self.playback.main();
+            run.visit([now + 1, to], &mut |step, shown| {
+                if done.contains(&step) {
+                    return ControlFlow::Continue(());
+                }
+                let choice = shown.options().filter(Choice::is_open);
+                let found = choice.map(|choice| Asked::in_run(run, step, choice));
+                // What a whole phase leads to is told, where its steps have been asked.
+                asked = found.filter(|asked| asked.stands >= now);
+                match asked {
+                    None => ControlFlow::Continue(()),
+                    Some(_) => ControlFlow::Break(()),
+                }
+            });
         }
-        self.seek(asked.as_ref().map_or(to, |asked| asked.step - 1));
+        self.seek(asked.as_ref().map_or(to, |asked| asked.stands));
         self.practice.asked = asked;
         if self.practice.asked.is_none() && to == self.playback.transport.n_steps() {
             self.finish_run();
@@ -349,6 +319,7 @@ impl App {
         let step = asked.step;
         practice.answers.push(Answer {
             step,
+            stands: asked.stands,
             choice: asked.choice.clone(),
             chosen,
             is_shown: nth.is_none(),

@@ -18,10 +18,10 @@ use super::{
     prelude::*,
 };
 
-use cards::{Table, cards, pixels};
+use cards::{Table, cards, pixels, words};
 
-/// Of the window's height.
-const MOST: f32 = 0.4;
+/// Of the height that the stage would have.
+const MOST: f32 = 0.45;
 const MARGIN: Margin = Margin::symmetric(24, 10);
 /// What is longer stands in a line of its own.
 const LONG: usize = 48;
@@ -37,8 +37,10 @@ pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
     }
     let frame = Frame::new().fill(app.look().theme.panel);
     let around = MARGIN.sum();
-    let most = MOST * ui.max_rect().height();
-    let width = ui.max_rect().width() - around.x;
+    // What the panels before this one have left.
+    let room = ui.available_size_before_wrap();
+    let most = MOST * room.y;
+    let width = room.x - around.x;
     let height = kept_height(app, ui, width).min(most);
     Panel::bottom("practice")
         .frame(frame.inner_margin(MARGIN))
@@ -110,11 +112,10 @@ impl Options {
         let is_list = said.len() > DIGITS.len() || said.iter().any(is_long);
         let chip = chip(None, 0).size(theme);
         let around = 2.0 * AROUND + vec2(chip.x + GAP, 0.0);
-        let font = TextStyle::Body.resolve(ui.style());
         let (mut boxes, mut at, mut height) = (Vec::new(), Pos2::ZERO, 0.0_f32);
         for text in said {
             let most = width - around.x;
-            let text = (ui.painter()).layout(text.clone(), font.clone(), theme.ink, most);
+            let text = words(ui, app.look(), (text, TextStyle::Body), most);
             let size = text.size().max(vec2(0.0, chip.y)) + around;
             if at.x > 0.0 && (is_list || at.x + size.x > width) {
                 at = pos2(0.0, height + GAP);
@@ -127,9 +128,8 @@ impl Options {
     }
 }
 
-fn said_live(ui: &mut Ui, look: Look<'_>, text: &str) {
-    let text = RichText::new(text).font(theme::strong().resolve(ui.style()));
-    let label = ui.add(Label::new(text.color(look.theme.ink)).wrap());
+fn said_live(ui: &mut Ui, text: Arc<Galley>) {
+    let label = ui.add(Label::new(text));
     let live = |node: &mut egui::accesskit::Node| node.set_live(Live::Polite);
     ui.ctx().accesskit_node_builder(label.id, live);
 }
@@ -146,15 +146,17 @@ fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
 fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<Link> {
     let look = app.look();
     ui.spacing_mut().item_spacing.y = GAP;
-    let words = |ui: &mut Ui| {
+    let head = |ui: &mut Ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
         Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
         let stroke = look.theme.stroke(1.5, look.theme.signal);
         ui.painter().circle_stroke(rect.center(), 10.0, stroke);
-        said_live(ui, look, &look.say("practice-question"));
+        let asked = look.say("practice-question");
+        let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);
+        said_live(ui, asked);
         ui.add(Label::new(soft(look, "practice-how")).truncate());
     };
-    line(ui, words, |ui| {
+    line(ui, head, |ui| {
         if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
             app.push(Command::ShowMe);
         }
@@ -247,11 +249,11 @@ fn option(
     painter.galley(at, text, theme.ink);
 }
 
-/// What was said, beside the button that goes on; under it how many have been told.
+/// What was said, beside the buttons that go on and back; under it how many have been told.
 struct Answer {
-    said: String,
+    said: Arc<Galley>,
     width: f32,
-    heights: [f32; 2],
+    told: f32,
 }
 
 impl Answer {
@@ -266,24 +268,20 @@ impl Answer {
             .with("right", right.to_owned())
             .with("chosen", chosen.to_owned());
         let said = look.catalog.message(&message);
-        let button = look.say("practice-go-on");
-        let font = |style: TextStyle| style.resolve(ui.style());
-        let text = |text: String, style: TextStyle, most: f32| {
-            let galley = ui.painter().layout(text, font(style), look.theme.ink, most);
-            galley.size()
-        };
-        let button = text(button, TextStyle::Button, f32::INFINITY).x;
-        let width = (width - button - 2.0 * AROUND.x - 4.0 * GAP).max(0.0);
-        let told = text("0".to_owned(), TextStyle::Body, width).y;
+        let buttons = ["practice-go-on", "practice-take-back"].map(|key| look.say(key));
+        let size = |text: &str, style| words(ui, look, (text, style), f32::INFINITY).size();
+        let buttons = buttons.map(|it| size(&it, TextStyle::Button).x);
+        let around = buttons.len() as f32 * (2.0 * AROUND.x + 2.0 * GAP) + 2.0 * GAP;
+        let width = (width - buttons.iter().sum::<f32>() - around).max(0.0);
         Self {
+            said: words(ui, look, (&said, theme::strong()), width),
+            told: size("0", TextStyle::Body).y,
             width,
-            heights: [text(said.clone(), theme::strong(), width).y, told],
-            said,
         }
     }
 
     fn height(&self) -> f32 {
-        self.heights.iter().sum::<f32>() + GAP
+        self.said.size().y + self.told + GAP
     }
 }
 
@@ -310,7 +308,7 @@ fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.set_max_width(answer.width);
             ui.spacing_mut().item_spacing.y = GAP;
-            said_live(ui, look, &answer.said);
+            said_live(ui, answer.said.clone());
             told(app, ui);
         });
     });

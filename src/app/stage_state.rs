@@ -176,7 +176,7 @@ impl StageState {
 
     /// What is to be seen: all of a scene that does not lie well in what was to be seen.
     pub fn refitted(&self, scene: &Scene) -> [[f64; 2]; 2] {
-        let ([min, max], [now_min, now_max]) = (self.bounds, scene.document().bounds());
+        let ([min, max], [now_min, now_max]) = (self.bounds, scene.document().frame());
         let lies_well = (0..2).all(|i| {
             let (size, now) = (max[i] - min[i], now_max[i] - now_min[i]);
             let beyond = (min[i] - now_min[i]).max(now_max[i] - max[i]);
@@ -185,7 +185,7 @@ impl StageState {
         if lies_well {
             self.bounds
         } else {
-            scene.document().bounds()
+            scene.document().frame()
         }
     }
 

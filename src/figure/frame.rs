@@ -8,7 +8,7 @@ use crate::{
 use super::{
     mark::Mark,
     role::{Link, Role},
-    small_pictures::Raster,
+    small_pictures::{Raster, SmallDrawing},
     space::Space,
     view::{Body, View, ViewId},
     watch::Watch,
@@ -76,6 +76,16 @@ impl Frame {
             return None;
         };
         Some(space)
+    }
+
+    /// Before what comes is asked, nothing shows that.
+    pub fn hide_answer(&mut self) {
+        for view in &mut self.views {
+            if let Body::Multiples(multiples) = &mut view.body {
+                let drawings = multiples.drawings.iter_mut();
+                drawings.for_each(SmallDrawing::hide_answer);
+            }
+        }
     }
 
     /// What this step is about, the drawing's first: the links of marks and of values that stand out.
@@ -156,6 +166,8 @@ pub struct Choice {
     pub links: Vec<Option<Link>>,
     pub glimpses: Vec<Glimpse>,
     pub right: usize,
+    /// Do the steps since the last phase began lead to the answer?
+    pub is_of_phase: bool,
 }
 
 /// An option on the picture: its digit at what it is about.

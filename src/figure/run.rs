@@ -78,6 +78,18 @@ pub trait Run: Send {
         })
     }
 
+    /// The step at which it is asked what another one decides: the one before, or where the phase began that leads to it.
+    fn asked_at(&self, decided: usize, choice: &Choice) -> usize {
+        let begins = |&step: &usize| step == 0 || self.tick(step) == Tick::Phase;
+        let mut before = (0..decided).rev();
+        let found = if choice.is_of_phase {
+            before.find(begins)
+        } else {
+            before.next()
+        };
+        found.unwrap_or_default()
+    }
+
     fn find(&self, moment: &Moment) -> Option<usize> {
         let (wanted, nth) = match moment {
             Moment::Start => return Some(0),

@@ -35,6 +35,8 @@ pub struct SmallDrawing {
     pub is_current: bool,
     /// Has the run not come here yet? Its words are pale, its marks have weights of their own.
     pub is_to_come: bool,
+    /// So many of its marks, from the first on, show nothing that the run has not come to; `None` where all do.
+    pub n_known: Option<usize>,
     pub link: Option<Link>,
 }
 
@@ -46,7 +48,16 @@ impl SmallDrawing {
             marks,
             is_current: false,
             is_to_come: false,
+            n_known: None,
             link: None,
+        }
+    }
+
+    /// Without what the run has not come to.
+    pub fn hide_answer(&mut self) {
+        if let Some(n_known) = self.n_known {
+            self.marks.truncate(n_known);
+            self.note = None;
         }
     }
 }

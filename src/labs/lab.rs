@@ -91,8 +91,12 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
 pub trait Backdrop {
     /// What lies under the marks of the method in this column, at the end of its run or before.
     fn backdrop(&self, column: usize, at_end: bool) -> Vec<Mark>;
-    /// The world rectangle that a view shows at first.
+    /// The world rectangle that holds the scene.
     fn bounds(&self) -> [[f64; 2]; 2];
+    /// The one that a view shows at first: the scene, with what around it belongs to the picture.
+    fn frame(&self) -> [[f64; 2]; 2] {
+        self.bounds()
+    }
     /// Where something is visible, in a scene of the plane that has such a place.
     fn region(&self) -> Option<[[f64; 2]; 2]> {
         None

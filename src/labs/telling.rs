@@ -245,7 +245,12 @@ impl<M: Telling> At<'_, M> {
     pub fn message(&self, key: &'static str) -> Message {
         let names = Catalog::variables(key).iter();
         names.fold(Message::new(key), |message, &name| {
-            message.with(name, self.value(name).unwrap_or_else(|| missing(name)))
+            match self.value(name) {
+                Some(value) => message.with(name, value),
+                // Filled in for each option.
+                None if name == OPTION => message,
+                None => message.with(name, missing(name)),
+            }
         })
     }
 
@@ -310,8 +315,12 @@ impl<M: Telling> At<'_, M> {
             }
             Options::Of { name, list } => {
                 let values = M::listed(self, list).into_iter();
-                let option = |entry: Named| Some((entry.value?, entry.link, row));
-                (values.filter_map(option).collect(), self.value(name)?)
+                let said = |value: Value| match row.option {
+                    Some(key) => Value::Message(self.message(key).with(OPTION, value)),
+                    None => value,
+                };
+                let option = |entry: Named| Some((said(entry.value?), entry.link, row));
+                (values.filter_map(option).collect(), said(self.value(name)?))
             }
         };
         let right = options.iter().position(|(option, ..)| *option == right)?;
@@ -323,9 +332,13 @@ impl<M: Telling> At<'_, M> {
             links: options.iter().map(|(_, link, _)| *link).collect(),
             options: options.into_iter().map(|(option, ..)| option).collect(),
             right,
+            is_of_phase: row.is_of_phase,
         })
     }
 }
+
+/// In the message of an option: the entry of the list.
+const OPTION: &str = "option";
 
 /// An option as it is said, what it is about, and its row.
 type Answered = (Value, Option<Link>, &'static Row);

@@ -9,6 +9,7 @@ use toml::de::DeValue;
 use crate::{
     figure::{Run, Tick},
     labs::Scene,
+    text::{Catalog, Value},
 };
 
 use super::{prelude::*, reference::Condition, toml_fields::Node};
@@ -127,6 +128,45 @@ impl Goal {
     }
 }
 
+/// How students read a condition that is offered, until the author has put it better; any other as it is spelt.
+pub fn in_words(part: &str, lang: Lang) -> String {
+    let said = worded(part).map(|message| Catalog::of(lang).message(&message));
+    said.unwrap_or_else(|| format!("`{part}`"))
+}
+
+fn worded(part: &str) -> Option<Message> {
+    let (what, value) = part.split_once(" = ")?;
+    let value = value.trim_matches('\'').to_owned();
+    if let Some(name) = what.strip_prefix("events(") {
+        let name = name.strip_suffix(')')?.to_owned();
+        let count = Value::Count(value.parse().ok()?);
+        return Some(
+            Message::new("goal-words-count")
+                .with("name", name)
+                .with("count", count),
+        );
+    }
+    if let Some((key, event)) = what
+        .strip_prefix("event.")
+        .and_then(|it| it.split_once(" @ "))
+    {
+        let (event, nth) = event.split_once(" #").unwrap_or((event, "1"));
+        let message = Message::new("goal-words-event").with("name", key.to_owned());
+        let message = message.with("event", event.to_owned()).with("value", value);
+        return Some(message.with("nth", Value::Count(nth.parse().ok()?)));
+    }
+    let key = what.strip_prefix("output.")?;
+    let is_plain = key.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+    let message = match (key, &*value) {
+        ("visible", "true") => Message::new("goal-words-visible"),
+        ("visible", "false") => Message::new("goal-words-invisible"),
+        _ => Message::new("goal-words-output")
+            .with("name", key.to_owned())
+            .with("value", value),
+    };
+    is_plain.then_some(message)
+}
+
 /// What an event says in words, the `nth` of its name: what decides is asked so.
 fn words_of(event: &Json, name: &str, nth: usize) -> Vec<String> {
     let nth = if nth > 1 {
@@ -183,4 +223,26 @@ pub(super) fn conditions(node: Node<'_>) -> Option<Vec<Condition>> {
     }
     let read = |node: Node<'_>| node.accept(Condition::parse(node.text()?));
     nodes.map(read).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Course;
+
+    #[test]
+    fn whatever_is_offered_is_said_in_words() {
+        let course = Course::embedded();
+        let mut n = 0;
+        for goal in course.lessons.iter().flat_map(|lesson| &lesson.steps) {
+            for part in Goal::offered(&goal.scene) {
+                for lang in Lang::ALL {
+                    let said = in_words(&part, lang);
+                    assert!(!said.contains(['`', '=', '⟦']), "{part}: {said}");
+                }
+                n += 1;
+            }
+        }
+        assert!(n > 100, "{n}");
+    }
 }

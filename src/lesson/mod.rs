@@ -46,7 +46,7 @@ mod toml_errors;
 mod toml_fields;
 mod translated;
 
-pub use asking::{Asks, Goal};
+pub use asking::{Asks, Goal, in_words};
 pub use card::{Card, CardRow};
 pub use course::{Course, Lesson};
 #[cfg(not(target_arch = "wasm32"))]

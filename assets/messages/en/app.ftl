@@ -312,7 +312,7 @@ mark-goal = goal not reached yet
 goal-hint = Hint (T)
 goal-hint-part = { $part } of { $count } seen
 goal-hint-none = The run of this scene decides nothing: change the scene first.
-goal-hint-now = Now { $now }; the goal is { $sign } { $wanted }.
+goal-hint-now = Now { $now }; the goal is { $sign }{ $wanted }.
 goal-so-far = Where your runs ended
 goal-ended =
     { $count ->

@@ -113,6 +113,7 @@ planes-done-outside = The { $plane } plane rejects the object after { $planes ->
         [one] { $planes } test
        *[other] { $planes } tests
     }: nothing of it is drawn.
+option-beyond = Outside the { $option } plane
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = if d < −r: cull
 code-sphere-straddles = if d < r: straddles

@@ -211,5 +211,14 @@ problem-goal-met = The goal holds of the step’s own scene.
 expect-reached = Expected: the name of a scene of which all parts of the goal hold, while they do not all hold of the step’s own scene.
 problem-goal-parts = The goal has { $count } parts, and { $limit } at most.
 expect-goal = Expected: a list of conditions, such as ["output.visible = false", "events(cut) = 1"].
+goal-words-visible = Something is visible
+goal-words-invisible = Nothing is visible
+goal-words-output = The answer’s “{ $name }” is “{ $value }”
+goal-words-event = At “{ $event }” number { $nth }, “{ $name }” is “{ $value }”
+goal-words-count =
+    { $count ->
+        [one] The run has { $count } step “{ $name }”
+       *[other] The run has { $count } steps “{ $name }”
+    }
 problem-goal-text = Step “{ $name }” has { $count } goal lines, and { $limit } conditions in lesson.toml.
 expect-goal-text = Expected: one line “- [ ] …” for each condition.

@@ -322,6 +322,10 @@ bsp-ask-front = { $piece } is in front of the plane of { $triangle }. Distances 
 bsp-ask-back = { $piece } is behind the plane of { $triangle }. Distances of its vertices:
 bsp-ask-on = { $piece } is in the plane of { $triangle }. Distances of its vertices:
 bsp-ask-cut = { $piece } is on both sides of the plane of { $triangle }: it is cut into { $first } and { $second }. Distances of its vertices:
+option-side-front = { $piece } is in front of the plane of { $triangle }.
+option-side-back = { $piece } is behind the plane of { $triangle }.
+option-side-on = { $piece } is in the plane of { $triangle }.
+option-side-cut = { $piece } is on both sides of the plane of { $triangle }: it is cut into { $first } and { $second }.
 bsp-built = The tree is built. { $triangles ->
     [one] One triangle is
    *[other] { $triangles } triangles are

@@ -312,7 +312,7 @@ mark-goal = objetivo aún no alcanzado
 goal-hint = Pista (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = La ejecución de esta escena no decide nada: cambia primero la escena.
-goal-hint-now = Ahora { $now }; el objetivo es { $sign } { $wanted }.
+goal-hint-now = Ahora { $now }; el objetivo es { $sign }{ $wanted }.
 goal-so-far = Dónde acabaron tus ejecuciones
 goal-ended =
     { $count ->

@@ -113,6 +113,7 @@ planes-done-outside = El plano { $plane } descarta el objeto tras { $planes ->
         [one] { $planes } prueba
        *[other] { $planes } pruebas
     }: no se dibuja nada de él.
+option-beyond = Fuera del plano { $option }
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = si d < −r: descartar
 code-sphere-straddles = si d < r: cruza el plano

@@ -211,5 +211,14 @@ problem-goal-met = El objetivo ya se cumple en la escena del paso.
 expect-reached = Se esperaba: el nombre de una escena en la que se cumplan todas las partes del objetivo, que no se cumplen todas en la escena del paso.
 problem-goal-parts = El objetivo tiene { $count } partes, y como máximo puede tener { $limit }.
 expect-goal = Se esperaba: una lista de condiciones, como ["output.visible = false", "events(cut) = 1"].
+goal-words-visible = Se ve algo
+goal-words-invisible = No se ve nada
+goal-words-output = En la respuesta, «{ $name }» es «{ $value }»
+goal-words-event = En «{ $event }» número { $nth }, «{ $name }» es «{ $value }»
+goal-words-count =
+    { $count ->
+        [one] La ejecución tiene { $count } paso «{ $name }»
+       *[other] La ejecución tiene { $count } pasos «{ $name }»
+    }
 problem-goal-text = El paso «{ $name }» tiene { $count } líneas de objetivo, y lesson.toml { $limit } condiciones.
 expect-goal-text = Se esperaba: una línea «- [ ] …» por cada condición.

@@ -319,6 +319,10 @@ bsp-ask-front = { $piece } está delante del plano de { $triangle }. Distancias 
 bsp-ask-back = { $piece } está detrás del plano de { $triangle }. Distancias de sus vértices:
 bsp-ask-on = { $piece } está en el plano de { $triangle }. Distancias de sus vértices:
 bsp-ask-cut = { $piece } está a ambos lados del plano de { $triangle }: se corta en { $first } y { $second }. Distancias de sus vértices:
+option-side-front = { $piece } está delante del plano de { $triangle }.
+option-side-back = { $piece } está detrás del plano de { $triangle }.
+option-side-on = { $piece } está en el plano de { $triangle }.
+option-side-cut = { $piece } está a ambos lados del plano de { $triangle }: se corta en { $first } y { $second }.
 bsp-built = El árbol está construido: { $triangles ->
     [one] un triángulo queda
    *[other] { $triangles } triángulos quedan

@@ -312,7 +312,7 @@ mark-goal = meta ainda não alcançada
 goal-hint = Dica (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = A execução desta cena não decide nada: mude primeiro a cena.
-goal-hint-now = Agora { $now }; o objetivo é { $sign } { $wanted }.
+goal-hint-now = Agora { $now }; o objetivo é { $sign }{ $wanted }.
 goal-so-far = Onde as suas execuções terminaram
 goal-ended =
     { $count ->

@@ -113,6 +113,7 @@ planes-done-outside = O plano { $plane } descarta o objeto após { $planes ->
         [1] { $planes } teste
        *[other] { $planes } testes
     }: nada dele é desenhado.
+option-beyond = Fora do plano { $option }
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = se d < −r: descarte
 code-sphere-straddles = se d < r: cruza o plano

@@ -211,5 +211,14 @@ problem-goal-met = A meta já vale na cena do passo.
 expect-reached = Esperado: o nome de uma cena em que valem todas as partes da meta, que não valem todas na cena do passo.
 problem-goal-parts = A meta tem { $count } partes, e o máximo é { $limit }.
 expect-goal = Esperado: uma lista de condições, como ["output.visible = false", "events(cut) = 1"].
+goal-words-visible = Algo é visível
+goal-words-invisible = Nada é visível
+goal-words-output = Na resposta, “{ $name }” é “{ $value }”
+goal-words-event = No “{ $event }” número { $nth }, “{ $name }” é “{ $value }”
+goal-words-count =
+    { $count ->
+        [1] A execução tem { $count } passo “{ $name }”
+       *[other] A execução tem { $count } passos “{ $name }”
+    }
 problem-goal-text = O passo “{ $name }” tem { $count } linhas de meta, e lesson.toml { $limit } condições.
 expect-goal-text = Esperado: uma linha “- [ ] …” para cada condição.

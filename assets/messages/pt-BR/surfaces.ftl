@@ -319,6 +319,10 @@ bsp-ask-front = { $piece } está na frente do plano de { $triangle }. Distância
 bsp-ask-back = { $piece } está atrás do plano de { $triangle }. Distâncias dos seus vértices:
 bsp-ask-on = { $piece } está no plano de { $triangle }. Distâncias dos seus vértices:
 bsp-ask-cut = { $piece } está dos dois lados do plano de { $triangle }: é cortado em { $first } e { $second }. Distâncias dos seus vértices:
+option-side-front = { $piece } está na frente do plano de { $triangle }.
+option-side-back = { $piece } está atrás do plano de { $triangle }.
+option-side-on = { $piece } está no plano de { $triangle }.
+option-side-cut = { $piece } está dos dois lados do plano de { $triangle }: é cortado em { $first } e { $second }.
 bsp-built = A árvore está construída: { $triangles ->
     [1] um triângulo fica
    *[other] { $triangles } triângulos ficam

@@ -89,6 +89,7 @@ sphere-outside = 球在{ $plane }平面的外侧：整个物体剔除。
 sphere-done-inside = 球在全部 { $planes } 个平面的内侧：三角形不必再测试。
 sphere-done-straddles = 球跨在 { $planes } 个平面中的 { $cut } 个上：接着逐个测试三角形。
 planes-done-outside = 第 { $planes } 次测试判定它在{ $plane }平面外侧：整个剔除。
+option-beyond = 在{ $option }平面外侧
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = 若 d < −r：剔除
 code-sphere-straddles = 若 d < r：跨界

@@ -196,5 +196,10 @@ problem-goal-met = 步骤自己的场景已经满足目标。
 expect-reached = 应为：满足目标各项的场景的名称；步骤自己的场景不能已经满足全部各项。
 problem-goal-parts = 目标有 { $count } 项，最多 { $limit } 项。
 expect-goal = 应为：条件的列表，例如 ["output.visible = false", "events(cut) = 1"]。
+goal-words-visible = 有可见的部分
+goal-words-invisible = 没有可见的部分
+goal-words-output = 结果中“{ $name }”为“{ $value }”
+goal-words-event = 第 { $nth } 个“{ $event }”中，“{ $name }”为“{ $value }”
+goal-words-count = 运行中有 { $count } 个“{ $name }”步骤
 problem-goal-text = 步骤“{ $name }”有 { $count } 行目标，而 lesson.toml 中有 { $limit } 个条件。
 expect-goal-text = 应为：每个条件一行“- [ ] …”。

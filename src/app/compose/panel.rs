@@ -3,7 +3,7 @@
 use egui::{Role, TextEdit, WidgetInfo, accesskit::Live};
 
 use crate::{
-    lesson::quoted,
+    lesson::{in_words, quoted},
     widgets::{code_view_switch, rule, tick_sign},
 };
 
@@ -92,11 +92,13 @@ fn outside(app: &App, ui: &mut Ui, compose: &Compose) {
 }
 
 fn mistakes(app: &App, ui: &mut Ui, compose: &Compose) {
-    if compose.problems.is_empty() {
+    // That a goal is still to be dragged away from is said where the goal is set.
+    let mut problems = compose.problems.iter();
+    let Some(problem) = problems.find(|it| it.code() != "problem-goal-met") else {
         return;
-    }
+    };
     let look = app.look();
-    let said = app.listing(&compose.problems[..1]);
+    let said = app.listing(std::slice::from_ref(problem));
     let mut lines = said.lines();
     // The place without the folder, which stands beside the steps.
     let first = lines.next().unwrap_or_default();
@@ -285,8 +287,12 @@ fn goal(app: &App, ui: &mut Ui, compose: &Compose) {
         let others = compose.offered.1.iter().filter(|it| !parts.contains(it));
         for part in parts.iter().chain(others) {
             let mut is_part = parts.contains(part);
-            let words = RichText::new(part).monospace();
-            if ui.checkbox(&mut is_part, words).changed() {
+            let words = in_words(part, look.catalog.lang());
+            let box_ = ui.checkbox(&mut is_part, words);
+            if box_
+                .on_hover_text(RichText::new(part).monospace())
+                .changed()
+            {
                 act(app, Act::Condition(part.clone()));
             }
         }

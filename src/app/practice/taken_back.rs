@@ -40,14 +40,15 @@ impl Practice {
         self.is_on && !self.done.is_empty()
     }
 
-    /// The last decision that has been answered and not been taken back is asked once more; its step. What was answered stays, and
+    /// The last decision that has been answered and not been taken back is asked once more; where the run stands for it. What was answered stays, and
     /// counts.
     pub(super) fn take_back(&mut self) -> Option<usize> {
         let mut answers = self.answers.iter().rev();
         let last = answers.find(|answer| self.done.contains(&answer.step))?;
         self.done.remove(&last.step);
-        self.asked = Some(Asked::new(last.step, last.choice.clone(), None));
-        Some(last.step)
+        let stands = last.stands;
+        self.asked = Some(Asked::new([stands, last.step], last.choice.clone()));
+        Some(stands)
     }
 }
 

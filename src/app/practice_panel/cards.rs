@@ -7,6 +7,7 @@ use egui::{Galley, TextStyle, Vec2};
 use crate::{
     app::prelude::*,
     figure::{Choice, Glimpse, Raster},
+    paint::{Span, Typeset},
 };
 
 /// Beside a picture narrower words are hard to read.
@@ -21,6 +22,12 @@ pub struct Table {
     pub gap: f32,
     pub around: Vec2,
     pub chip: Vec2,
+}
+
+/// What is said, set for reading: subscripts are lowered.
+pub fn words(ui: &Ui, look: Look<'_>, (text, style): (&str, TextStyle), width: f32) -> Arc<Galley> {
+    let span = Span::text(text, style.resolve(ui.style()), look.theme.ink);
+    Typeset::wrapped(ui.painter(), &[span], width).galley()
 }
 
 /// How an option's pixels would be, and how large that is drawn.
@@ -46,16 +53,15 @@ pub fn cards(
     let sizes: Vec<Vec2> = sizes.collect::<Option<_>>()?;
     let picture = sizes.into_iter().reduce(Vec2::max)?;
     let most = (table.width + table.gap) / n as f32 - table.gap;
-    let words = most - picture.x - table.chip.x - 2.0 * table.gap - 2.0 * table.around.x;
-    let font = TextStyle::Body.resolve(ui.style());
+    let width = most - picture.x - table.chip.x - 2.0 * table.gap - 2.0 * table.around.x;
     let size = vec2(most, picture.y + 2.0 * table.around.y);
     let card = |(nth, text): (usize, String)| {
-        let text = (ui.painter()).layout(text, font.clone(), look.theme.ink, words);
+        let text = words(ui, look, (&text, TextStyle::Body), width);
         let at = pos2(nth as f32 * (most + table.gap), 0.0);
         (Rect::from_min_size(at, size), text)
     };
     let said = choice.said(look.catalog).into_iter();
     let boxes: Vec<_> = said.enumerate().map(card).collect();
     let fits = boxes.iter().all(|(_, text)| text.size().y <= size.y);
-    (words > LEAST_WORDS && fits).then_some(boxes)
+    (width > LEAST_WORDS && fits).then_some(boxes)
 }

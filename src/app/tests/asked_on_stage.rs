@@ -174,6 +174,69 @@ fn asked_at(page: Page, lang: Lang, size: Vec2) -> Bench {
     bench
 }
 
+fn small_drawings(bench: &Bench) -> &[crate::figure::SmallDrawing] {
+    let mut views = bench.app.playback.on_stage()[0].views.iter();
+    let found = views.find_map(|view| match &view.body {
+        crate::figure::Body::Multiples(it) => Some(&it.drawings[..]),
+        _ => None,
+    });
+    found.expect("it is there")
+}
+
+#[test]
+fn small_pictures_show_nothing_that_is_asked() {
+    let page = Page::Step("10-one-edge-at-a-time".into(), "four-passes".into());
+    let mut bench = asked_at(page, Lang::En, SIZE);
+    let notes = |bench: &Bench| {
+        small_drawings(bench)
+            .iter()
+            .filter(|it| it.note.is_some())
+            .count()
+    };
+    let marks = |bench: &Bench| {
+        small_drawings(bench)
+            .iter()
+            .map(|it| it.marks.len())
+            .sum::<usize>()
+    };
+    let before = (notes(&bench), marks(&bench));
+    assert_eq!(before.0, 3, "of the passes that are done");
+    bench.command(Command::ShowMe);
+    bench.frame(0.1, Vec::new());
+    assert_eq!(notes(&bench), 4);
+    assert!(marks(&bench) > before.1);
+}
+
+/// In the language with the longest words.
+#[test]
+fn all_options_are_in_sight() {
+    let course = Course::embedded();
+    for lesson in &course.lessons {
+        let asks = |step: &&LessonStep| step.asks.is_some();
+        for step in lesson.steps.iter().filter(asks) {
+            let page = Page::Step(lesson.id.clone(), step.id.clone());
+            let mut bench = asked_at(page, Lang::Es, SIZE);
+            let Some(asked) = bench.app.practice.open() else {
+                continue;
+            };
+            let said = asked.choice.said(Catalog::of(Lang::Es));
+            bench.frame(0.1, Vec::new());
+            let written = bench.written();
+            for option in said.iter().take(9) {
+                let is_whole = |(text, at, clip): &&(String, Rect, Rect)| {
+                    *text == option.replace('_', "") && clip.expand(1.0).contains_rect(*at)
+                };
+                assert!(
+                    written.iter().any(|it| is_whole(&it)),
+                    "{}/{}: {option}",
+                    lesson.id,
+                    step.id
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_chip_answers_and_tells_right_from_wrong() {
     let mut bench = sides();

@@ -9,6 +9,8 @@ fn decisions(bench: &Bench) -> Vec<usize> {
     let mut steps = Vec::new();
     run.visit([1, run.n_steps()], &mut |step, shown| {
         let choice = shown.options().filter(crate::figure::Choice::is_open);
+        // What a phase leads to is known once its steps have been asked.
+        let choice = choice.filter(|it| !it.is_of_phase);
         steps.extend(choice.map(|_| step));
         std::ops::ControlFlow::Continue(())
     });

@@ -38,11 +38,25 @@ impl Backdrop for Scene {
         extent(region.vertices().iter().copied().chain(ends))
     }
 
+    /// All nine places that a point may have to the window are seen.
+    fn frame(&self) -> [[f64; 2]; 2] {
+        let [min, max] = extent(self.region(self.method).vertices().iter().copied());
+        let [least, most] = Backdrop::bounds(self);
+        let around = [0, 1].map(|i| AROUND * (max[i] - min[i]));
+        [
+            [0, 1].map(|i| least[i].min(min[i] - around[i])),
+            [0, 1].map(|i| most[i].max(max[i] + around[i])),
+        ]
+    }
+
     fn region(&self) -> Option<[[f64; 2]; 2]> {
         let region = self.region(self.method);
         Some(extent(region.vertices().iter().copied()))
     }
 }
+
+/// So much of the window's width and height is seen beyond each side, whatever lies there.
+const AROUND: f64 = 0.25;
 
 /// Up to this many segments are looked at one by one: a view shows all of them at first. Of more, the one in focus.
 pub const MAX_FITTED: usize = 20;
@@ -150,5 +164,28 @@ fn clip(scene: &Scene, given: &[Segment]) -> Vec<Segment> {
             clip_all(&scene.window, &segments, &mut clipped);
             clipped.iter().flatten().collect()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Course;
+
+    #[test]
+    fn every_place_around_the_window_is_seen() {
+        let course = Course::embedded();
+        let scenes = course.lessons.iter().flat_map(|lesson| &lesson.steps);
+        let scenes = scenes.filter_map(|step| step.scene.get::<Scene>());
+        let mut n = 0;
+        for scene in scenes {
+            let [min, max] = Backdrop::region(scene).expect("a window");
+            let [least, most] = scene.frame();
+            for i in 0..2 {
+                assert!(least[i] < min[i] && max[i] < most[i]);
+            }
+            n += 1;
+        }
+        assert!(n > 50, "{n}");
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::{
     algo::line::End,
+    figure::Link,
     geom::{ConvexPolygon, Point, Segment},
     labs::{
         Draggable, Handle, HandleKind,
@@ -46,6 +47,10 @@ impl Draggable for Scene {
             None => handles.extend(window_handles::handles()),
         }
         handles
+    }
+
+    fn seized(&self, link: Link) -> Option<Handle> {
+        (link == Link::to("segment")).then(|| SEGMENT.at([0, 0]))
     }
 
     fn position(&self, handle: Handle) -> Option<[f64; 3]> {

@@ -35,6 +35,8 @@ pub struct Row {
     pub answers: Option<Question>,
     /// Catalogue key of the answer, where the sentence has names that are not alive before the answer is known.
     pub option: Option<&'static str>,
+    /// Do all steps since the last phase began lead to the answer?
+    pub is_of_phase: bool,
 }
 
 impl Row {
@@ -48,6 +50,7 @@ impl Row {
             decides: Decides::Nothing,
             answers: None,
             option: None,
+            is_of_phase: false,
         }
     }
 
@@ -102,6 +105,28 @@ impl Row {
         let options = Options::Of { name, list };
         let answers = Some(Question { id: name, options });
         Self { answers, ..self }
+    }
+
+    /// The same; each entry is said within a message of its own, as its variable `option`.
+    pub const fn picks_as(
+        self,
+        name: &'static str,
+        list: &'static str,
+        option: &'static str,
+    ) -> Self {
+        let option = Some(option);
+        Self {
+            option,
+            ..self.picks(name, list)
+        }
+    }
+
+    /// The steps since the last phase began lead to the answer: whoever asks nothing on the way asks before them.
+    pub const fn before_its_phase(self) -> Self {
+        Self {
+            is_of_phase: true,
+            ..self
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::super::asking::in_words;
 use super::passages::{
     moved, put, with_body, with_name, with_parts, with_passage, with_title, without,
 };
@@ -164,8 +165,8 @@ impl Draft {
         if parts.is_empty() {
             draft = draft.without_reached(id)?;
         }
-        for text in draft.texts.values_mut() {
-            *text = with_parts(text, id, [&old, parts])?;
+        for (lang, text) in &mut draft.texts {
+            *text = with_parts(text, id, [&old, parts], |part| in_words(part, *lang))?;
         }
         Some(draft)
     }

@@ -128,8 +128,14 @@ pub fn moved(text: &str, id: &str, after: &str) -> Option<String> {
     Some(put(&rest, at, &text[whole]))
 }
 
-/// The text with a line for each part of a goal, in place of those for its old parts; a part that stays keeps its words.
-pub fn with_parts(text: &str, id: &str, [old, new]: [&[String]; 2]) -> Option<String> {
+/// The text with a line for each part of a goal, in place of those for its old parts; a part that stays keeps its words, and a new
+/// one is put `in_words`.
+pub fn with_parts(
+    text: &str,
+    id: &str,
+    [old, new]: [&[String]; 2],
+    in_words: impl Fn(&str) -> String,
+) -> Option<String> {
     let (nl, body) = (line_break(text), passage(text, id)?.body);
     let mut lines: Vec<String> = Vec::new();
     let (mut nth, mut last) = (0, None);
@@ -146,7 +152,7 @@ pub fn with_parts(text: &str, id: &str, [old, new]: [&[String]; 2]) -> Option<St
     let mut added: Vec<String> = new
         .iter()
         .filter(|part| !old.contains(part))
-        .map(|part| format!("{PART} `{part}`"))
+        .map(|part| format!("{PART} {}", in_words(part)))
         .collect();
     let answer = || {
         lines
@@ -238,14 +244,15 @@ mod tests {
         let last = moved(TEXT, "one", "card").expect("moved");
         assert!(last.starts_with("# Two cuts\n\n## two") && last.contains("- rule: cut\n\n## one"));
         let parts = ["a = 1".to_owned(), "b = 2".to_owned()];
-        let one = with_parts(TEXT, "two", [&[], &parts[..1]]).expect("a goal");
+        let spelt = |part: &str| format!("`{part}`");
+        let one = with_parts(TEXT, "two", [&[], &parts[..1]], spelt).expect("a goal");
         assert!(one.contains("第二\n\n- [ ] `a = 1`\n\n> so\n"), "{one}");
-        let both = with_parts(&one, "two", [&parts[..1], &parts]).expect("two parts");
+        let both = with_parts(&one, "two", [&parts[..1], &parts], spelt).expect("two parts");
         assert!(
             both.contains("- [ ] `a = 1`\n- [ ] `b = 2`\n\n> so\n"),
             "{both}"
         );
-        let none = with_parts(&both, "two", [&parts, &[]]).expect("no goal");
+        let none = with_parts(&both, "two", [&parts, &[]], spelt).expect("no goal");
         assert!(!none.contains("- [ ]"));
         assert_eq!(
             with_name(TEXT, "one", "1"),

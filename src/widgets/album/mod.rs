@@ -60,7 +60,7 @@ impl Album {
     pub fn new(scene: &Scene, lesson: Option<&Lesson>, medium: Medium) -> Self {
         let scenes = scenes(scene, lesson);
         let of = |scene: &&Scene| {
-            let own = || scene.document().bounds();
+            let own = || scene.document().frame();
             let bounds = lesson.map_or_else(own, |lesson| lesson.bounds_of(scene));
             Recorded::new(scene, bounds, medium)
         };

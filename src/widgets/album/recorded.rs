@@ -85,7 +85,8 @@ impl Recorded {
             let Some(((step, choice), lang)) = asked else {
                 return Column::new(method, run, step);
             };
-            let mut column = Column::new(method, run, step - 1);
+            let mut column = Column::new(method, run, run.asked_at(step, &choice));
+            column.frame.hide_answer();
             column.frame.caption = Caption::new(choice.asked(Catalog::of(lang)));
             column
         };

@@ -73,11 +73,11 @@ impl Telling for BackFace {
         products: Event::Products { .. } =>
             Row::new(Test, 2, "face-products").so(&["{dot}", "det = |e, V₁ − V₀, V₂ − V₀|{=det}"]);
         front: Event::Done { front: true } =>
-            Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").keeps("face");
+            Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").before_its_phase().keeps("face");
         edge_on: Event::Done { .. } if step.held.dot == 0.0 =>
-            Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").drops("face");
+            Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").before_its_phase().drops("face");
         back: Event::Done { .. } =>
-            Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").drops("face");
+            Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").before_its_phase().drops("face");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

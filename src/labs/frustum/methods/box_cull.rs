@@ -55,7 +55,7 @@ impl Telling for BoxCull {
         in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
         none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
         culled: Event::Done { class: Outside } =>
-            Row::new(Reject, 4, "planes-done-outside").picks("plane", "planes");
+            Row::new(Reject, 4, "planes-done-outside").picks_as("plane", "planes", "option-beyond").before_its_phase();
         drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
             Row::new(Accept, 4, "box-done-in-vain");
         cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");

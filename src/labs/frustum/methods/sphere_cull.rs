@@ -68,7 +68,7 @@ impl Telling for SphereCull {
         none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
         cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
         culled: Event::Done { class: Outside } =>
-            Row::new(Reject, 4, "planes-done-outside").so(R).picks("plane", "planes");
+            Row::new(Reject, 4, "planes-done-outside").so(R).picks_as("plane", "planes", "option-beyond").before_its_phase();
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -110,15 +110,18 @@ fn rules<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Option<Multiples> {
         let is_current = nth.is_some() && nth == n_walked;
         let given = Mark::new(Role::Soft, Shape::Outline(outline(&pass.before)));
         let mut marks = vec![wash(&edge, is_current), given];
+        let n_given = marks.len();
         marks.extend(
             nth.iter()
                 .flat_map(|&nth| walk_marks(pass, nth, is_current)),
         );
         let n_out = nth.map(|nth| pass.walks[nth].1.len());
         let note = n_out.map(|n| (Role::Ink, name(format!("+{n}"))));
+        let is_to_come = !nth.as_ref().is_some_and(has_come);
         SmallDrawing {
             is_current,
-            is_to_come: !nth.as_ref().is_some_and(has_come),
+            is_to_come,
+            n_known: is_to_come.then_some(n_given),
             ..SmallDrawing::new(Value::Term(rule_term(rule)), note, marks)
         }
     };
@@ -154,6 +157,7 @@ fn all_passes<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Multiples {
     let region = &step.input.region;
     let passes = passes::<V, L>(step.input);
     let (has_begun, now) = (!step.past.is_empty(), nth_pass(step));
+    let n_passed = step.held.lists.n_passed();
     let is_done = matches!(step.event(), Some(Event::Done { .. }));
     let mut corners: Vec<Point> = match region {
         ClipRegion::Window(window) => window.corners().to_vec(),
@@ -165,10 +169,13 @@ fn all_passes<V: LabVertex, L: Variant>(step: &Now<'_, V, L>) -> Multiples {
         let is_current = has_begun && !is_done && nth == now;
         let around = Mark::new(Role::Soft, Shape::Outline(outline(&corners)));
         let mut marks = vec![wash(&edge, is_current), around];
+        // Of the pass at work what goes in is known, too.
+        let n_known = (nth >= n_passed).then(|| marks.len() + usize::from(nth == n_passed));
         marks.extend(pass.iter().flat_map(|pass| pass_marks(pass, is_current)));
         SmallDrawing {
             is_current,
             is_to_come: !is_done && nth > now,
+            n_known,
             link: Some(edge.link()),
             ..SmallDrawing::new(edge.border(), pass.map(lengths), marks)
         }

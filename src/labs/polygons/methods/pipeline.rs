@@ -55,7 +55,7 @@ impl PolygonTelling for Pipeline {
 const fn test(line: usize, key: &'static str) -> Row {
     Row::new(Test, line, key)
         .so(&["{S lies}", "{P lies}"])
-        .picks("rule", "rules")
+        .picks_as("rule", "rules", "option-rule")
 }
 
 const fn first(key: &'static str) -> Row {

@@ -128,7 +128,9 @@ const CROSSES: &[&str] = &["{I 1}", "{I 2}", "{I 3}", "{uv(I)}"];
 const PUTS_OUT: &[&str] = &["{place} = {at}"];
 
 const fn test(line: usize, key: &'static str) -> Row {
-    Row::new(Test, line, key).so(LIES).picks("rule", "rules")
+    Row::new(Test, line, key)
+        .so(LIES)
+        .picks_as("rule", "rules", "option-rule")
 }
 
 const fn cross(line: usize) -> Row {

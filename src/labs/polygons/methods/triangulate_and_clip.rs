@@ -38,7 +38,9 @@ const N: usize = OWN.len() + EARS.len() + CLIPS.len();
 const OWN: &[Row] = &[
     Row::new(Phase, EACH, "tac-triangle").so(&["V₁ = {V₁}", "V₂ = {V₂}", "V₃ = {V₃}"]),
     piece("tac-whole").keeps("triangle"),
-    piece("tac-piece").cuts("triangle"),
+    piece("tac-piece")
+        .answers_as("piece", "option-piece-cut")
+        .cuts("triangle"),
     piece("tac-touch").drops("triangle"),
     piece("tac-none").drops("triangle"),
     Row::new(Reject, PIECE, "tac-finish"),
@@ -60,7 +62,8 @@ const fn own_idx(event: Each) -> usize {
 }
 
 const fn piece(key: &'static str) -> Row {
-    Row::new(Test, PIECE, key).answers("piece")
+    let row = Row::new(Test, PIECE, key).answers("piece");
+    row.before_its_phase()
 }
 
 /// A row of a part, on the line that stands for the part here. What ends a part does not end the method.

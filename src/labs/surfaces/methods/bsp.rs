@@ -51,9 +51,9 @@ const fn node(key: &'static str) -> Row {
     Row::new(Phase, NODE, key).about("triangle")
 }
 
-const fn asked(tick: Tick, line: usize, key: &'static str) -> Row {
+const fn asked(tick: Tick, line: usize, [key, option]: [&'static str; 2]) -> Row {
     let row = Row::new(tick, line, key).so(&["{distances}"]);
-    row.answers("side").about("piece")
+    row.answers_as("side", option).about("piece")
 }
 
 const fn visited(key: &'static str) -> Row {
@@ -80,10 +80,10 @@ impl Telling for Bsp {
         root: Event::Node { parent: None, .. } => node("bsp-node-root");
         back: Event::Node { parent: Some((_, BspSide::Back)), .. } => node("bsp-node-back");
         front: Event::Node { .. } => node("bsp-node-front");
-        ask_front: Event::Ask { side: BspSide::Front, .. } => asked(Test, ASK, "bsp-ask-front");
-        ask_back: Event::Ask { side: BspSide::Back, .. } => asked(Test, ASK, "bsp-ask-back");
-        ask_on: Event::Ask { side: BspSide::On, .. } => asked(Test, ASK, "bsp-ask-on").keeps("piece");
-        ask_cut: Event::Ask { side: BspSide::Cut, .. } => asked(Cut, CUT, "bsp-ask-cut").cuts("piece");
+        ask_front: Event::Ask { side: BspSide::Front, .. } => asked(Test, ASK, ["bsp-ask-front", "option-side-front"]);
+        ask_back: Event::Ask { side: BspSide::Back, .. } => asked(Test, ASK, ["bsp-ask-back", "option-side-back"]);
+        ask_on: Event::Ask { side: BspSide::On, .. } => asked(Test, ASK, ["bsp-ask-on", "option-side-on"]).keeps("piece");
+        ask_cut: Event::Ask { side: BspSide::Cut, .. } => asked(Cut, CUT, ["bsp-ask-cut", "option-side-cut"]).cuts("piece");
         built: Event::Built { .. } => Row::new(Accept, ASK, "bsp-built");
         visit_front: Event::Visit { eye: BspSide::Front, .. } => visited("bsp-visit-front");
         visit_back: Event::Visit { eye: BspSide::Back, .. } => visited("bsp-visit-back");

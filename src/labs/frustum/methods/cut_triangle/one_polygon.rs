@@ -52,7 +52,7 @@ impl<L: Variant<OnePolygon>> SpaceTelling for Shown<L> {
 const fn test(key: &'static str) -> Row {
     Row::new(Test, polygon::DISTANCE, key)
         .so(&["{distance}"])
-        .picks("rule", "rules")
+        .picks_as("rule", "rules", "option-rule")
 }
 
 const fn first(key: &'static str) -> Row {

@@ -204,6 +204,7 @@ pub fn small_view<M: ByPlanes>(
             marks,
             is_current,
             is_to_come,
+            n_known: (idx >= progress.n_done).then_some(1),
             link: Some(plane_link(idx)),
         }
     };

@@ -68,7 +68,7 @@ impl<L: Variant> Telling for Funnel<L> {
         straddles: Event::Sphere { class: Straddles, .. } =>
             Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
         culled: Event::Sphere { class: Outside, .. } =>
-            Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks("plane", "planes");
+            Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks_as("plane", "planes", "option-beyond").before_its_phase();
         whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
             Row::new(Test, TRIANGLE, "funnel-triangle-inside").so(&["{or}"])
                 .keeps("triangle").answers_as("codes", "option-triangle-inside");

@@ -87,9 +87,9 @@ impl Telling for EarClipping {
 
     table! { |event, step|
         again: Event::Classify { .. } if step.held.ring.len() < step.input.vertices().len() =>
-            Row::new(Test, RECLASSIFY, "ear-classify-again").so(TURN).picks("corner", "corners");
+            Row::new(Test, RECLASSIFY, "ear-classify-again").so(TURN).picks_as("corner", "corners", "option-corner");
         classify: Event::Classify { .. } =>
-            Row::new(Test, CLASSIFY, "ear-classify").so(TURN).picks("corner", "corners");
+            Row::new(Test, CLASSIFY, "ear-classify").so(TURN).picks_as("corner", "corners", "option-corner");
         round: Event::Round { .. } => Row::new(Phase, ROUND, "ear-round");
         pass: Event::Pass { .. } =>
             Row::new(Test, CONVEX, "ear-pass").answers_as("convex", "ear-not-convex").keeps("vertex");

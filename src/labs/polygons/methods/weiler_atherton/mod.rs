@@ -46,7 +46,9 @@ const fn found(key: &'static str, option: &'static str) -> Row {
 /// Of a crossing the distances say it; of any other intersection, where it is.
 const fn labelled(tick: Tick, key: &'static str) -> Row {
     const SO: &[&str] = &["a₁ = {a₁}{order}{a₂} = a₂", "{node} = {at}"];
-    Row::new(tick, LABEL, key).so(SO).picks("label", "labels")
+    Row::new(tick, LABEL, key)
+        .so(SO)
+        .picks_as("label", "labels", "option-label")
 }
 
 const fn closed(key: &'static str) -> Row {

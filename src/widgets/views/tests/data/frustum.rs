@@ -94,6 +94,7 @@ pub fn small_drawings(current: Option<usize>) -> Multiples {
         marks: vec![Mark::new(Role::Accent, Shape::Area(vec![outline.clone()]))],
         is_current: current == Some(i),
         is_to_come: current.is_none_or(|current| i > current),
+        n_known: None,
         link: None,
     };
     Multiples {
