@@ -41,6 +41,7 @@ const SPACING: Spacing = Spacing {
     over_caption: 8.0,
     keeps: 0.75,
     is_fixed: false,
+    is_tall: false,
 };
 /// Of what was and what is, the views that differ are larger than the drawing needs them.
 const BESIDE_BEFORE: Spacing = Spacing {
