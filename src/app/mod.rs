@@ -103,7 +103,6 @@ use desk::Desk;
 use history::History;
 use playback::Playback;
 use prelude::*;
-use shown::Shown;
 
 /// The whole app, without a window of its own.
 pub struct App {
@@ -122,7 +121,7 @@ pub struct App {
     album: Option<Album>,
     stage: stage_state::StageState,
     kit: Kit,
-    shown: Shown,
+    shown: shown::Shown,
     /// Since what is remembered was last looked at.
     is_touched: bool,
     notices: Vec<notice::Notice>,
@@ -178,9 +177,9 @@ impl App {
             bookmark,
             history: History::new(scene),
             kit,
-            shown: Shown {
+            shown: shown::Shown {
                 title: "Clipscope".to_owned(),
-                ..Shown::default()
+                ..shown::Shown::default()
             },
             notices: Vec::new(),
             is_touched: false,

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
-use super::Lang;
+use super::lang::Lang;
 
 /// A part of the program that lies beside the page, in a file of its own.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
