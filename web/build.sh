@@ -59,6 +59,18 @@ put "$made/clipscope.wasm" clipscope.wasm
 put "$made/clipscope.bin" clipscope.bin
 put "$made/clipscope.js" clipscope.js
 put ../assets/icon.png icon.png
+# What is fetched when it is first needed: files one after the other, each after its name and its length.
+part() {
+  local to=$1 file
+  shift
+  for file in "$@"; do
+    printf '%s %d\n' "$(sed 's|.*/messages/[^/]*/||; s|.*/lessons/||; s|.*/spot/||' <<<"$file")" "$(stat -c %s "$file")"
+    cat "$file"
+  done | gzip -n9 >"$made/$to"
+  put "$made/$to" "$to"
+}
+for lang in zh-CN es pt-BR; do part "texts-$lang.bin" ../assets/messages/"$lang"/*.ftl ../lessons/*/"$lang.md"; done
+part spot.bin ../assets/meshes/spot/spot.obj ../assets/meshes/spot/spot_texture.png
 for weight in Regular Bold; do put "../assets/fonts/NotoSansSC-$weight.otf" "NotoSansSC-$weight.otf"; done
 for file in words.js keys.js embed.js platform.js page.css page.js; do put "page/$file" "$file"; done
 sed -f "$names" page/index.html >"$dist/index.html"

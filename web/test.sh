@@ -12,6 +12,7 @@ not_tested() { printf '\n!!! %s: NOT tested in a browser\n\n' "$*" >&2; }
 
 chromium >/dev/null || install chromium
 command -v node >/dev/null || install nodejs
+command -v curl >/dev/null || install curl ca-certificates
 if ! chromium >/dev/null || ! command -v node >/dev/null; then
   not_tested "No Chromium, or no node, could be had. The page was built, and"
   exit 0

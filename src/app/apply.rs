@@ -154,10 +154,7 @@ impl App {
             Command::Course if settings.course && has_strip => shown.unfolded ^= true,
             Command::Course => settings.course ^= true,
             Command::Inspector => settings.inspector ^= true,
-            Command::Language(lang) => {
-                settings.lang = lang;
-                self.keep_room();
-            }
+            Command::Language(lang) => self.speak(lang),
             Command::Theme(theme) => settings.theme = theme,
             Command::TextSize(text) => settings.text = text,
             Command::TextStep(0) => settings.text = 1.0,

@@ -143,7 +143,7 @@ fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
     }
 }
 
-fn pickers(app: &App, ui: &mut Ui) {
+pub fn pickers(app: &App, ui: &mut Ui) {
     let edit = method_picker(ui, app.look(), app.scene(), app.hides_mistakes());
     app.push_all(edit.map(|edit| Command::Edit(edit, None)));
     let has_room = ui.available_width() > 150.0 * app.look().theme.text_scale;
@@ -311,7 +311,7 @@ impl App {
 }
 
 /// While it is asked what comes, no total tells how much of it there is.
-fn step_told(app: &App, steps: [usize; 2]) -> String {
+pub fn step_told(app: &App, steps: [usize; 2]) -> String {
     if app.hides_length() {
         let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
         return app.look().catalog.message(&message);
@@ -327,7 +327,7 @@ pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
     look.catalog.message(&message)
 }
 
-fn timeline(app: &App, ui: &mut Ui) {
+pub fn timeline(app: &App, ui: &mut Ui) {
     let transport = &app.playback.transport;
     let catalog = app.look().catalog;
     let run = app.playback.main();

@@ -166,8 +166,7 @@ impl Bookmark {
         }
     }
 
-    /// Another version of the course (a browser's never changes); the reader stays at the same step where it is still there.
-    #[cfg(not(target_arch = "wasm32"))]
+    /// Another version of the course; the reader stays at the same step where it is still there.
     pub fn replace(&mut self, course: Course) {
         let page = self.page_of(self.at);
         let free = self.free.take();

@@ -6,13 +6,13 @@ use crate::{
     figure::{Mark, Role},
     paint::round_step,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, Moved, gripped, link_at, place_at, snapped},
+    widgets::{CanvasShown, Gesture, Moved, gripped, link_at, place_at, reach, snapped},
 };
 
 use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
 
 /// A click this near to a segment or an edge, in points, is on it.
-const CLICK_REACH: f64 = 8.0;
+const CLICK_REACH: f32 = 8.0;
 /// An eye goes round by so many degrees while the pointer crosses half the height of the picture.
 const TURN_DEG: f64 = 90.0;
 /// In space a drag goes by round steps of at least so many points: three coordinates are rounded, and it is not to leave the pointer.
@@ -90,7 +90,7 @@ fn clicked(
         place: lens.world_from_drawing(place, [0.0; 3]),
         inserts: click.is_double || click.has_ctrl,
         picture: shown.picture,
-        ..click_at(&shown.viewport, lens, locks, (click.at, shown.pointed))
+        ..click_at(ui, &shown.viewport, lens, locks, (click.at, shown.pointed))
     };
     let document = app.scene().document();
     let change = document.click(&click);
@@ -233,6 +233,7 @@ fn held_axis(ui: &Ui) -> Option<[f64; 3]> {
 }
 
 pub fn click_at<'a>(
+    ui: &Ui,
     viewport: &Viewport,
     lens: Lens,
     locks: &'a [Lock],
@@ -242,7 +243,7 @@ pub fn click_at<'a>(
     Click {
         at,
         place: at,
-        reach: CLICK_REACH / viewport.scale,
+        reach: f64::from(reach(ui, CLICK_REACH)) / viewport.scale,
         link,
         locks,
         ..Click::default()
@@ -261,8 +262,9 @@ pub fn pointed(
         return None;
     }
     let pointer = ui.input(|input| input.pointer.hover_pos())?;
-    let there = (pointer, link_at(viewport, marks, pointer));
-    let click = click_at(viewport, lens, locks, there);
+    let reach = reach(ui, CLICK_REACH);
+    let there = (pointer, link_at(viewport, marks, pointer, reach));
+    let click = click_at(ui, viewport, lens, locks, there);
     let shape = app.scene().document().pointed(&click)?;
     Some(Mark::new(Role::Accent, shape))
 }
@@ -298,7 +300,7 @@ pub fn ask_of_sketch(app: &App, ui: &Ui, shown: &CanvasShown, sketch: &Sketch) {
         return;
     };
     // The first click of the two has placed the last point.
-    if click.is_double || closes(&shown.viewport, sketch, click.at) {
+    if click.is_double || closes(ui, &shown.viewport, sketch, click.at) {
         app.push(Command::CloseOutline);
     } else {
         let at = place_at(ui, &shown.viewport, click.at, app.settings.snap);
@@ -306,8 +308,9 @@ pub fn ask_of_sketch(app: &App, ui: &Ui, shown: &CanvasShown, sketch: &Sketch) {
     }
 }
 
-fn closes(viewport: &Viewport, sketch: &Sketch, at: Pos2) -> bool {
-    let is_near = |&first: &[f64; 2]| viewport.to_screen(first).distance(at) <= CLOSE_REACH;
+fn closes(ui: &Ui, viewport: &Viewport, sketch: &Sketch, at: Pos2) -> bool {
+    let is_near =
+        |&first: &[f64; 2]| viewport.to_screen(first).distance(at) <= reach(ui, CLOSE_REACH);
     sketch.can_close() && sketch.points().first().is_some_and(is_near)
 }
 
@@ -319,7 +322,7 @@ pub fn draw_sketch(app: &App, ui: &Ui, viewport: &Viewport, sketch: &Sketch) {
     let points: Vec<Pos2> = points.collect();
     let pointer = ui.ctx().pointer_hover_pos();
     let pointer = pointer.filter(|_| ui.rect_contains_pointer(viewport.rect));
-    let will_close = pointer.is_some_and(|at| closes(viewport, sketch, at));
+    let will_close = pointer.is_some_and(|at| closes(ui, viewport, sketch, at));
     let place = |at| viewport.to_screen(place_at(ui, viewport, at, app.settings.snap));
     let next = if will_close {
         points.first().copied()

@@ -7,6 +7,8 @@ use egui::{
     text::{LayoutJob, TextWrapping},
 };
 
+use crate::widgets::target;
+
 use super::{
     course_steps::{CHANGED, named},
     prelude::*,
@@ -29,7 +31,7 @@ const MOST_LINES: usize = 2;
 pub fn row(ui: &mut Ui, look: Look<'_>, row: Row<'_>) -> Response {
     let theme = look.theme;
     let words = Words::of(ui, theme, row);
-    let least = 28.0 * theme.text_scale.sqrt();
+    let least = target(ui, 28.0 * theme.text_scale.sqrt());
     let height = least.max(words.title.size().y + 10.0).round();
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());

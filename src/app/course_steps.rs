@@ -2,6 +2,8 @@
 
 use egui::{Response, Role, Sense, TextStyle, Vec2, WidgetInfo};
 
+use crate::widgets::target;
+
 use super::{App, Command, marks, prelude::*};
 
 const GAP: f32 = 4.0;
@@ -10,10 +12,17 @@ pub const CHANGED: f32 = 3.0;
 pub fn steps(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let n_steps = lesson.steps.len().max(1) as f32;
     let room = (ui.available_width() + GAP) / n_steps - GAP;
-    ui.horizontal(|ui| {
+    let room = room.max(target(ui, 0.0));
+    let row = |ui: &mut Ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         discs(app, ui, lesson, room);
-    });
+    };
+    // In as many rows as fingers want.
+    if target(ui, 0.0) > 0.0 {
+        ui.horizontal_wrapped(row);
+    } else {
+        ui.horizontal(row);
+    }
     ui.add_space(12.0);
 }
 
@@ -33,7 +42,9 @@ impl Disc<'_> {
     fn show(&self, ui: &mut Ui, look: Look<'_>, room: f32) -> bool {
         let theme = look.theme;
         let size = (22.0 * theme.text_scale.sqrt()).min(room).floor();
-        let (rect, response) = ui.allocate_exact_size(Vec2::splat(size), Sense::click());
+        let place = Vec2::splat(target(ui, size));
+        let (place, response) = ui.allocate_exact_size(place, Sense::click());
+        let rect = Rect::from_center_size(place.center(), Vec2::splat(size));
         let mut title = named(look, self.title, self.is_changed);
         if let Some(told) = self.told {
             title = format!("{title}: {}", look.say(marks::key(told)));

@@ -118,6 +118,17 @@ impl<S: Clone + PartialEq> History<S> {
         Ok(true)
     }
 
+    /// Puts other documents in the place of some, whenever they were there.
+    pub fn exchange(&mut self, exchange: impl Fn(&S) -> Option<S>) {
+        let past_and_future = self.past.iter_mut().chain(&mut self.future);
+        for version in past_and_future.chain([&mut self.now]) {
+            if let Some(document) = exchange(&version.document) {
+                version.document = document;
+                self.revision += 1;
+            }
+        }
+    }
+
     pub fn replace(&mut self, document: S) {
         if document != self.now.document {
             let file = self.now.file.clone();

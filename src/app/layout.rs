@@ -2,9 +2,11 @@
 
 use egui::{CentralPanel, Frame, Panel};
 
+use crate::widgets::TARGET;
+
 use super::{
     App, bars, compose, controls, course_panel, free_panel, inspector, notice, overlays, pen,
-    practice_panel,
+    phone, practice_panel,
     prelude::*,
     question, recording,
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
@@ -21,8 +23,12 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
     if app.is_presenting() {
         presentation(app, ui, state, panels);
     } else {
-        top(app, ui, panels);
-        bottom(app, ui);
+        if app.is_phone() {
+            one_hand(app, ui, panels);
+        } else {
+            top(app, ui, panels);
+            bottom(app, ui);
+        }
         if !app.is_narrow() {
             sides(app, ui, state, panels);
         }
@@ -33,16 +39,29 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
             Room::Stage => {
                 let pointed = practice_panel::show(app, ui, state.lit);
                 state.pointed_in_inspector = state.pointed_in_inspector.or(pointed);
-                if app.asks_on_stage() && !app.practice.asks_for_a_step() {
+                if app.is_phone() {
+                    phone::sheet(app, ui);
+                } else if app.asks_on_stage() && !app.practice.asks_for_a_step() {
                     question::show(app, ui);
                 }
                 centre(app, ui, state);
             }
             Room::Course => {
-                panel.show(ui, |ui| left(app, ui, panels));
+                panel.show(ui, |ui| {
+                    if app.is_phone() {
+                        phone::way_back(app, ui);
+                    }
+                    left(app, ui, panels);
+                });
             }
             Room::Inspector => {
-                panel.show(ui, |ui| right(app, ui, state, panels));
+                panel.show(ui, |ui| {
+                    if app.is_phone() {
+                        phone::way_back(app, ui);
+                        ui.horizontal(|ui| bars::pickers(app, ui));
+                    }
+                    right(app, ui, state, panels);
+                });
             }
         }
     }
@@ -72,7 +91,8 @@ fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {
 }
 
 fn presentation(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
-    let bar = Panel::bottom("small transport").exact_size(40.0 * app.enlarged());
+    let height = (40.0 * app.enlarged()).max(least_bar(app));
+    let bar = Panel::bottom("small transport").exact_size(height);
     bar.frame(bar_frame(app, 16))
         .show(ui, |ui| bars::small_transport(app, ui));
     let pointed = practice_panel::show(app, ui, state.lit);
@@ -97,14 +117,30 @@ fn bar_frame(app: &App, margin: i8) -> Frame {
     frame.inner_margin(Margin::symmetric(margin, 0))
 }
 
+/// What fingers press has room in a bar.
+fn least_bar(app: &App) -> f32 {
+    if app.has_fingers() { TARGET + 4.0 } else { 0.0 }
+}
+
 fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let scale = app.look().theme.text_scale.sqrt();
     let low = 36.0 * app.enlarged();
     let height = if app.is_low() { low } else { 44.0 * scale };
     let margin = if app.is_narrow() { 8 } else { 16 };
-    let bar = Panel::top("top bar").exact_size(height.round());
+    let bar = Panel::top("top bar").exact_size(height.max(least_bar(app)).round());
     bar.frame(bar_frame(app, margin))
         .show(ui, |ui| bars::top(app, ui, panels));
+}
+
+fn one_hand(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
+    let [over, under] = phone::BARS.map(|height| (height * app.enlarged()).round());
+    let top = Panel::top("top bar").exact_size(over);
+    top.frame(bar_frame(app, 4))
+        .show(ui, |ui| phone::top(app, ui, panels));
+    let bottom = Panel::bottom("transport").exact_size(under);
+    bottom
+        .frame(bar_frame(app, 12))
+        .show(ui, |ui| phone::transport(app, ui));
 }
 
 fn bottom(app: &App, ui: &mut Ui) {
@@ -114,7 +150,8 @@ fn bottom(app: &App, ui: &mut Ui) {
     } else {
         12
     };
-    let bar = Panel::bottom("transport").exact_size(height * app.enlarged());
+    let height = (height * app.enlarged()).max(least_bar(app));
+    let bar = Panel::bottom("transport").exact_size(height);
     bar.frame(bar_frame(app, margin))
         .show(ui, |ui| bars::transport(app, ui));
 }

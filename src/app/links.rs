@@ -86,7 +86,6 @@ impl App {
         let opened = course.open_link(link, self.kit.formats)?;
         let lab = opened.scene.document().lab();
         self.settings.theme = theme.unwrap_or(self.settings.theme);
-        self.settings.lang = link.lang.unwrap_or(self.settings.lang);
         match opened.page {
             Some(at) => self.turn_to(|bookmark| bookmark.open(at)),
             None => self.open_page(&FreeScene::of(lab).page()),
@@ -103,6 +102,9 @@ impl App {
             (self.practice.asked, self.practice.is_on) = (None, false);
         }
         self.stage.see_from(link.eye);
+        if let Some(lang) = link.lang {
+            self.speak(lang);
+        }
         Ok(())
     }
 

@@ -26,6 +26,7 @@ mod course_steps;
 mod desk;
 mod dialog;
 mod errand;
+mod fetched;
 mod files;
 mod found;
 mod free_panel;
@@ -49,6 +50,7 @@ mod notice;
 mod overlays;
 mod pages;
 mod pen;
+mod phone;
 mod platform;
 mod playback;
 mod practice;
@@ -63,6 +65,7 @@ mod room;
 mod run_room;
 mod settings;
 mod shelf;
+mod shown;
 mod speaker;
 mod stage;
 mod stage_state;
@@ -91,7 +94,6 @@ pub use web::start;
 
 use std::{cell::RefCell, collections::BTreeMap};
 
-use egui::Vec2;
 use web_time::Instant;
 
 use crate::{panels, widgets::Album};
@@ -119,7 +121,7 @@ pub struct App {
     album: Option<Album>,
     stage: stage_state::StageState,
     kit: Kit,
-    shown: Shown,
+    shown: shown::Shown,
     /// Since what is remembered was last looked at.
     is_touched: bool,
     notices: Vec<notice::Notice>,
@@ -131,34 +133,6 @@ pub struct App {
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
     loading: Vec<mesh_loading::MeshLoading>,
-}
-
-#[allow(
-    clippy::struct_excessive_bools,
-    reason = "each is open or not whatever the others are"
-)]
-#[derive(Default)]
-struct Shown {
-    size: Vec2,
-    measures: bool,
-    code: CodeView,
-    controls: controls::Controls,
-    dialog: Option<Dialog>,
-    is_measuring: bool,
-    lists_lessons: bool,
-    is_answered: bool,
-    /// Is the question under the stage, where no lesson text is beside it?
-    asks: bool,
-    presenting: Option<window::Before>,
-    /// A frame of another page shows what a presentation does, for ever.
-    is_embedded: bool,
-    has_notes: bool,
-    /// Is the course open where it is a strip else?
-    unfolded: bool,
-    room: room::Room,
-    /// The theme that the context has been given, and how large its text is.
-    theme: Option<(ThemeKind, f32)>,
-    title: String,
 }
 
 impl App {
@@ -203,9 +177,9 @@ impl App {
             bookmark,
             history: History::new(scene),
             kit,
-            shown: Shown {
+            shown: shown::Shown {
                 title: "Clipscope".to_owned(),
-                ..Shown::default()
+                ..shown::Shown::default()
             },
             notices: Vec::new(),
             is_touched: false,
@@ -312,6 +286,7 @@ impl App {
         #[cfg(not(target_arch = "wasm32"))]
         self.take_changed_course(now);
         self.take_meshes(now);
+        self.pass_fetched();
         self.pass_time(&ctx, now);
         self.take_smaller(web_time::Duration::ZERO, now);
         let is_dragging = self.history.is_in_gesture();
@@ -327,10 +302,10 @@ impl App {
         let album = self.album.as_ref();
         self.playback.prepare(self.stage.bounds(), album);
 
+        (self.shown.size, self.shown.measures) = (ctx.content_rect().size(), self.measures());
         self.install_theme(ui);
         self.name_window(&ctx);
         let lit = self.stage.lit;
-        (self.shown.size, self.shown.measures) = (ctx.content_rect().size(), self.measures());
         // What is drawn into is not read: panels see an app without its stage and its labs' panels.
         let mut stage = std::mem::take(&mut self.stage);
         let mut panels = std::mem::take(&mut self.kit.panels);

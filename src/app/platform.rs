@@ -9,7 +9,7 @@ use crate::{
     labs::Scene,
     lesson::{FileError, Lesson},
     paint::Image,
-    text::{Diagnostic, Lang, SystemError},
+    text::{Diagnostic, Lang, Part, SystemError},
 };
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -76,6 +76,26 @@ pub trait Platform {
     /// The language in which the app begins where nobody has chosen one.
     fn lang(&self) -> Lang {
         Lang::default()
+    }
+
+    /// Is it pressed with fingers, as far as is known before one of them has?
+    fn has_fingers(&self) -> bool {
+        false
+    }
+
+    /// Does whoever sits there wish that nothing moves by itself?
+    fn wants_stillness(&self) -> bool {
+        false
+    }
+
+    /// Has this part fetched, unless that is on its way; is it now? What comes of it is told once.
+    fn fetch(&mut self, _part: Part) -> bool {
+        false
+    }
+
+    /// What has been fetched since, and whether it has come.
+    fn fetched(&mut self) -> Vec<(Part, bool)> {
+        Vec::new()
     }
 
     fn has_dialogs(&self) -> bool {

@@ -9,7 +9,7 @@ use egui::{Frame, Galley, Panel, Role, StrokeKind, TextStyle, Vec2, WidgetInfo, 
 
 use crate::{
     figure::{Body, Chip, ChipFate, Choice, View},
-    widgets::view,
+    widgets::{target, view},
 };
 
 use super::{
@@ -117,6 +117,7 @@ impl Options {
             let most = width - around.x;
             let text = words(ui, app.look(), (text, TextStyle::Body), most);
             let size = text.size().max(vec2(0.0, chip.y)) + around;
+            let size = size.max(Vec2::splat(target(ui, 0.0)));
             if at.x > 0.0 && (is_list || at.x + size.x > width) {
                 at = pos2(0.0, height + GAP);
             }

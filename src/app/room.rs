@@ -1,11 +1,13 @@
 //! What the window shows of itself: a narrow one has room for one place, a low one for less of each.
 
-use crate::{text::Catalog, widgets::transport_width};
+use crate::{figure::Spacing, text::Catalog, widgets::transport_width};
 
 use super::{App, prelude::*, run_room::OnStage};
 
 /// In windows narrower than this, in points of the light theme, the course and the inspector take the stage's place.
 const NARROW: f32 = 880.0;
+/// One hand holds a narrower one, in points of the light theme.
+const PHONE: f32 = 560.0;
 /// A window that is less high than this, in points, is low.
 const LOW: f32 = 420.0;
 /// Widths of the side panels: they leave the stage 60 % of 1280.
@@ -14,6 +16,26 @@ pub const INSPECTOR: f32 = 296.0;
 /// Of the window's width the stage keeps three fifths.
 const BESIDE: f32 = 0.4;
 pub const BESIDE_TRANSPORT: i8 = 4;
+
+pub const INDENT: f32 = 24.0;
+const SPACING: Spacing = Spacing {
+    margin: 0.0,
+    gutter: 0.0,
+    inset: INDENT,
+    titled: 2.0 * INDENT,
+    name: 36.0,
+    over_caption: 0.0,
+    keeps: 0.75,
+    is_fixed: true,
+    is_tall: false,
+};
+/// In one hand.
+const TALL: Spacing = Spacing {
+    inset: 16.0,
+    titled: 32.0,
+    is_tall: true,
+    ..SPACING
+};
 
 /// The one place that a narrow window has room for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -92,6 +114,20 @@ impl App {
     pub(super) fn is_narrow(&self) -> bool {
         let scale = Theme::of(self.settings.theme).text_scale.sqrt();
         self.shown.size.x < NARROW * scale * self.enlarged()
+    }
+
+    /// Is all of it within reach of one hand? A frame of another page has its own way to be small.
+    pub(super) fn is_phone(&self) -> bool {
+        self.shown.size.x < PHONE * self.enlarged() && !self.shown.is_embedded
+    }
+
+    pub(super) fn spacing(&self) -> &'static Spacing {
+        if self.is_phone() { &TALL } else { &SPACING }
+    }
+
+    /// Is it used with fingers, so that what is pressed has to be large?
+    pub(super) fn has_fingers(&self) -> bool {
+        self.shown.is_touched || self.is_phone()
     }
 
     pub(super) fn is_low(&self) -> bool {

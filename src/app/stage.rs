@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::InputState;
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer, Spacing, Stand},
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer, Stand},
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
@@ -16,20 +16,12 @@ use crate::{
 };
 
 use super::{
-    App, Command, clicks, prelude::*, room::CoursePart, stage_state::StageState, typing::told_of,
+    App, Command, clicks,
+    prelude::*,
+    room::{CoursePart, INDENT},
+    stage_state::StageState,
+    typing::told_of,
     ways_out::ways_out,
-};
-
-const INDENT: f32 = 24.0;
-const SPACING: Spacing = Spacing {
-    margin: 0.0,
-    gutter: 0.0,
-    inset: INDENT,
-    titled: 2.0 * INDENT,
-    name: 36.0,
-    over_caption: 0.0,
-    keeps: 0.75,
-    is_fixed: true,
 };
 
 /// The step's title, or what it shows, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
@@ -44,7 +36,8 @@ fn title(app: &App) -> Option<String> {
     } else {
         title.to_owned()
     };
-    (!is_said && !app.is_low() && app.is_untouched()).then_some(title)
+    let has_room = !app.is_low() && !app.is_phone();
+    (!is_said && has_room && app.is_untouched()).then_some(title)
 }
 
 pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
@@ -67,7 +60,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
         look,
-        spacing: &SPACING,
+        spacing: app.spacing(),
         headings: &headings,
         difference: app.difference_told(),
     };
@@ -257,7 +250,8 @@ impl Column<'_> {
     /// What divides it from its own board, and from the column before it.
     fn show_ends(&self, ui: &mut Ui, whole: Rect, board: f32) {
         let (app, look) = (self.app, self.app.look());
-        if let Some(between) = self.places.boundary() {
+        // In one hand there is nothing to be gained by moving it.
+        if let Some(between) = self.places.boundary().filter(|_| !app.is_phone()) {
             let id = Id::unique(("boundary", self.index));
             let moved = boundary(ui, look, id, &between).map(|moved| match moved {
                 BoundaryMoved::Times(by) => board * by,

@@ -1,8 +1,10 @@
 //! The window around the app: its title, its look, and the presentation, which fills the screen.
 
-use egui::{OpenUrl, ViewportCommand};
+use egui::{InputState, OpenUrl, Vec2, ViewportCommand, style::ScrollAnimation};
 
-use super::{App, prelude::*};
+use crate::widgets::TARGET;
+
+use super::{App, prelude::*, run_room::WatchRooms};
 
 /// In a presentation, a pointer that has rested for so long is hidden, in seconds.
 const IDLE_SECS: f32 = 3.0;
@@ -104,6 +106,34 @@ impl App {
 
     /// Gives the context the theme, unless it has it: a headless table brings its own.
     pub(super) fn install_theme(&mut self, ui: &mut Ui) {
+        self.install_colours(ui);
+        // Nothing grows under a finger that is still down.
+        let has_touched = |input: &InputState| input.has_touch_screen() && !input.any_touches();
+        self.shown.is_touched |= ui.input(has_touched) || self.platform.has_fingers();
+        let natural = self.look().theme.style().spacing.interact_size;
+        let size = if self.has_fingers() {
+            natural.max(Vec2::splat(TARGET))
+        } else {
+            natural
+        };
+        let is_still = self.platform.wants_stillness();
+        let now = Some((size, is_still));
+        if self.shown.hand.replace((size, is_still)) == now {
+            return;
+        }
+        // Rows have another height.
+        self.stage.watch = WatchRooms::default();
+        ui.ctx().all_styles_mut(|style| {
+            style.spacing.interact_size = size;
+            if is_still {
+                style.animation_time = 0.0;
+                style.scroll_animation = ScrollAnimation::none();
+            }
+        });
+        ui.reset_style();
+    }
+
+    fn install_colours(&mut self, ui: &mut Ui) {
         let theme = self.look().theme;
         let now = Some((theme.kind, theme.text_scale));
         if self.shown.theme == now {
@@ -115,6 +145,7 @@ impl App {
             || has.visuals.panel_fill != wanted.visuals.panel_fill
         {
             theme::install(ui.ctx(), theme);
+            self.shown.hand = None;
             // This frame has begun with the old one.
             ui.reset_style();
         }

@@ -20,9 +20,8 @@ use crate::{
 
 use halves::{Half, halves, headings};
 
-/// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and
-/// then enlarged to its size in pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26
-/// high, the text 17, the caption 19, the margin 64.
+/// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and then enlarged to its size in
+/// pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26 high, the text 17, the caption 19, the margin 64.
 const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 /// Where a view of one method has no room, the page is enlarged by so much, and again, until all have: what is on it
 /// becomes smaller, but where text is large on purpose.
@@ -41,6 +40,7 @@ const SPACING: Spacing = Spacing {
     over_caption: 8.0,
     keeps: 0.75,
     is_fixed: false,
+    is_tall: false,
 };
 /// Of what was and what is, the views that differ are larger than the drawing needs them.
 const BESIDE_BEFORE: Spacing = Spacing {

@@ -55,6 +55,8 @@ pub struct Spacing {
     pub keeps: f32,
     /// It cannot be enlarged: where nothing else has room, all views are low.
     pub is_fixed: bool,
+    /// It is held in one hand: all stands under its drawing.
+    pub is_tall: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -265,6 +267,9 @@ impl Sheet {
         let mut best = Arranged::default();
         for way in Way::ALL {
             if matches!(way, Way::Low | Way::Board) && !self.spacing.is_fixed {
+                continue;
+            }
+            if self.spacing.is_tall && !matches!(way, Way::Under | Way::Low) {
                 continue;
             }
             for share in way.shares(needs) {

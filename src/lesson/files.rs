@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, io};
 
 use include_dir::{Dir, DirEntry, include_dir};
 
-use crate::text::{Diagnostic, Message, SystemError};
+use crate::text::{Diagnostic, Lang, Message, Part, SystemError};
 
 /// A larger file is refused: no lesson is that long, so it is something else.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
@@ -85,7 +85,18 @@ impl FileError {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Embedded;
 
+#[cfg(not(feature = "slim"))]
 static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
+/// Without what is fetched: `build.rs` puts it there.
+#[cfg(feature = "slim")]
+static LESSONS: Dir<'static> = include_dir!("$OUT_DIR/lessons");
+
+/// Texts of the course that have been fetched, by their paths.
+fn fetched() -> impl Iterator<Item = (&'static str, &'static [u8])> {
+    let all = Lang::ALL.into_iter();
+    let files = all.flat_map(|lang| Part::Texts(lang).files());
+    files.filter(|(path, _)| path.contains('/'))
+}
 
 impl Files for Embedded {
     fn list(&self) -> Result<Vec<String>, FileError> {
@@ -99,12 +110,19 @@ impl Files for Embedded {
         }
         let mut paths = Vec::new();
         walk(&LESSONS, &mut paths);
+        paths.extend(fetched().map(|(path, _)| path.to_owned()));
         Ok(paths)
     }
 
     fn read(&self, path: &str) -> Result<Vec<u8>, FileError> {
-        let file = LESSONS.get_file(path).ok_or(FileError::NOT_FOUND)?;
-        Ok(file.contents().to_vec())
+        let file = LESSONS.get_file(path).map(include_dir::File::contents);
+        let come = || {
+            fetched()
+                .find(|(its, _)| *its == path)
+                .map(|(_, bytes)| bytes)
+        };
+        let bytes = file.or_else(come).ok_or(FileError::NOT_FOUND)?;
+        Ok(bytes.to_vec())
     }
 
     fn shown(&self, path: &str) -> String {

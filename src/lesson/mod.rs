@@ -71,6 +71,7 @@ pub use progress::{MAX_PROGRESS_BYTES, Mark, Progress, Tally, Told};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use scene_file::SceneFormat;
 pub use scene_file::{SceneFile, SceneFormats, exact, quoted, spot};
+pub use spot::{has_stand_in, without_stand_in};
 pub use step::{CodeView, LessonStep};
 pub use stop::Stop;
 pub use translated::{TRANSLATED_FILE, translated};

@@ -9,6 +9,7 @@ use fluent_bundle::resolver::ResolverError;
 use fluent_bundle::resolver::errors::ReferenceKind;
 use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
 
+use super::fetched::Part;
 use super::lang::Lang;
 use super::message::{Message, Value};
 use super::number::{self, Notation};
@@ -26,12 +27,22 @@ macro_rules! catalogues {
         pub const AREAS: [&str; [$($area),*].len()] = [$($area),*];
 
         /// The Fluent source of one language's catalogue: a text for each of [`AREAS`], in order.
+        #[cfg(not(feature = "slim"))]
         pub const fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
             match lang {
                 Lang::En => [$(ftl!("en", $area)),*],
                 Lang::ZhCn => [$(ftl!("zh-CN", $area)),*],
                 Lang::Es => [$(ftl!("es", $area)),*],
                 Lang::PtBr => [$(ftl!("pt-BR", $area)),*],
+            }
+        }
+
+        #[cfg(feature = "slim")]
+        pub fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
+            let of = |name| Part::Texts(lang).get(name).and_then(|it| str::from_utf8(it).ok());
+            match lang {
+                Lang::En => [$(ftl!("en", $area)),*],
+                Lang::ZhCn | Lang::Es | Lang::PtBr => [$(of(concat!($area, ".ftl")).unwrap_or_default()),*],
             }
         }
     };
@@ -74,6 +85,11 @@ impl Catalog {
     fn in_all_notations(lang: Lang) -> &'static [Self; Notation::ALL.len()] {
         static CATALOGS: [OnceLock<[Catalog; Notation::ALL.len()]>; Lang::ALL.len()] =
             [const { OnceLock::new() }; Lang::ALL.len()];
+        let lang = if Part::Texts(lang).is_here() {
+            lang
+        } else {
+            Lang::En
+        };
         CATALOGS[lang as usize].get_or_init(|| {
             let bundle = Arc::new(parsed(lang));
             Notation::ALL.map(|notation| Self {

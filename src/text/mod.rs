@@ -17,6 +17,7 @@
 
 mod catalog;
 mod diagnostic;
+mod fetched;
 mod lang;
 mod markdown;
 mod message;
@@ -29,6 +30,7 @@ mod writing;
 
 pub use catalog::{AREAS, Catalog, sources};
 pub use diagnostic::{Diagnostic, SystemError};
+pub use fetched::Part;
 pub use lang::Lang;
 pub use markdown::as_markdown;
 pub use message::{Formula, Message, Token, Value};

@@ -5,11 +5,13 @@ use egui::{Mesh, PointerButton, Role};
 use crate::{figure::Mark, paint::Placed};
 
 use super::{
+    fingers::{Pinch, reach},
     handles::{Handles, Moved, Spot, gripped, is_off_grid, snapped},
     headings::focus_ring,
     hit,
     pan_zoom::PanZoom,
     prelude::*,
+    taking,
 };
 
 const GRID_PTS: f64 = 40.0;
@@ -90,6 +92,7 @@ impl Canvas<'_> {
             .data(|data| data.get_temp(remembered))
             .unwrap_or_default();
         let [pointed, pressed] = self.under(ui, &response, &before);
+        let pinch = Pinch::now(ui, self.id, viewport.rect);
         let handles = Handles {
             id: self.id,
             spots: self.spots,
@@ -98,11 +101,17 @@ impl Canvas<'_> {
             snap: self.snap,
             is_space: !self.has_grid,
             pointed: pointed.and_then(self.seized),
+            reach: reach(ui, taking::REACH),
             look: self.look,
         };
         let moved = handles.interact(ui, &response, pressed.and_then(self.seized));
         let holds_handle = gripped(ui, self.id).is_some();
-        let view = pan_and_zoom(ui, &response, &self, &handles);
+        let (moved, view) = if pinch.is_on {
+            handles.let_go(ui);
+            (None, pinched(&viewport, pinch))
+        } else {
+            (moved, pan_and_zoom(ui, &response, &self, &handles))
+        };
 
         let theme = self.look.theme;
         let painter = ui.painter_at(viewport.rect);
@@ -145,11 +154,12 @@ impl Canvas<'_> {
         CanvasShown {
             viewport,
             view,
-            pans: response.dragged_by(PointerButton::Middle)
+            pans: pinch.is_on
+                || response.dragged_by(PointerButton::Middle)
                 || ui.input(|input| input.modifiers.shift),
             moved,
-            released: holds_handle && response.drag_stopped(),
-            clicked: click(ui, &response, &handles),
+            released: holds_handle && (pinch.is_on || response.drag_stopped()),
+            clicked: click(ui, &response, &handles).filter(|_| !pinch.is_on),
             pointed,
             focused,
             response,
@@ -166,7 +176,8 @@ impl Canvas<'_> {
         let hover = response.hover_pos().filter(|_| !response.dragged());
         let starts = response.drag_started_by(PointerButton::Primary);
         let origin = ui.input(|input| input.pointer.press_origin());
-        [hover, origin.filter(|_| starts)].map(|at| self.link_at(labels, at?))
+        let reach = reach(ui, hit::REACH);
+        [hover, origin.filter(|_| starts)].map(|at| self.link_at(labels, at?, reach))
     }
 
     fn say_place(&self, painter: &Painter, said: Option<String>, labels: &[Placed]) {
@@ -183,13 +194,13 @@ impl Canvas<'_> {
     }
 
     /// What is drawn there is about this: a name, or a mark.
-    fn link_at(&self, labels: &[Placed], at: Pos2) -> Option<Link> {
+    fn link_at(&self, labels: &[Placed], at: Pos2, reach: f32) -> Option<Link> {
         if self.is_covered(at) {
             return None;
         }
         let label = labels.iter().find(|label| label.rect.contains(at));
         let named = label.and_then(|label| label.link);
-        named.or_else(|| hit::link_at(&self.viewport, self.marks, at))
+        named.or_else(|| hit::link_at(&self.viewport, self.marks, at, reach))
     }
 
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
@@ -205,12 +216,13 @@ impl Canvas<'_> {
 }
 
 fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageClick> {
+    let is_long = response.long_touched();
     let at = response.interact_pointer_pos();
-    let at = at.filter(|_| response.clicked())?;
+    let at = at.filter(|_| is_long || response.clicked())?;
     Some(StageClick {
         at,
         is_double: response.double_clicked(),
-        has_ctrl: ui.input(|input| input.modifiers.command),
+        has_ctrl: is_long || ui.input(|input| input.modifiers.command),
         spot: handles.clicked(ui, at, response.double_clicked()),
     })
 }
@@ -227,6 +239,16 @@ fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, (said, taken): (St
     let place = *places.iter().find(is_free).unwrap_or(&places[0]);
     painter.rect_filled(place.expand(4.0), 4.0, theme.background);
     painter.galley(place.min, text, theme.soft);
+}
+
+/// What was between two fingers stays between them.
+fn pinched(viewport: &Viewport, pinch: Pinch) -> Option<PanZoom> {
+    let touch = pinch.by?;
+    let before = touch.center_pos - touch.translation_delta;
+    let view = PanZoom::of(viewport);
+    let view = view.zoomed(viewport.rect, f64::from(touch.zoom_delta), before);
+    let view = view.panned(touch.translation_delta);
+    (view != PanZoom::of(viewport)).then_some(view)
 }
 
 /// The view that was asked for. A press near a handle was meant for it, and does not move the view.

@@ -75,6 +75,8 @@ pub(super) struct Handles<'a> {
     pub is_space: bool,
     /// The one whose drawing is under the pointer.
     pub pointed: Option<usize>,
+    /// A press this near to a handle takes it, in points.
+    pub reach: f32,
     pub look: Look<'a>,
 }
 
@@ -105,11 +107,15 @@ impl Handles<'_> {
             ui.data_mut(|data| data.insert_temp(self.id, grip));
         }
         if !canvas.dragged() && !canvas.drag_stopped() {
-            ui.data_mut(|data| data.remove_temp::<Grip>(self.id));
+            self.let_go(ui);
         }
         let dragged = self.drag(ui, canvas);
         let nudged = self.focus(ui);
         dragged.or(nudged)
+    }
+
+    pub fn let_go(&self, ui: &Ui) {
+        ui.data_mut(|data| data.remove_temp::<Grip>(self.id));
     }
 
     fn drag(&self, ui: &Ui, canvas: &Response) -> Option<Moved> {

@@ -8,15 +8,16 @@ use crate::{
 
 use super::prelude::{Link, Pos2, Viewport};
 
-const REACH: f32 = 8.0;
+/// Of a pointer.
+pub const REACH: f32 = 8.0;
 
 /// The link of the topmost mark with one within reach of a place on the screen; else of the face of a solid there.
-pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2) -> Option<Link> {
+pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2, reach: f32) -> Option<Link> {
     let mut nearby = Vec::new();
     for mark in marks.iter().rev() {
         let Some(link) = mark.link else { continue };
         for part in parts(viewport, &mark.shape) {
-            if distance(&part, at) <= REACH {
+            if distance(&part, at) <= reach {
                 nearby.push((matches!(part, Part::Marker(..)), link));
             }
         }
@@ -67,7 +68,7 @@ mod tests {
             Mark::new(Role::Ink, Shape::Segment([[-5.0, 0.0], [5.0, 0.0]])).linked("line"),
             Mark::new(Role::Ink, Shape::Dot([2.0, 0.0])),
         ];
-        let at = |x, y| link_at(&Viewport::SQUARE, &marks, pos2(x, y));
+        let at = |x, y| link_at(&Viewport::SQUARE, &marks, pos2(x, y), REACH);
         assert_eq!(at(103.0, 101.0), Some(Link::to("point")));
         assert_eq!(at(130.0, 95.0), Some(Link::to("line")));
         assert_eq!(at(130.0, 60.0), None);

@@ -7,6 +7,7 @@ mod canvas;
 mod caption;
 mod composed;
 mod cost;
+mod fingers;
 mod handles;
 mod headings;
 mod hit;
@@ -31,6 +32,7 @@ pub use canvas::{Canvas, CanvasShown, StageClick, place_at};
 pub use caption::{caption, caption_text, height_for_all};
 pub use composed::{Composition, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
+pub use fingers::{TARGET, reach, target};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped, spot_id};
 pub use headings::{column_title, focus_ring, rule, section};
 pub use hit::link_at;
@@ -42,7 +44,9 @@ pub use pan_zoom::PanZoom;
 pub use pseudocode::{CodeStep, CodeText, Pseudocode, code_view_switch};
 pub use selecting::select;
 pub use timeline::{Timeline, tick_sign};
-pub use transport::{Icon, Press, icon_button, speed_menu, transport_buttons, transport_width};
+pub use transport::{
+    Icon, Press, icon_button, large_button, speed_menu, transport_buttons, transport_width,
+};
 pub use views::{
     covered, keep_ahead, picture_viewport, place_inset, projected, space, title_ground,
     title_of_space, under_title, view,

@@ -4,7 +4,7 @@ use egui::{RichText, Role};
 
 use crate::lesson::CodeView;
 
-use super::{prelude::*, whole_rows::WholeRows};
+use super::{fingers::target, prelude::*, whole_rows::WholeRows};
 
 const fn key(view: CodeView) -> &'static str {
     match view {
@@ -55,7 +55,9 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
         let colour = if is_current { theme.accent } else { theme.soft };
         let name = look.say(key(view));
         let text = RichText::new(&name).small().color(colour);
-        let response = ui.add(egui::Button::new(text).frame(false).small());
+        let least = Vec2::splat(target(ui, 0.0));
+        let button = egui::Button::new(text).frame(false).small();
+        let response = ui.add(button.min_size(least));
         let info = || WidgetInfo::selected(Role::RadioButton, true, is_current, &name);
         response.widget_info(info);
         if response.clicked() {

@@ -5,8 +5,8 @@ use super::{
     prelude::*,
 };
 
-/// A finger or a shaky hand finds a handle within this distance, in points.
-const REACH: f32 = 14.0;
+/// A shaky hand finds a handle within this distance, in points.
+pub const REACH: f32 = 14.0;
 /// A press this near to a handle was meant for it: the view does not move.
 const MISSED: f32 = 28.0;
 /// Handles this near to each other fall together, and a click takes the next of them.
@@ -24,7 +24,7 @@ impl Handles<'_> {
             a.total_cmp(&b)
         };
         let nearest = self.spots.iter().min_by(by_distance);
-        let Some(nearest) = nearest.filter(|spot| self.distance(spot, at) <= REACH) else {
+        let Some(nearest) = nearest.filter(|spot| self.distance(spot, at) <= self.reach) else {
             return Vec::new();
         };
         let centre = self.viewport.to_screen(nearest.at);

@@ -6,7 +6,7 @@ use egui::Key;
 
 use crate::figure::Tick;
 
-use super::{headings::focus_ring, prelude::*};
+use super::{fingers::target, headings::focus_ring, prelude::*};
 
 const CROWD_PTS: f32 = 5.0;
 const ROOM_PTS: f32 = 24.0;
@@ -37,7 +37,7 @@ pub struct Timeline<'a> {
 
 impl Timeline<'_> {
     pub fn show(self, ui: &mut Ui) -> Option<usize> {
-        let size = vec2(ui.available_width().max(48.0), 40.0);
+        let size = vec2(ui.available_width().max(48.0), target(ui, 40.0));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::slider(true, self.position as f64, &self.name));
         let track = Track {

@@ -5,6 +5,7 @@ use egui::Role;
 use crate::{paint::fonts::semibold, trace::Transport};
 
 use super::{
+    fingers::target,
     headings::focus_ring,
     menu::{is_chosen, menu_button},
     prelude::*,
@@ -146,7 +147,7 @@ pub fn icon_button(ui: &mut Ui, look: Look<'_>, icon: Icon, name: &str, enabled:
     } else {
         Sense::hover()
     };
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(32.0), sense);
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(target(ui, 32.0)), sense);
     let theme = look.theme;
     let colour = match (enabled, response.hovered()) {
         (false, _) => theme.faint.gamma_multiply(0.6),
@@ -161,14 +162,34 @@ pub fn icon_button(ui: &mut Ui, look: Look<'_>, icon: Icon, name: &str, enabled:
 }
 
 fn disc_button(ui: &mut Ui, look: Look<'_>, icon: Icon, name: &str) -> Response {
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(32.0), Sense::click());
+    let side = target(ui, 32.0);
+    large_button(ui, look, (icon, side), name, true)
+}
+
+/// A disc so many points wide.
+pub fn large_button(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (icon, side): (Icon, f32),
+    name: &str,
+    enabled: bool,
+) -> Response {
     let theme = look.theme;
+    if !enabled {
+        let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::hover());
+        let rim = theme.stroke(1.0, theme.hairline);
+        ui.painter()
+            .circle_stroke(rect.center(), 0.5 * side - 0.5, rim);
+        icon.draw(ui.painter(), rect, theme.faint);
+        return finish(ui, look, response, rect, name, false);
+    }
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
     let fill = if response.hovered() {
         theme.accent.lerp_to_gamma(theme.ink, 0.15)
     } else {
         theme.accent
     };
-    ui.painter().circle_filled(rect.center(), 16.0, fill);
+    ui.painter().circle_filled(rect.center(), 0.5 * side, fill);
     icon.draw(ui.painter(), rect, theme.background);
     finish(ui, look, response, rect, name, true)
 }

@@ -6,7 +6,7 @@ use egui::Role;
 
 use crate::figure::{Watch, WatchRow, WatchSection};
 
-use super::{headings::focus_ring, prelude::*, whole_rows::WholeRows};
+use super::{fingers::target, headings::focus_ring, prelude::*, whole_rows::WholeRows};
 
 const DOT_ROOM: f32 = 8.0;
 const NAME_WIDTH: f32 = 60.0;
@@ -196,7 +196,7 @@ impl<'a> Table<'a> {
             look,
             lit,
             small: TextStyle::Small.resolve(ui.style()),
-            height: (mono.size * row_size).round(),
+            height: target(ui, (mono.size * row_size).round()),
             mono,
         }
     }

@@ -82,6 +82,10 @@ async function program() {
 const BESIDE = {
   "NotoSansSC-Regular.otf": "@NotoSansSC-Regular.otf@",
   "NotoSansSC-Bold.otf": "@NotoSansSC-Bold.otf@",
+  "texts-zh-CN.bin": "@texts-zh-CN.bin@",
+  "texts-es.bin": "@texts-es.bin@",
+  "texts-pt-BR.bin": "@texts-pt-BR.bin@",
+  "spot.bin": "@spot.bin@",
 };
 
 async function beside(name) {
@@ -152,7 +156,8 @@ async function run() {
 /// Everything for the next time without a network; says so quietly when a newer set has come. A browser that cannot does without.
 async function keep() {
   if (!("serviceWorker" in navigator) || window.top !== window || EMBED || PACKED_LESSONS) return;
-  const kept = await navigator.serviceWorker.register(new URL("sw.js", location.href)).catch(() => null);
+  const few = navigator.connection?.saveData ? "?few" : "";
+  const kept = await navigator.serviceWorker.register(new URL(`sw.js${few}`, location.href)).catch(() => null);
   kept?.addEventListener("updatefound", () => {
     const newer = kept.installing;
     newer?.addEventListener("statechange", () => newer.state === "installed" && navigator.serviceWorker.controller && tellNewer());

@@ -25,6 +25,7 @@ export class Browser {
   #next = 1;
   #asked = new Map();
   #heard = new Map();
+  #contexts = new Set();
 
   constructor({ hasGl = true } = {}) {
     this.home = mkdtempSync(join(tmpdir(), "clipscope-page-"));
@@ -56,6 +57,7 @@ export class Browser {
   /// A page with a storage of its own, unless it is to share that of another.
   async page({ size = [1280, 720], beside = null, touch = false, init = "" } = {}) {
     const context = beside?.context ?? (await this.send("Target.createBrowserContext")).browserContextId;
+    this.#contexts.add(context);
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId: context });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
     const page = new Page(this, { context, targetId, sessionId });
@@ -66,6 +68,13 @@ export class Browser {
     if (touch) await page.send("Emulation.setTouchEmulationEnabled", { enabled: true });
     if (init) await page.send("Page.addScriptToEvaluateOnNewDocument", { source: init });
     return page;
+  }
+
+  /// Pages that have been looked at draw on, and take the time of those that follow.
+  async closePages() {
+    for (const browserContextId of this.#contexts) await this.send("Target.disposeBrowserContext", { browserContextId });
+    this.#contexts.clear();
+    this.#heard.clear();
   }
 
   async close() {
@@ -186,8 +195,8 @@ class Page {
         const colour = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
         colours.set(colour, (colours.get(colour) ?? 0) + 1);
       }
-      const most = Math.max(...colours.values()) / (width * height);
-      const about = { size: [width, height], colours: colours.size, most };
+      const [commonest, count] = [...colours].reduce((a, b) => (a[1] < b[1] ? b : a));
+      const about = { size: [width, height], colours: colours.size, most: count / (width * height), commonest };
       const other = ${JSON.stringify(other)};
       if (!other) return about;
       const its = (await read(other)).data;

@@ -111,7 +111,7 @@ test("a link that is none, or is hostile, gets a message within a second, and ch
     "one gigabyte": packed(Buffer.alloc(1 << 30)),
     "not a number": lines("[nan, 0, 1, 1]"),
     "a million vertices": packed(`method = "sutherland-hodgman"\nwindow = [-1, -1, 1, 1]\npolygon = [${"[0, 0], ".repeat(1e6)}]\n`),
-    "many, but not too many, to unpack": lines("[0, 0, 1, 1], ".repeat(60_000)),
+    "a scene that is too large for a link": lines("[0, 0, 1, 1], ".repeat(60_000)),
     "a later version": "#v7=AAAA",
     "cut short": whole.slice(0, -7),
     "no such step": "#05-intervals/nowhere",

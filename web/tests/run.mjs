@@ -6,6 +6,8 @@ import { Browser } from "./browser.mjs";
 import "./page.mjs";
 import "./platforms.mjs";
 import "./links.mjs";
+import "./touch.mjs";
+import "./fetched.mjs";
 
 const wanted = process.argv[2] ?? "";
 const [part, parts] = (process.env.PART ?? "1/1").split("/").map(Number);
@@ -17,6 +19,7 @@ for (const { name, run } of chosen) {
   server.state.manner = "well";
   try {
     await run();
+    await bench.browser.closePages();
     console.log(`ok      ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
   } catch (error) {
     n_failed += 1;

@@ -92,7 +92,7 @@ fn the_boundary_beside_the_drawing_is_dragged_and_kept() {
 }
 
 /// Both ends of the segment in focus.
-fn ends(bench: &Bench) -> [[f64; 2]; 2] {
+pub(super) fn ends(bench: &Bench) -> [[f64; 2]; 2] {
     let focused = bench.scene::<lines::Scene>().focused();
     [focused.p1, focused.p2].map(crate::geom::Point::to_array)
 }

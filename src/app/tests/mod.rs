@@ -19,6 +19,7 @@ mod links;
 mod menus;
 mod meshes;
 mod pages;
+mod phone;
 mod places;
 mod polygons;
 mod practice;
@@ -33,7 +34,7 @@ use std::{
     sync::Arc,
 };
 
-use egui::{Event, PointerButton, RawInput, ViewportCommand, ViewportId};
+use egui::{Event, PointerButton, RawInput, Vec2, ViewportCommand, ViewportId};
 
 use super::*;
 use crate::{

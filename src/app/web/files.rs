@@ -18,7 +18,7 @@ use crate::{
     export,
     lesson::{FileError, MAX_SCENE_BYTES},
     paint::{Image, fonts::chinese_fonts},
-    text::{Diagnostic, Lang, Message, SystemError},
+    text::{Diagnostic, Lang, Message, Part, SystemError},
 };
 
 use super::super::{
@@ -27,7 +27,7 @@ use super::super::{
 };
 
 use super::beside::Beside;
-use super::host::first_settings;
+use super::host::{first_settings, is_so};
 
 type Read = Result<Vec<u8>, FileError>;
 
@@ -63,6 +63,22 @@ fn hold(held: &Mutex<BTreeMap<String, Read>>, name: String, read: Read) {
 }
 
 impl Platform for PageFiles {
+    fn has_fingers(&self) -> bool {
+        is_so("(pointer: coarse)")
+    }
+
+    fn wants_stillness(&self) -> bool {
+        is_so("(prefers-reduced-motion: reduce)")
+    }
+
+    fn fetch(&mut self, part: Part) -> bool {
+        self.beside.fetch_part(part)
+    }
+
+    fn fetched(&mut self) -> Vec<(Part, bool)> {
+        self.beside.take_fetched()
+    }
+
     fn has_dialogs(&self) -> bool {
         true
     }
@@ -155,6 +171,12 @@ impl Platform for PageFiles {
         if picture.figures.lang == Lang::ZhCn && !has_chinese {
             self.beside.fetch_fonts(ctx);
             return Err(Message::new("status-fonts-coming").into());
+        }
+        let texts = Part::Texts(picture.figures.lang);
+        if !texts.is_here() {
+            self.beside.fetch_part(texts);
+            let what = picture.figures.lang.native_name().to_owned();
+            return Err(Message::new("status-coming").with("what", what).into());
         }
         Ok(drawn(&mut self.studio, picture))
     }

@@ -183,6 +183,15 @@ pub fn speak(lang: Lang) {
     let _: Option<Result<(), JsValue>> = root.map(|root| root.set_attribute("lang", lang.id()));
 }
 
+/// What the browser says of the system and of who sits there, by a media query.
+pub fn is_so(query: &str) -> bool {
+    let asked = window().and_then(|window| window.match_media(query).ok()?);
+    asked.is_some_and(|asked| asked.matches())
+}
+
+/// So large is the text of what is held in a hand, of `TEXT_SIZES`.
+const HAND_HELD: f32 = 1.1;
+
 /// As on a first visit: in the browser's language, light or dark as the system wishes.
 pub fn first_settings() -> Settings {
     let languages = window().map(|window| window.navigator().languages());
@@ -195,19 +204,16 @@ pub fn first_settings() -> Settings {
                 .collect::<Vec<_>>()
         })
         .collect();
-    let is_dark = window()
-        .and_then(|window| {
-            window
-                .match_media("(prefers-color-scheme: dark)")
-                .ok()
-                .flatten()
-        })
-        .is_some_and(|wish| wish.matches());
     Settings {
-        theme: if is_dark {
+        theme: if is_so("(prefers-color-scheme: dark)") {
             ThemeKind::Dark
         } else {
             ThemeKind::Light
+        },
+        text: if is_so("(pointer: coarse) and (max-width: 560px)") {
+            HAND_HELD
+        } else {
+            1.0
         },
         ..Settings::for_locales(languages.iter().map(String::as_str))
     }

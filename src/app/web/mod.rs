@@ -7,7 +7,7 @@ mod mirror;
 mod talk;
 
 use eframe::{WebOptions, WebRunner};
-use egui::Ui;
+use egui::{Context, Ui};
 use js_sys::Function;
 use wasm_bindgen::JsValue;
 use web_sys::HtmlCanvasElement;
@@ -15,6 +15,7 @@ use web_sys::HtmlCanvasElement;
 use crate::{
     lesson::{Course, FileError, unpacked},
     paint::fonts,
+    text::Part,
 };
 
 use super::{App, Settings, memory::Memory, prelude::*, shelf::Shelf};
@@ -32,6 +33,7 @@ struct Page {
     beside: Beside,
     heard: Heard,
     talk: Talk,
+    has_followed: bool,
 }
 
 impl eframe::App for Page {
@@ -43,9 +45,8 @@ impl eframe::App for Page {
         let lang = Some(self.app.settings.lang);
         if std::mem::replace(&mut self.lang, lang) != lang {
             host::speak(self.app.settings.lang);
-            // All that is left out of the program follows the first frame, where the reader does not save data.
-        } else if lang == Some(Lang::ZhCn) || !host::saves_data() {
-            self.beside.fetch_fonts(ui.ctx());
+        } else {
+            self.follow(ui.ctx());
         }
     }
 
@@ -58,6 +59,22 @@ impl eframe::App for Page {
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         visuals.window_fill.to_normalized_gamma_f32()
+    }
+}
+
+impl Page {
+    /// All that is left out of the program follows the first frame, where the reader does not save data.
+    fn follow(&mut self, ctx: &Context) {
+        let stays = self.has_followed || host::saves_data();
+        if !stays || self.app.settings.lang == Lang::ZhCn {
+            self.beside.fetch_fonts(ctx);
+        }
+        if !stays {
+            self.has_followed = true;
+            for part in Part::ALL {
+                self.beside.fetch_part(part);
+            }
+        }
     }
 }
 
@@ -81,6 +98,21 @@ fn opened(fetched: Option<Fetched>) -> (Course, Option<String>, Option<Diagnosti
     }
 }
 
+/// The settings that were kept, or those of a first visit, once the texts of their language have come; without these in English.
+async fn settings(stored: Option<Settings>, fetch: &Function) -> (Settings, Option<Message>) {
+    let mut settings = stored.unwrap_or_else(host::first_settings);
+    let texts = Part::Texts(settings.lang);
+    if texts.is_here() || beside::take_up(fetch, texts).await {
+        return (settings, None);
+    }
+    let what = settings.lang.native_name().to_owned();
+    settings.lang = Lang::En;
+    (
+        settings,
+        Some(Message::new("status-not-come").with("what", what)),
+    )
+}
+
 /// Runs the app in a page's canvas. `beside` promises the bytes of a file that lies beside the page, by its name.
 ///
 /// # Errors
@@ -91,23 +123,19 @@ pub async fn start(
     fetched: Option<Fetched>,
 ) -> Result<(), JsValue> {
     let stage = canvas.clone();
+    let shelf = Shelf::of_system();
+    let refused = (shelf.is_none()).then(|| Message::new("status-memory-refused"));
+    let (stored, memory, said) = Memory::open(shelf);
+    let (settings, lost) = settings(stored, &beside).await;
     let create: eframe::AppCreator<'_> = Box::new(move |creation| {
         let ctx = &creation.egui_ctx;
         ctx.set_fonts(fonts::definitions());
-        let shelf = Shelf::of_system();
-        let refused = shelf
-            .is_none()
-            .then(|| Message::new("status-memory-refused"));
-        let (stored, memory, said) = Memory::open(shelf);
         let (course, folder, unread) = opened(fetched);
-        let settings = Settings {
-            folder,
-            ..stored.unwrap_or_else(host::first_settings)
-        };
-        let beside = Beside::new(beside);
+        let settings = Settings { folder, ..settings };
+        let beside = Beside::new(beside, ctx.clone());
         let files = PageFiles::new(beside.clone());
         let mut app = App::new(course, settings).with_platform(files);
-        for said in said.into_iter().chain(refused) {
+        for said in said.into_iter().chain(refused).chain(lost) {
             app.complain(app.catalog().message(&said));
         }
         if let Some(unread) = unread {
@@ -128,6 +156,7 @@ pub async fn start(
             beside,
             heard,
             talk: Talk::default(),
+            has_followed: false,
         }))
     });
     WebRunner::new()

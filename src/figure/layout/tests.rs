@@ -29,6 +29,7 @@ fn sheet(size: [f32; 2], em: f32) -> Sheet {
             over_caption: 18.0,
             keeps: 0.75,
             is_fixed: false,
+            is_tall: false,
         },
         title: 40.0,
         name: 0.0,
@@ -48,6 +49,7 @@ const WINDOW: &Spacing = &Spacing {
     over_caption: 0.0,
     keeps: 0.75,
     is_fixed: true,
+    is_tall: false,
 };
 
 /// A space seen by an eye, and six rows about it.

@@ -91,10 +91,11 @@ impl Link {
         }))
     }
 
-    /// As text that is not too long: where a scene's is, the link to its step of the course.
+    /// As text that is not too long, and can be read again: where a scene's is not, the link to its step of the course.
     pub fn fitting(&self) -> Option<String> {
-        let text = self.to_string();
-        if text.len() <= MOST_LINK {
+        let is_read = !matches!(&self.opens, Opens::Scene(text, _) if text.len() > code::MOST_TEXT);
+        let text = is_read.then(|| self.to_string());
+        if let Some(text) = text.filter(|text| text.len() <= MOST_LINK) {
             return Some(text);
         }
         match &self.opens {

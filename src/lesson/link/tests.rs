@@ -57,7 +57,7 @@ fn what_is_wrong_with_a_link_is_said() {
         let value = value.to_owned();
         Err(LinkError::Value { key, value })
     };
-    let bomb = code::packed(&"a".repeat((1 << 20) + 1));
+    let bomb = code::packed(&"a".repeat(code::MOST_TEXT + 1));
     let whole = Link::to(Opens::Scene("window = [0, 0, 1, 1]".to_owned(), None)).to_string();
     let cases = [
         ("", Err(LinkError::Nothing)),
@@ -85,6 +85,18 @@ fn what_is_wrong_with_a_link_is_said() {
         assert_eq!(read(link), expected, "{link:.60}");
     }
     assert_eq!(read(&whole).map(|link| link.to_string()), Ok(whole));
+}
+
+#[test]
+fn what_could_not_be_read_again_is_not_written() {
+    let step: Option<StepName> = "05-intervals/entering".parse().ok();
+    for (n_bytes, is_whole) in [(code::MOST_TEXT, true), (code::MOST_TEXT + 1, false)] {
+        let scene = Link::to(Opens::Scene("a".repeat(n_bytes), step.clone()));
+        let written = scene.fitting().expect("it is on a page of the course");
+        assert_eq!(read(&written) == Ok(scene), is_whole, "{n_bytes}");
+        let free = Link::to(Opens::Scene("a".repeat(n_bytes), None));
+        assert_eq!(free.fitting().is_some(), is_whole, "{n_bytes}");
+    }
 }
 
 #[test]

@@ -226,7 +226,7 @@ impl Multiples {
         let (look, around) = (slate.look, Around::default());
         look.stage(slate.painter, &viewport, &drawing.marks, links.lit, around);
         if let Some(pointer) = links.pointer.filter(|at| room.contains(*at)) {
-            let pointed = hit::link_at(&viewport, &drawing.marks, pointer);
+            let pointed = hit::link_at(&viewport, &drawing.marks, pointer, hit::REACH);
             links.pointed = pointed.or(links.pointed);
         }
     }

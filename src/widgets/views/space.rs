@@ -139,7 +139,7 @@ pub fn space(
         painter.rect_stroke(viewport.rect, 0.0, frame, StrokeKind::Middle);
     }
     title(ui, look, corner, shown);
-    hit::link_at(&viewport, &marks, response.hover_pos()?)
+    hit::link_at(&viewport, &marks, response.hover_pos()?, hit::REACH)
 }
 
 fn spoken(look: Look<'_>, shown: &Space) -> String {

@@ -240,7 +240,9 @@ enum Spelling<'a> {
 fn spelling(model: &Model) -> Spelling<'_> {
     match model {
         Model::Solid(solid) => Spelling::Named(solid.id()),
-        Model::Mesh(_) if *model == spot::model() => Spelling::Named(spot::ID),
+        Model::Mesh(_) if *model == spot::model() || spot::stands_in(model) => {
+            Spelling::Named(spot::ID)
+        }
         Model::Mesh(named) => {
             let mesh = &named.mesh;
             if mesh.faces().len().max(mesh.positions().len()) > MAX_INLINE {

@@ -2,35 +2,91 @@
 
 use std::sync::{Arc, LazyLock};
 
+use crate::text::Part;
 use crate::{
+    figure::Moment,
     geom::Solid,
-    labs::space::{Model, NamedMesh},
+    labs::{
+        Scene,
+        space::{self, Model, NamedMesh},
+    },
     lesson::{read_obj, read_picture},
 };
 
+use super::super::SceneFormats;
+
 pub const ID: &str = "spot";
 
-/// Around the origin, between −1 and 1.
-pub fn model() -> Model {
-    static SPOT: LazyLock<Model> = LazyLock::new(|| {
-        let bytes = include_bytes!(concat!(
+/// Its shape, and what is painted on it.
+#[cfg(not(feature = "slim"))]
+fn files() -> Option<[&'static [u8]; 2]> {
+    Some([
+        include_bytes!(concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/assets/meshes/spot/spot.obj"
-        ));
+        )),
+        include_bytes!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/assets/meshes/spot/spot_texture.png"
+        )),
+    ])
+}
+
+#[cfg(feature = "slim")]
+fn files() -> Option<[&'static [u8]; 2]> {
+    let part = Part::Spot;
+    Some([part.get("spot.obj")?, part.get("spot_texture.png")?])
+}
+
+/// Around the origin, between −1 and 1; what stands in for it until it has been fetched.
+pub fn model() -> Model {
+    static SPOT: LazyLock<Model> = LazyLock::new(|| {
+        let read = || {
+            let [shape, painted] = files()?;
+            named(shape, Some(painted))
+        };
         // A test reads it; a cube would be seen.
-        read_obj(ID, bytes).map_or(Model::Solid(Solid::Cube), |read| {
-            let mesh = read.mesh.fitted();
-            let name = ID.to_owned();
-            let painted = include_bytes!(concat!(
-                env!("CARGO_MANIFEST_DIR"),
-                "/assets/meshes/spot/spot_texture.png"
-            ));
-            Model::Mesh(Arc::new(NamedMesh {
-                name,
-                mesh,
-                picture: read_picture(painted),
-            }))
-        })
+        read().unwrap_or(Model::Solid(Solid::Cube))
     });
-    SPOT.clone()
+    if Part::Spot.is_here() {
+        SPOT.clone()
+    } else {
+        STAND_IN.clone()
+    }
+}
+
+fn named(shape: &[u8], painted: Option<&[u8]>) -> Option<Model> {
+    let mesh = read_obj(ID, shape).ok()?.mesh.fitted();
+    Some(Model::Mesh(Arc::new(NamedMesh {
+        name: ID.to_owned(),
+        mesh,
+        picture: painted.and_then(read_picture),
+    })))
+}
+
+/// An octahedron, of no solid's making.
+static STAND_IN: LazyLock<Model> = LazyLock::new(|| {
+    const SHAPE: &[u8] = b"v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\
+        f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+    named(SHAPE, None).unwrap_or(Model::Solid(Solid::Octahedron))
+});
+
+/// Is this what stands in for it?
+pub fn stands_in(model: &Model) -> bool {
+    match (model, &*STAND_IN) {
+        (Model::Mesh(model), Model::Mesh(stand_in)) => Arc::ptr_eq(model, stand_in),
+        (Model::Mesh(_) | Model::Solid(_), _) => false,
+    }
+}
+
+/// Is there something in this scene that has yet to be fetched?
+pub fn has_stand_in(scene: &Scene) -> bool {
+    let space: Option<&space::Scene> = scene.get();
+    space.is_some_and(|space| space.objects().iter().any(|it| stands_in(it.model())))
+}
+
+/// The scene with what has come since, where it has been waited for there.
+pub fn without_stand_in(scene: &Scene, formats: SceneFormats) -> Option<Scene> {
+    let text = has_stand_in(scene).then(|| formats.write(scene, &Moment::Start))?;
+    Some(formats.read(ID, text.as_bytes()).ok()?.scene)
 }
