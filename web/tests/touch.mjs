@@ -72,7 +72,7 @@ const eye = async (page) => {
   return { target: [x, y, z], angles: [yaw, pitch], distance };
 };
 
-test("one finger turns a space, two bring it nearer", async () => {
+test("two fingers bring a space nearer, and do not turn it", async () => {
   const page = await opened({ ...PHONE, search: "#19-the-view-volume", init: remembered({ asks: false }) + CLOCK });
   const apart = (by, way) => [[[195 - by, 250], [-way, 0]], [[195 + by, 250], [way, 0]]];
   await fingers(page, apart(40, 40));
@@ -82,10 +82,6 @@ test("one finger turns a space, two bring it nearer", async () => {
   const second = await eye(page);
   assert(Math.abs(first.distance / second.distance - 2) < 0.2, `${first.distance} / ${second.distance}`);
   assert.deepEqual(second.angles, first.angles, "two fingers do not turn it");
-  await fingers(page, [[[40, 220], [60, 30]]]);
-  const third = await eye(page);
-  assert.notDeepEqual(third.angles, second.angles);
-  assert.equal(third.distance, second.distance);
   assertQuiet(page);
 });
 
