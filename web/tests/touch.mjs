@@ -2,10 +2,22 @@
 
 import assert from "node:assert/strict";
 
-import { assertQuiet, at, bench, caption, open, opened, read, remembered, server, test } from "./bench.mjs";
+import { assertQuiet, at, bench, caption, opened, remembered, server, test } from "./bench.mjs";
+
+/// A clock that goes on by ten milliseconds a frame, however long that takes; what is drawn is counted.
+const CLOCK = `{
+  let now = 0;
+  performance.now = () => now;
+  const frame = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (run) => frame(() => run((now += 10)));
+  window.drawn = 0;
+  const { clear } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.clear = function (...bits) { drawn += 1; return clear.apply(this, bits); };
+}`;
 
 const PHONE = { size: [390, 844], touch: true };
-const STEP = at("05-intervals", "clip-the-parameter");
+/// Its clock, so that a tap on a machine that is slow is a tap.
+const STEP = at("05-intervals", "clip-the-parameter") + CLOCK;
 const N_DISCS = "document.querySelectorAll('#mirror [role=tab]').length";
 
 /// Fingers come down together, go their ways in six parts, and are lifted.
@@ -16,7 +28,7 @@ async function fingers(page, ways, { rest = 0 } = {}) {
     await page.settled();
   };
   for (let n = 1; n <= ways.length; n += 1) await send("touchStart", points(0).slice(0, n));
-  if (rest) await page.see(`new Promise((done) => setTimeout(done, ${rest}))`);
+  for (let i = 0; i < rest; i += 1) await page.settled();
   if (ways.some(([, by]) => by)) for (let i = 1; i <= 6; i += 1) await send("touchMove", points(i / 6));
   await send("touchEnd", []);
 }
@@ -49,7 +61,7 @@ test("the large button goes a step on, the line is slid on, and held it plays", 
   await tap(page, 350, 798);
   await page.until(`document.querySelector('#mirror [data-name=caption]').textContent !== ${JSON.stringify(before)}`, "a step on");
   const after = await caption(page);
-  await fingers(page, [[[350, 798]]], { rest: 1200 });
+  await fingers(page, [[[350, 798]]], { rest: 30 });
   await page.until(`document.querySelector('#mirror [data-name=caption]').textContent !== ${JSON.stringify(after)}`, "it plays");
   assertQuiet(page);
 });
@@ -60,8 +72,8 @@ const eye = async (page) => {
   return { target: [x, y, z], angles: [yaw, pitch], distance };
 };
 
-test("one finger turns a space, two bring it nearer", async () => {
-  const page = await opened({ ...PHONE, search: "#19-the-view-volume", init: remembered({ asks: false }) });
+test("two fingers bring a space nearer, and do not turn it", async () => {
+  const page = await opened({ ...PHONE, search: "#19-the-view-volume", init: remembered({ asks: false }) + CLOCK });
   const apart = (by, way) => [[[195 - by, 250], [-way, 0]], [[195 + by, 250], [way, 0]]];
   await fingers(page, apart(40, 40));
   await page.until("location.hash.includes('eye=')", "the eye has moved");
@@ -70,10 +82,6 @@ test("one finger turns a space, two bring it nearer", async () => {
   const second = await eye(page);
   assert(Math.abs(first.distance / second.distance - 2) < 0.2, `${first.distance} / ${second.distance}`);
   assert.deepEqual(second.angles, first.angles, "two fingers do not turn it");
-  await fingers(page, [[[40, 220], [60, 30]]]);
-  const third = await eye(page);
-  assert.notDeepEqual(third.angles, second.angles);
-  assert.equal(third.distance, second.distance);
   assertQuiet(page);
 });
 
@@ -90,21 +98,10 @@ test("dark as the system is on a first visit, and light where it is light", asyn
   }
 });
 
-/// A clock that goes on by ten milliseconds a frame, however long that takes; what is drawn is counted.
-const CLOCK = `{
-  let now = 0;
-  performance.now = () => now;
-  const frame = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (run) => frame(() => run((now += 10)));
-  window.drawn = 0;
-  const { clear } = WebGL2RenderingContext.prototype;
-  WebGL2RenderingContext.prototype.clear = function (...bits) { drawn += 1; return clear.apply(this, bits); };
-}`;
-
 test("nothing moves by itself where that is wished", async () => {
   const counts = [];
   for (const value of ["no-preference", "reduce"]) {
-    const page = await bench.browser.page({ init: STEP + CLOCK });
+    const page = await bench.browser.page({ init: STEP });
     await page.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value }] });
     await page.go(server.url);
     await page.running();
