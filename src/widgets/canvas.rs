@@ -87,9 +87,8 @@ impl Canvas<'_> {
             ..WidgetInfo::labeled(Role::Canvas, true, &self.name)
         });
         let step = viewport.grid_step(GRID_PTS);
-        let remembered = self.id.with("labels");
         let before: Vec<Placed> = ui
-            .data(|data| data.get_temp(remembered))
+            .data(|data| data.get_temp(self.labels()))
             .unwrap_or_default();
         let [pointed, pressed] = self.under(ui, &response, &before);
         let pinch = Pinch::now(ui, self.id, viewport.rect);
@@ -113,39 +112,7 @@ impl Canvas<'_> {
             (moved, pan_and_zoom(ui, &response, &self, &handles))
         };
 
-        let theme = self.look.theme;
-        let painter = ui.painter_at(viewport.rect);
-        painter.rect_filled(viewport.rect, 0.0, theme.background);
-        if self.has_grid {
-            dots(&painter, &viewport, step, theme.hairline);
-        }
-        handles.draw_idle(ui, &painter, &response);
-        let labels = self.figure(&painter, &before);
-        ui.data_mut(|data| data.insert_temp(remembered, labels.clone()));
-        if self.has_grid {
-            scale(&painter, &viewport, step, (self.look, &labels));
-        }
-        if let Some(pointed) = &self.pointed {
-            let marks = std::slice::from_ref(pointed);
-            let around = Around::default();
-            self.look.stage(&painter, &viewport, marks, None, around);
-            ui.set_cursor_icon(CursorIcon::PointingHand);
-        }
-        handles.draw(ui, &painter, &response);
-        if self.has_grid {
-            let said = handles.coordinates(ui, &response, step);
-            self.say_place(&painter, said, &labels);
-        } else {
-            let beside = (&labels[..], self.reads_pointer);
-            handles.draw_names(ui, &painter, &response, beside);
-        }
-        focus_ring(
-            &painter,
-            self.look,
-            &response,
-            viewport.rect.shrink(1.0),
-            2.0,
-        );
+        self.draw(ui, &response, (&handles, &before));
         let focused = ui.memory(egui::Memory::focused);
         let focused = focused.and_then(|id| {
             let mut indices = self.spots.iter().map(|spot| spot.index);
@@ -165,6 +132,48 @@ impl Canvas<'_> {
             response,
             picture: None,
         }
+    }
+
+    /// Where it is kept which labels were drawn, and where.
+    fn labels(&self) -> Id {
+        self.id.with("labels")
+    }
+
+    fn draw(&self, ui: &mut Ui, response: &Response, (handles, before): (&Handles<'_>, &[Placed])) {
+        let (viewport, step) = (handles.viewport, handles.grid);
+        let theme = self.look.theme;
+        let painter = ui.painter_at(viewport.rect);
+        painter.rect_filled(viewport.rect, 0.0, theme.background);
+        if self.has_grid {
+            dots(&painter, viewport, step, theme.hairline);
+        }
+        handles.draw_idle(ui, &painter, response);
+        let labels = self.figure(&painter, before);
+        ui.data_mut(|data| data.insert_temp(self.labels(), labels.clone()));
+        if self.has_grid {
+            scale(&painter, viewport, step, (self.look, &labels));
+        }
+        if let Some(pointed) = &self.pointed {
+            let marks = std::slice::from_ref(pointed);
+            let around = Around::default();
+            self.look.stage(&painter, viewport, marks, None, around);
+            ui.set_cursor_icon(CursorIcon::PointingHand);
+        }
+        handles.draw(ui, &painter, response);
+        if self.has_grid {
+            let said = handles.coordinates(ui, response, step);
+            self.say_place(&painter, said, &labels);
+        } else {
+            let beside = (&labels[..], self.reads_pointer);
+            handles.draw_names(ui, &painter, response, beside);
+        }
+        focus_ring(
+            &painter,
+            self.look,
+            response,
+            viewport.rect.shrink(1.0),
+            2.0,
+        );
     }
 
     fn is_covered(&self, at: Pos2) -> bool {

@@ -94,7 +94,7 @@ fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
 
 #[test]
 fn what_has_no_room_in_the_bar_is_in_a_menu() {
-    for (size, menu) in [(vec2(360.0, 640.0), "More"), (SIZE, "Scene")] {
+    for (size, menu) in [(vec2(360.0, 844.0), "More"), (SIZE, "Scene")] {
         let mut bench = Bench::new(size);
         let in_the_bar = bench.where_is("Compare with…").is_some();
         bench.click_on(menu);
