@@ -17,25 +17,23 @@ use super::super::SceneFormats;
 
 pub const ID: &str = "spot";
 
-/// Its shape, and what is painted on it.
-#[cfg(not(feature = "slim"))]
-fn files() -> Option<[&'static [u8]; 2]> {
-    Some([
-        include_bytes!(concat!(
+macro_rules! file {
+    ($name:literal) => {{
+        #[cfg(feature = "slim")]
+        let bytes = Part::Spot.get($name);
+        #[cfg(not(feature = "slim"))]
+        let bytes: Option<&[u8]> = Some(include_bytes!(concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/assets/meshes/spot/spot.obj"
-        )),
-        include_bytes!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/assets/meshes/spot/spot_texture.png"
-        )),
-    ])
+            "/assets/meshes/spot/",
+            $name
+        )));
+        bytes
+    }};
 }
 
-#[cfg(feature = "slim")]
+/// Its shape, and what is painted on it.
 fn files() -> Option<[&'static [u8]; 2]> {
-    let part = Part::Spot;
-    Some([part.get("spot.obj")?, part.get("spot_texture.png")?])
+    Some([file!("spot.obj")?, file!("spot_texture.png")?])
 }
 
 /// Around the origin, between −1 and 1; what stands in for it until it has been fetched.
