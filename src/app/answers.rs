@@ -25,8 +25,12 @@ impl Answer {
 
 /// One row a question; nothing where marks come at the end, and it is not there yet.
 pub fn table(app: &App, ui: &mut Ui) {
+    // What is asked once more is not told here.
+    let asked = app.practice.step_asked();
     for answer in app.answers_told() {
-        row(app, ui, answer);
+        if Some(answer.step) != asked {
+            row(app, ui, answer);
+        }
     }
 }
 

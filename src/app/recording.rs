@@ -205,7 +205,9 @@ impl App {
             return;
         };
         if seen == Seen::Anew {
+            let recording = self.playback.recording + 1;
             self.playback = Playback::of(found, 0);
+            self.playback.recording = recording;
             self.playback.transport.set_speed(self.settings.speed);
             self.stage = StageState::new(self.bounds_when(seen));
         } else {

@@ -242,7 +242,13 @@ pub fn arrows(input: &BackFaceInput, past: &[Event]) -> Vec<Mark3> {
             let degrees = (normal - a).angle_between(tip - a).to_degrees();
             let angle = Shape3::Angle([a, normal, tip].map(Into::into));
             let angle = Mark3::new(Role::Signal, angle);
-            marks.push(angle.labelled(sym(format!("{degrees:.0}°"))));
+            // Its number is the answer.
+            let is_told = known.products.is_some();
+            marks.push(if is_told {
+                angle.labelled(sym(format!("{degrees:.0}°")))
+            } else {
+                angle
+            });
         }
     }
     marks
