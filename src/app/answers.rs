@@ -10,8 +10,6 @@ const SIGN: f32 = 6.0;
 
 pub struct Answer {
     pub step: usize,
-    /// Where the run stood when it was asked.
-    pub stands: usize,
     pub choice: Choice,
     pub chosen: usize,
     pub is_shown: bool,

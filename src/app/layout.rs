@@ -33,37 +33,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
             sides(app, ui, state, panels);
         }
         state.taken = notice::show(app, ui);
-        let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
-        let panel = CentralPanel::no_frame().frame(frame);
-        match app.room() {
-            Room::Stage => {
-                let pointed = practice_panel::show(app, ui, state.lit);
-                state.pointed_in_inspector = state.pointed_in_inspector.or(pointed);
-                if app.is_phone() {
-                    phone::sheet(app, ui);
-                } else if app.asks_on_stage() && !app.practice.asks_for_a_step() {
-                    question::show(app, ui);
-                }
-                centre(app, ui, state);
-            }
-            Room::Course => {
-                panel.show(ui, |ui| {
-                    if app.is_phone() {
-                        phone::way_back(app, ui);
-                    }
-                    left(app, ui, panels);
-                });
-            }
-            Room::Inspector => {
-                panel.show(ui, |ui| {
-                    if app.is_phone() {
-                        phone::way_back(app, ui);
-                        ui.horizontal(|ui| bars::pickers(app, ui));
-                    }
-                    right(app, ui, state, panels);
-                });
-            }
-        }
+        opened(app, ui, state, panels);
     }
     let pointed = state.pointed_on_stage.or(state.pointed_in_inspector);
     // What is asked about stays lit when the pointer is elsewhere.
@@ -80,6 +50,36 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
     if app.shown.has_notes {
         speaker::show(app, ui.ctx());
     }
+}
+
+/// The stage, or what has taken its place.
+fn opened(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn LabPanel>]) {
+    let room = app.room();
+    if room == Room::Stage {
+        let pointed = practice_panel::show(app, ui, state.lit);
+        state.pointed_in_inspector = state.pointed_in_inspector.or(pointed);
+        if app.is_phone() {
+            phone::sheet(app, ui);
+        } else if app.asks_on_stage() && !app.practice.asks_for_a_step() {
+            question::show(app, ui);
+        }
+        centre(app, ui, state);
+        return;
+    }
+    let frame = Frame::new().fill(app.look().theme.panel).inner_margin(16);
+    CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+        if app.is_phone() {
+            phone::way_back(app, ui);
+        }
+        if room == Room::Course {
+            left(app, ui, panels);
+            return;
+        }
+        if app.is_phone() {
+            ui.horizontal(|ui| bars::pickers(app, ui));
+        }
+        right(app, ui, state, panels);
+    });
 }
 
 fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {

@@ -28,6 +28,8 @@ const GRIP: Vec2 = vec2(40.0, 4.0);
 pub fn top(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     ui.spacing_mut().item_spacing.x = 0.0;
+    // Methods are picked in the inspector, which is not open at first.
+    menus::compare_is_in_the_bar(ui.ctx(), false);
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         way_to(app, ui, Room::Course);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

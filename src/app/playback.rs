@@ -104,6 +104,14 @@ impl Playback {
         }
     }
 
+    /// The same recording, with another number than the one that was there before.
+    pub fn in_place_of(self, before: &Self) -> Self {
+        Self {
+            recording: before.recording + 1,
+            ..self
+        }
+    }
+
     /// Records the changed scene; the cursor stays at the same moment where it comes again.
     pub fn rerecord(&mut self, scene: &Scene) {
         self.take(Found::of(scene));

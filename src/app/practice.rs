@@ -153,7 +153,7 @@ impl App {
                 return None;
             }
             Command::TakeBack if self.practice.has_answered() => {
-                if let Some(stands) = self.practice.take_back() {
+                if let Some(stands) = self.practice.take_back(self.playback.main()) {
                     self.seek(stands);
                 }
                 return None;
@@ -319,7 +319,6 @@ impl App {
         let step = asked.step;
         practice.answers.push(Answer {
             step,
-            stands: asked.stands,
             choice: asked.choice.clone(),
             chosen,
             is_shown: nth.is_none(),

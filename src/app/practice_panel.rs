@@ -144,25 +144,31 @@ fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
     });
 }
 
+/// That something is asked, and how to answer.
+fn sign(ui: &mut Ui, look: Look<'_>) {
+    let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
+    Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
+    let stroke = look.theme.stroke(1.5, look.theme.signal);
+    ui.painter().circle_stroke(rect.center(), 10.0, stroke);
+    let asked = look.say("practice-question");
+    let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);
+    said_live(ui, asked);
+    ui.add(Label::new(soft(look, "practice-how")).truncate());
+}
+
 fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<Link> {
     let look = app.look();
     ui.spacing_mut().item_spacing.y = GAP;
-    let head = |ui: &mut Ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
-        Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
-        let stroke = look.theme.stroke(1.5, look.theme.signal);
-        ui.painter().circle_stroke(rect.center(), 10.0, stroke);
-        let asked = look.say("practice-question");
-        let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);
-        said_live(ui, asked);
-        ui.add(Label::new(soft(look, "practice-how")).truncate());
-    };
-    line(ui, head, |ui| {
-        if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
-            app.push(Command::ShowMe);
-        }
-        take_back(app, ui);
-    });
+    line(
+        ui,
+        |ui| sign(ui, look),
+        |ui| {
+            if ui.add(Button::new(accent(look, "practice-show"))).clicked() {
+                app.push(Command::ShowMe);
+            }
+            take_back(app, ui);
+        },
+    );
     let said = asked.choice.said(look.catalog);
     let width = ui.available_width();
     let options = Options::of(app, ui, &asked.choice, width);

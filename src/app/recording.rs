@@ -94,7 +94,7 @@ impl App {
         if was_another && scene == self.playback.scene() {
             // It has been on the stage all the time.
         } else if scene.document().size() <= LONG {
-            self.playback = Playback::record(scene, position);
+            self.playback = Playback::record(scene, position).in_place_of(&self.playback);
             self.stage = StageState::new(self.bookmark.bounds_of(scene));
         } else {
             self.pending = Some(Pending {
@@ -205,9 +205,7 @@ impl App {
             return;
         };
         if seen == Seen::Anew {
-            let recording = self.playback.recording + 1;
-            self.playback = Playback::of(found, 0);
-            self.playback.recording = recording;
+            self.playback = Playback::of(found, 0).in_place_of(&self.playback);
             self.playback.transport.set_speed(self.settings.speed);
             self.stage = StageState::new(self.bounds_when(seen));
         } else {

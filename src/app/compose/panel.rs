@@ -288,11 +288,9 @@ fn goal(app: &App, ui: &mut Ui, compose: &Compose) {
         for part in parts.iter().chain(others) {
             let mut is_part = parts.contains(part);
             let words = in_words(part, look.catalog.lang());
-            let box_ = ui.checkbox(&mut is_part, words);
-            if box_
-                .on_hover_text(RichText::new(part).monospace())
-                .changed()
-            {
+            let spelt = RichText::new(part).monospace();
+            let response = ui.checkbox(&mut is_part, words);
+            if response.on_hover_text(spelt).changed() {
                 act(app, Act::Condition(part.clone()));
             }
         }

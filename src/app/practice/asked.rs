@@ -34,13 +34,9 @@ pub struct Asked {
 impl Asked {
     /// Of a run that asks before this step, or before the phase that leads to it.
     pub(super) fn in_run(run: &dyn Run, step: usize, choice: Choice) -> Self {
-        Self::new([run.asked_at(step, &choice), step], choice)
-    }
-
-    pub(super) fn new([stands, step]: [usize; 2], choice: Choice) -> Self {
         Self {
             step,
-            stands,
+            stands: run.asked_at(step, &choice),
             chips: choice.chips(None, DIGITS.len()),
             choice,
             chosen: None,

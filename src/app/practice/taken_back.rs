@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::figure::{Glimpse, Mark};
+use crate::figure::{Glimpse, Mark, Run};
 
 use super::{super::prelude::*, App, Asked, Practice};
 
@@ -40,15 +40,14 @@ impl Practice {
         self.is_on && !self.done.is_empty()
     }
 
-    /// The last decision that has been answered and not been taken back is asked once more; where the run stands for it. What was answered stays, and
-    /// counts.
-    pub(super) fn take_back(&mut self) -> Option<usize> {
+    /// The last decision of the run that has been answered and not been taken back is asked once more; where the run stands for it.
+    /// What was answered stays, and counts.
+    pub(super) fn take_back(&mut self, run: &dyn Run) -> Option<usize> {
         let mut answers = self.answers.iter().rev();
         let last = answers.find(|answer| self.done.contains(&answer.step))?;
         self.done.remove(&last.step);
-        let stands = last.stands;
-        self.asked = Some(Asked::new([stands, last.step], last.choice.clone()));
-        Some(stands)
+        let asked = Asked::in_run(run, last.step, last.choice.clone());
+        Some(self.asked.insert(asked).stands)
     }
 }
 

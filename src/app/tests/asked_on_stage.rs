@@ -1,6 +1,7 @@
 //! A question on the picture: chips at what it might be, nothing that points at what it is, and one room for all of it.
 
 mod glimpses;
+mod hidden;
 
 use super::*;
 use crate::{
@@ -172,39 +173,6 @@ fn asked_at(page: Page, lang: Lang, size: Vec2) -> Bench {
     bench.ctx.enable_accesskit();
     bench.settle();
     bench
-}
-
-fn small_drawings(bench: &Bench) -> &[crate::figure::SmallDrawing] {
-    let mut views = bench.app.playback.on_stage()[0].views.iter();
-    let found = views.find_map(|view| match &view.body {
-        crate::figure::Body::Multiples(it) => Some(&it.drawings[..]),
-        _ => None,
-    });
-    found.expect("it is there")
-}
-
-#[test]
-fn small_pictures_show_nothing_that_is_asked() {
-    let page = Page::Step("10-one-edge-at-a-time".into(), "four-passes".into());
-    let mut bench = asked_at(page, Lang::En, SIZE);
-    let notes = |bench: &Bench| {
-        small_drawings(bench)
-            .iter()
-            .filter(|it| it.note.is_some())
-            .count()
-    };
-    let marks = |bench: &Bench| {
-        small_drawings(bench)
-            .iter()
-            .map(|it| it.marks.len())
-            .sum::<usize>()
-    };
-    let before = (notes(&bench), marks(&bench));
-    assert_eq!(before.0, 3, "of the passes that are done");
-    bench.command(Command::ShowMe);
-    bench.frame(0.1, Vec::new());
-    assert_eq!(notes(&bench), 4);
-    assert!(marks(&bench) > before.1);
 }
 
 /// In the language with the longest words.

@@ -180,22 +180,3 @@ fn the_name_is_selected_when_the_path_is_to_be_typed() {
     let path = target.map(|target| &*target.path);
     assert_eq!(path, Some("/nowhere/mine.toml"));
 }
-
-#[test]
-fn what_a_phase_leads_to_is_asked_before_its_steps() {
-    let mut bench = Bench::lab("frustum");
-    bench.edit(Edit::Method("back-face"));
-    bench.key(Key::Home);
-    bench.key(Key::Q);
-    let asked = bench.app.practice.open().expect("it asks");
-    assert!(asked.choice.is_of_phase);
-    let run = bench.app.playback.main();
-    let named = |name: &str, step: usize| run.shown(step, |shown| shown.named(name));
-    let stands = bench.app.position();
-    assert_eq!(named("n·e", stands), None, "its sign would answer");
-    assert!(named("e", stands).is_some());
-    assert!(named("n·e", run.n_steps()).is_some());
-    // The steps on the way are not stepped through while it asks.
-    bench.key(Key::ArrowRight);
-    assert_eq!(bench.app.position(), stands);
-}

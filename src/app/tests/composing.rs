@@ -239,7 +239,7 @@ fn a_goal_is_the_scene_as_it_stood_and_has_a_line_in_the_text() {
     assert!(
         fs::read_to_string(root.join("en.md"))
             .expect("text")
-            .contains("- [ ] ")
+            .contains("- [ ] Something is visible\n")
     );
     bench.act(Act::Goal(false));
     bench.pause();

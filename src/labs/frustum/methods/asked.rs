@@ -72,6 +72,12 @@ pub const fn says(class: Containment, line: usize, key: &'static str) -> Row {
     }
 }
 
+/// A row that names the plane beyond which all of something lies: the tests of the planes before it tell that.
+pub const fn beyond(row: Row) -> Row {
+    let row = row.picks_as("plane", "planes", "option-beyond");
+    row.before_its_phase()
+}
+
 #[derive(Default)]
 pub struct Asked<'a> {
     pub scenery: Option<&'a Scenery>,

@@ -2,6 +2,7 @@
 
 use crate::{
     algo::cull::{BackFaceEvent as Event, BackFaceOutput, Viewer},
+    figure::Tick,
     labs::frustum::prelude::*,
 };
 use glam::DVec2;
@@ -34,6 +35,11 @@ impl SpaceTelling for BackFace {
     fn input(scene: &Scene) -> BackFaceInput {
         input_of(scene, scene.face()).expect("the face is one of the object's")
     }
+}
+
+/// Which way the face looks; the product before it tells that.
+const fn faced(tick: Tick, key: &'static str) -> Row {
+    Row::new(tick, 3, key).answers("facing").before_its_phase()
 }
 
 impl Telling for BackFace {
@@ -73,11 +79,11 @@ impl Telling for BackFace {
         products: Event::Products { .. } =>
             Row::new(Test, 2, "face-products").so(&["{dot}", "det = |e, V₁ − V₀, V₂ − V₀|{=det}"]);
         front: Event::Done { front: true } =>
-            Row::new(Accept, 3, "face-front").so(&["n·e{=n·e} > 0"]).answers("facing").before_its_phase().keeps("face");
+            faced(Accept, "face-front").so(&["n·e{=n·e} > 0"]).keeps("face");
         edge_on: Event::Done { .. } if step.held.dot == 0.0 =>
-            Row::new(Reject, 3, "face-edge-on").so(&["n·e{=n·e}"]).answers("facing").before_its_phase().drops("face");
+            faced(Reject, "face-edge-on").so(&["n·e{=n·e}"]).drops("face");
         back: Event::Done { .. } =>
-            Row::new(Reject, 3, "face-back").so(&["n·e{=n·e} < 0"]).answers("facing").before_its_phase().drops("face");
+            faced(Reject, "face-back").so(&["n·e{=n·e} < 0"]).drops("face");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

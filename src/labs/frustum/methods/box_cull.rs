@@ -8,7 +8,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::asked::{Asked, both, fate_of, place, says};
+use super::asked::{Asked, beyond, both, fate_of, place, says};
 
 const CORNERS_VIEW: &str = "corners";
 
@@ -55,7 +55,7 @@ impl Telling for BoxCull {
         in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
         none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
         culled: Event::Done { class: Outside } =>
-            Row::new(Reject, 4, "planes-done-outside").picks_as("plane", "planes", "option-beyond").before_its_phase();
+            beyond(Row::new(Reject, 4, "planes-done-outside"));
         drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
             Row::new(Accept, 4, "box-done-in-vain");
         cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");

@@ -10,7 +10,7 @@ use crate::{
 };
 
 use super::super::Object;
-use super::asked::{Asked, both, distance_formula, fate_of, place, says};
+use super::asked::{Asked, beyond, both, distance_formula, fate_of, place, says};
 
 const GAUGES_VIEW: &str = "distances";
 
@@ -68,7 +68,7 @@ impl Telling for SphereCull {
         none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
         cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
         culled: Event::Done { class: Outside } =>
-            Row::new(Reject, 4, "planes-done-outside").so(R).picks_as("plane", "planes", "option-beyond").before_its_phase();
+            beyond(Row::new(Reject, 4, "planes-done-outside").so(R));
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     super::Object,
-    asked::Asked,
+    asked::{Asked, beyond},
     sphere_cull::{AskedSphere, sphere_gauges, sphere_says},
 };
 use variant::{CULL, DRAW, EACH, FACE, PLANE, STRADDLES, TRIANGLE, Variant};
@@ -68,7 +68,7 @@ impl<L: Variant> Telling for Funnel<L> {
         straddles: Event::Sphere { class: Straddles, .. } =>
             Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
         culled: Event::Sphere { class: Outside, .. } =>
-            Row::new(Reject, CULL, "funnel-sphere-outside").drops("object").picks_as("plane", "planes", "option-beyond").before_its_phase();
+            beyond(Row::new(Reject, CULL, "funnel-sphere-outside").drops("object"));
         whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>
             Row::new(Test, TRIANGLE, "funnel-triangle-inside").so(&["{or}"])
                 .keeps("triangle").answers_as("codes", "option-triangle-inside");
