@@ -72,3 +72,56 @@ fn options(shown: &dyn Shown, place: &str) -> Option<Choice> {
     }
     Some(choice)
 }
+
+#[test]
+fn what_an_edge_is_said_to_put_out_is_what_the_run_then_puts_out() {
+    let mut seen = BTreeSet::new();
+    for scene in scenes() {
+        // A mistake may put out something else than its rule says.
+        for (card, run) in record(&scene)
+            .into_iter()
+            .filter(|(card, _)| !card.is_faulty)
+        {
+            run.visit([1, run.n_steps()], &mut |step, shown| {
+                if shown.question() != Some("puts-out") {
+                    return ControlFlow::Continue(());
+                }
+                let Some(Choice { options, right, .. }) = shown.options() else {
+                    panic!("step {step} of {} has no options", card.id);
+                };
+                let Value::Message(said) = &options[right] else {
+                    panic!("{:?} is no sentence", options[right]);
+                };
+                let of_edge = |step: &usize| {
+                    let event = run.event_json(*step);
+                    let name = event["event"].as_str().unwrap_or_default().to_owned();
+                    ["cross", "output"].contains(&&*name).then_some(name)
+                };
+                let after: Vec<String> = (step + 1..=run.n_steps())
+                    .map_while(|it| of_edge(&it))
+                    .collect();
+                let n_out = after.iter().filter(|name| *name == "output").count();
+                let (crosses, puts) = match said.key {
+                    "option-puts-nothing" => (false, 0),
+                    "option-puts-end" => (false, 1),
+                    "option-puts-crossing" => (true, 1),
+                    "option-puts-both" => (true, 2),
+                    other => panic!("{other} is no answer"),
+                };
+                let place = format!("step {step} of {} on {scene:?}", card.id);
+                assert_eq!(
+                    after.first().is_some_and(|name| name == "cross"),
+                    crosses,
+                    "{place}"
+                );
+                // In a pipeline the next stage takes what is put out.
+                if card.id != "sutherland-hodgman-pipeline" {
+                    assert_eq!(n_out, puts, "{place}");
+                }
+                seen.insert(said.key);
+                ControlFlow::Continue(())
+            });
+        }
+    }
+    assert_eq!(seen.len(), 4, "{seen:?}");
+}

@@ -23,10 +23,10 @@ impl Answer {
 
 /// One row a question; nothing where marks come at the end, and it is not there yet.
 pub fn table(app: &App, ui: &mut Ui) {
-    // What is asked once more is not told here.
+    // What is asked once more, and what comes after that, is not told here.
     let asked = app.practice.step_asked();
     for answer in app.answers_told() {
-        if Some(answer.step) != asked {
+        if asked.is_none_or(|open| answer.step < open) {
             row(app, ui, answer);
         }
     }

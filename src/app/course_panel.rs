@@ -61,11 +61,10 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
     if let Some(claim) = step.claim.as_ref().filter(|_| app.is_open()) {
         claimed(ui, look, claim);
     }
-    if !app.is_untouched() {
+    let has_goal = !app.met().is_empty();
+    if !app.is_untouched() && !has_goal {
         changed(app, ui);
-        if app.met().is_empty() {
-            ui.set_opacity(ASIDE);
-        }
+        ui.set_opacity(ASIDE);
     }
     let told = app.text_told();
     let waits = |block: &Block| *block == Block::Wait;
@@ -80,8 +79,11 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
     if app.is_reached() {
         reached(app, ui);
     }
-    if !app.met().is_empty() {
+    if has_goal {
         goal_panel::show(app, ui);
+    }
+    if has_goal && !app.is_untouched() {
+        changed(app, ui);
     }
     shown_answer(app, ui);
     let is_last = app.bookmark.at[1] + 1 == lesson.steps.len();

@@ -49,16 +49,15 @@ fn hint(app: &App, ui: &mut Ui) {
     }
     let top = ui.cursor().min;
     let hint = &help.hint;
-    let decides = match &hint.decides {
+    let first = match hint.first() {
         Some(said) => look.catalog.message(said),
         None => look.say("goal-hint-none"),
     };
-    said(ui, look, &decides);
+    said(ui, look, &first);
     if help.n_shown == PARTS {
         let equation = hint.equation.iter().map(|it| look.catalog.formula(it));
-        let notes = hint.turned.iter().chain(&hint.compared);
-        let notes = notes.map(|note| look.catalog.message(note));
-        for text in equation.chain(notes) {
+        let notes = hint.second().map(|note| look.catalog.message(note));
+        for text in notes.chain(equation) {
             said(ui, look, &text);
         }
     }
@@ -82,7 +81,9 @@ fn so_far(app: &App, ui: &mut Ui) {
     ui.add_space(4.0);
     ui.label(soft(look, "goal-so-far").small());
     for end in ended {
-        let text = look.catalog.message(&end.said);
+        let so = end.so.iter().map(|it| look.catalog.formula(it));
+        let said = std::iter::once(look.catalog.message(&end.said)).chain(so);
+        let text = said.collect::<Vec<_>>().join(" ");
         let label = ui.add(Label::new(RichText::new(&text).color(look.theme.soft)).wrap());
         let name = Message::new("goal-ended").with("said", text);
         let name = look

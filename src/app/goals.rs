@@ -8,7 +8,7 @@ use std::sync::{
 use web_time::Duration;
 
 use crate::{
-    labs::{Difference, smaller},
+    labs::{Difference, Lock, smaller},
     lesson::Goal,
     widgets::TextTold,
 };
@@ -67,6 +67,13 @@ impl App {
         // What has been reached stays so.
         let goal = self.bookmark.step().and_then(|step| step.goal.clone());
         let goal = goal.filter(|_| self.is_reached());
+        // What the step locks stays where it is.
+        let handles = self.history.now().document().handles();
+        let locks = self
+            .bookmark
+            .step()
+            .map(|step| step.locks_in(self.history.now(), &handles).to_vec());
+        let is_free = move |handle| !Lock::any_holds(locks.as_deref().unwrap_or_default(), handle);
         let is_stopped = Arc::new(AtomicBool::new(false));
         let (first, stop) = (self.history.now().clone(), is_stopped.clone());
         let look = move || {
@@ -77,7 +84,7 @@ impl App {
                     && Difference::kind_in(scene).as_ref() == Some(&kind)
                     && goal.as_ref().is_none_or(is_met)
             };
-            smaller(&first, &mut holds)
+            smaller(&first, &is_free, &mut holds)
         };
         self.goals.search = Some(Search {
             found: Errand::start(ctx, look),

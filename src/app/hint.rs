@@ -2,11 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use crate::{figure::Decides, text::Formula};
+use crate::{
+    figure::{Caption, Decides},
+    lesson::{Block, Inline},
+    text::Formula,
+};
 
 use super::{App, desk::Page, prelude::*};
 
-/// What decides, and the equation.
+/// What is compared or decides, and the equation.
 pub const PARTS: usize = 2;
 /// In longer runs nobody looks for what decided them while something is dragged.
 const LONGEST: usize = 4096;
@@ -27,13 +31,27 @@ pub struct Hint {
     pub equation: Vec<Formula>,
     /// The least change that turns what was decided.
     pub turned: Option<Message>,
-    /// What the first part of the goal that does not hold compares.
+    /// What the first part of the goal that does not hold compares, where that is two numbers.
     pub compared: Option<Message>,
+}
+
+impl Hint {
+    /// What its first part says: the two numbers of the goal, or what decided.
+    pub fn first(&self) -> Option<&Message> {
+        self.compared.as_ref().or(self.decides.as_ref())
+    }
+
+    /// What its second part says besides the equation.
+    pub fn second(&self) -> impl Iterator<Item = &Message> {
+        let decides = self.compared.as_ref().and(self.decides.as_ref());
+        decides.into_iter().chain(&self.turned)
+    }
 }
 
 /// A way in which runs have ended, as the last of them said it.
 pub struct Ended {
     pub said: Message,
+    pub so: Vec<Formula>,
     pub count: usize,
     pub is_now: bool,
 }
@@ -63,6 +81,11 @@ impl App {
         let scene = self.playback.scene();
         let run = self.playback.main();
         let n_steps = run.n_steps();
+        let named = self
+            .bookmark
+            .step()
+            .and_then(|step| step.goal.as_ref()?.hint.as_ref());
+        let named = named.and_then(|moment| run.find(moment));
         let mut last: Option<(Link, usize)> = None;
         run.visit([1, n_steps.min(LONGEST)], &mut |step, shown| {
             let decision = shown.decision();
@@ -72,7 +95,10 @@ impl App {
             ControlFlow::Continue(())
         });
         let mut hint = Hint::default();
-        if let Some((about, step)) = last {
+        if let Some(step) = named {
+            let why = run.caption(step);
+            (hint.decides, hint.equation) = (Some(why.decision), why.arithmetic);
+        } else if let Some((about, step)) = last {
             let verdict = scene.document().verdict(about, (run, n_steps));
             hint.turned = verdict.as_ref().and_then(|it| it.notes.last().cloned());
             let why = verdict.map_or_else(|| run.caption(step), |verdict| verdict.why);
@@ -88,13 +114,23 @@ impl App {
         let scene = self.playback.scene();
         let runs = scene.by_method(self.playback.runs());
         let (now, sign, wanted) = goal.compared(open, scene, &runs)?;
+        let [_, step_idx] = self.bookmark.at;
+        let text = self
+            .bookmark
+            .lesson()?
+            .step_text(step_idx, self.settings.lang)?;
+        let part = text.body.iter().find_map(|block| match block {
+            Block::Goal { nth, text } if *nth == open => Some(plain(text)),
+            _ => None,
+        })?;
         // A sign only where the number itself is not the goal.
         let sign = if sign == "=" {
             String::new()
         } else {
             format!("{sign} ")
         };
-        let message = Message::new("goal-hint-now").with("now", now);
+        let message = Message::new("goal-hint-now").with("part", part);
+        let message = message.with("now", now);
         Some(message.with("sign", sign).with("wanted", wanted))
     }
 
@@ -110,7 +146,11 @@ impl App {
             return;
         }
         let run = self.playback.main();
-        let said = run.caption(run.n_steps()).decision;
+        let Caption {
+            decision: said,
+            arithmetic: so,
+            ..
+        } = run.caption(run.n_steps());
         let ended = &mut self.goals.help.ended;
         for known in &mut *ended {
             known.is_now = false;
@@ -118,14 +158,19 @@ impl App {
         let known = ended.iter_mut().find(|known| known.said.key == said.key);
         match known {
             Some(known) => {
-                (known.said, known.is_now) = (said, true);
+                (known.said, known.so, known.is_now) = (said, so, true);
                 known.count += 1;
             }
             None => ended.push(Ended {
                 said,
+                so,
                 count: 1,
                 is_now: true,
             }),
         }
     }
+}
+
+fn plain(text: &[Inline]) -> String {
+    text.iter().map(|part| &*part.text).collect()
 }

@@ -92,6 +92,12 @@ impl Memory {
         self.writing = write.map(|write| Errand::start(ctx, write));
     }
 
+    /// Keeps nothing from now on.
+    #[cfg(target_arch = "wasm32")]
+    pub fn forget(&mut self) {
+        (self.shelf, self.due) = (None, None);
+    }
+
     /// Has something not been written yet?
     #[cfg(target_arch = "wasm32")]
     pub const fn has_more(&self) -> bool {

@@ -101,7 +101,7 @@ use crate::{panels, widgets::Album};
 use bookmark::{Bookmark, FreeScene};
 use desk::Desk;
 use history::History;
-use playback::Playback;
+use playback::{Hidden, Playback};
 use prelude::*;
 
 /// The whole app, without a window of its own.
@@ -297,8 +297,11 @@ impl App {
         self.look_at_goal();
         self.take_recorded(&ctx);
         self.take_up_lesson();
-        self.playback
-            .hide(self.hides_mistakes(), self.practice.is_asking());
+        self.playback.hide(Hidden {
+            mistakes: self.hides_mistakes(),
+            what_comes: self.practice.is_asking(),
+            costs: self.is_hunting(),
+        });
         let album = self.album.as_ref();
         self.playback.prepare(self.stage.bounds(), album);
 

@@ -91,11 +91,13 @@ impl App {
         self.notices.drain(..surplus);
     }
 
-    /// Says to someone new what to press first, and that things can be dragged, until they do: what is pressed has to do something.
+    /// Says to someone new what to press first, and that things can be dragged, until they do: what is pressed has to do something. Where a
+    /// scene is to be changed its end stays in sight.
     pub(super) fn greet(&mut self) {
         if !self.settings.is_greeted {
             let transport = &self.playback.transport;
-            if transport.position() == transport.n_steps() {
+            let has_goal = self.bookmark.step().is_some_and(|step| step.goal.is_some());
+            if transport.position() == transport.n_steps() && !has_goal {
                 self.seek(0);
             }
             self.notify(Notice {

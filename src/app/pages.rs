@@ -222,8 +222,9 @@ impl App {
     /// Is a scene looked for in which two programs differ? What each of them costs would tell that they do.
     pub(super) fn is_hunting(&self) -> bool {
         let has_goal = !self.met().is_empty();
-        let both = self.playback.difference.is_some();
-        has_goal && both && self.hides_mistakes() && !self.is_reached()
+        let methods = self.scene().document().methods();
+        let is_against_mistake = methods.len() > 1 && methods.iter().any(|it| it.is_faulty);
+        has_goal && is_against_mistake && self.hides_mistakes() && !self.is_reached()
     }
 
     pub(super) fn has_answer(&self) -> bool {

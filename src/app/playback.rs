@@ -13,6 +13,14 @@ use crate::{
 
 use super::found::{Found, Told, Wanted};
 
+/// What would answer a question, and is not shown: the names of mistakes, pictures of what comes, what each program costs.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+pub struct Hidden {
+    pub mistakes: bool,
+    pub what_comes: bool,
+    pub costs: bool,
+}
+
 /// One run, or several side by side; with the frames of the present step.
 pub struct Playback {
     pub transport: Transport,
@@ -41,9 +49,7 @@ pub struct Playback {
     /// How they stand beside each other, from when these methods were opened: dragging does not change it. Others, which are
     /// put there afterwards, are each seen by themselves.
     comparison: (Vec<&'static str>, Comparison),
-    /// Would the name of a mistake answer what is asked?
-    hides_mistakes: bool,
-    hides_answer: bool,
+    hidden: Hidden,
     together: Option<Frame>,
     /// How numbers are written: those of the whole run, and those of the present step.
     notations: [Notation; 2],
@@ -92,8 +98,7 @@ impl Playback {
             wanted: found.wanted,
             told: found.told,
             comparison,
-            hides_mistakes: false,
-            hides_answer: false,
+            hidden: Hidden::default(),
             together: None,
             notations: [Notation::Own; 2],
             eyes: None,
@@ -209,11 +214,10 @@ impl Playback {
         }
     }
 
-    /// Would the names of mistakes, or pictures of what comes, answer what is asked?
-    pub fn hide(&mut self, mistakes: bool, what_comes: bool) {
-        let was = [self.hides_mistakes, self.hides_answer];
-        if was != [mistakes, what_comes] {
-            [self.hides_mistakes, self.hides_answer] = [mistakes, what_comes];
+    /// Would this answer what is asked?
+    pub fn hide(&mut self, hidden: Hidden) {
+        if self.hidden != hidden {
+            self.hidden = hidden;
             self.framed_at = None;
         }
     }
@@ -229,7 +233,7 @@ impl Playback {
         self.frames = runs.map(|(run, [step, _])| run.frame(step)).collect();
         self.framed_at = Some(position);
         self.reached = self.reached.max(position);
-        if self.hides_answer {
+        if self.hidden.what_comes {
             self.frames.iter_mut().for_each(Frame::hide_answer);
         }
         let methods = self.scene.document().methods();
@@ -271,10 +275,13 @@ impl Playback {
             eyes.turn(&mut frame.views);
         }
         self.eyes = Some(eyes);
-        let name = |method: &&MethodCard| Value::Term(method.name_asked(self.hides_mistakes));
+        let name = |method: &&MethodCard| Value::Term(method.name_asked(self.hidden.mistakes));
         let names: Vec<_> = methods.iter().map(name).collect();
         let at_end = self.steps().iter().all(|[step, n_steps]| step == n_steps);
         self.together = comparison.together(&self.frames, &names, at_end);
+        if let Some(frame) = self.together.as_mut().filter(|_| self.hidden.costs) {
+            frame.hide_costs();
+        }
         self.notations[1] = notation(self.notations[0], self.on_stage());
     }
 

@@ -22,6 +22,8 @@ use cards::{Table, cards, pixels, words};
 
 /// Of the height that the stage would have.
 const MOST: f32 = 0.45;
+/// The last option's rim is seen whole.
+const BELOW: f32 = 4.0;
 const MARGIN: Margin = Margin::symmetric(24, 10);
 /// What is longer stands in a line of its own.
 const LONG: usize = 48;
@@ -76,7 +78,7 @@ fn kept_height(app: &App, ui: &Ui, width: f32) -> f32 {
         longest.sort_by_key(|text| std::cmp::Reverse(text.chars().count()));
         let both = [0, 1].map(|nth| longest.get(nth).map_or("", |text| text));
         let answer = Answer::of(app, ui, ("practice-wrong", both), width).height();
-        (row_height(ui) + GAP + options).max(answer)
+        (row_height(ui) + GAP + options + BELOW).max(answer)
     };
     let heights = practice.kept.iter().chain(asked).map(height);
     heights.fold(row_height(ui), f32::max)
@@ -324,7 +326,9 @@ fn answer(app: &App, ui: &mut Ui, asked: &Asked) {
 fn at_the_end(app: &App, ui: &mut Ui) {
     let look = app.look();
     if !app.practice.is_on {
-        let key = marks::key(app.told_of_step());
+        let stands = look.say(marks::key(app.told_of_step()));
+        let stands = Message::new("practice-stands").with("told", stands);
+        let stands = look.catalog.message(&stands);
         let again = |ui: &mut Ui| {
             let again = Button::new(accent(look, "lesson-ask-again"));
             if ui.add(again).clicked() {
@@ -332,7 +336,7 @@ fn at_the_end(app: &App, ui: &mut Ui) {
             }
         };
         let words = |ui: &mut Ui| {
-            ui.label(soft(look, key));
+            ui.label(RichText::new(&stands).color(look.theme.soft));
         };
         line(ui, words, again);
         return;

@@ -33,6 +33,7 @@ const SPACING: Spacing = Spacing {
 const TALL: Spacing = Spacing {
     inset: 16.0,
     titled: 32.0,
+    keeps: 0.7,
     is_tall: true,
     ..SPACING
 };

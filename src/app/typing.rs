@@ -59,7 +59,9 @@ pub fn show(app: &App, ctx: &Context, (typing, at): (&mut Typing, Pos2)) {
         .constrain(true);
     area.show(ctx, |ui| {
         frame.show(ui, |ui| {
-            let name = look.catalog.message(&typing.handle.name());
+            let name = look
+                .catalog
+                .message(&app.scene().document().called(typing.handle));
             let label = ui.label(RichText::new(name).color(look.theme.soft));
             let field = TextEdit::singleline(&mut typing.text)
                 .id(id)

@@ -88,6 +88,12 @@ impl Frame {
         }
     }
 
+    /// What each of several methods costs is not shown.
+    pub fn hide_costs(&mut self) {
+        self.views
+            .retain(|view| !matches!(view.body, Body::Costs(_)));
+    }
+
     /// What this step is about, the drawing's first: the links of marks and of values that stand out.
     pub fn focus(&self) -> impl Iterator<Item = Link> {
         let marks = self.marks().iter().map(|mark| (mark.role, mark.link));

@@ -55,7 +55,7 @@ pub struct Spacing {
     pub keeps: f32,
     /// It cannot be enlarged: where nothing else has room, all views are low.
     pub is_fixed: bool,
-    /// It is held in one hand: all stands under its drawing.
+    /// It is held in one hand: all stands under its drawing, the last of it as long as that stays large.
     pub is_tall: bool,
 }
 
@@ -210,9 +210,10 @@ impl Sheet {
             em: self.em.min(READABLE),
             ..*self
         };
-        // Who looks into a window may choose another theme, or one method; a page is as it is.
-        let may_go = !self.spacing.is_fixed;
-        let wanted = if may_go && needs.len() > 1 {
+        // Who looks into a window may choose another theme, or one method; a page is as it is, and in one hand nothing stands aside.
+        let is_tall = self.spacing.is_tall;
+        let may_go = !self.spacing.is_fixed || is_tall;
+        let wanted = if may_go && (is_tall || needs.len() > 1) {
             let alone = readable.largest(
                 stages,
                 &needs

@@ -106,6 +106,10 @@ pub trait Backdrop {
 pub trait Draggable {
     /// What can be dragged, in the order in which Tab visits it.
     fn handles(&self) -> Vec<Handle>;
+    /// What a handle is called here, for who reads and for screen readers.
+    fn called(&self, handle: Handle) -> Message {
+        handle.name()
+    }
     /// Where a handle lies; `None` where the scene has no such handle.
     fn position(&self, handle: Handle) -> Option<[f64; 3]>;
     /// Moves a handle. Where the scene would not be valid it is left as it was.

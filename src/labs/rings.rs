@@ -6,7 +6,14 @@ use crate::{
     text::Value,
 };
 
-use super::{interval::value_of, telling::Named, words::name};
+use super::{
+    interval::value_of,
+    telling::{Named, Row},
+    words::name,
+};
+
+/// The question of an edge.
+const PUTS_OUT: &str = "puts-out";
 
 /// The edge that was looked at last.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -137,6 +144,23 @@ impl<'a, V: Copy + PartialEq> RingStep<'a, V> {
     }
 }
 
+/// What a row answers that tests an edge: what that edge puts out.
+pub const fn puts_nothing(row: Row) -> Row {
+    row.answers_as(PUTS_OUT, "option-puts-nothing")
+}
+
+pub const fn puts_end(row: Row) -> Row {
+    row.answers_as(PUTS_OUT, "option-puts-end")
+}
+
+pub const fn puts_crossing(row: Row) -> Row {
+    row.answers_as(PUTS_OUT, "option-puts-crossing")
+}
+
+pub const fn puts_both(row: Row) -> Row {
+    row.answers_as(PUTS_OUT, "option-puts-both")
+}
+
 /// The vertex that an event asks on which side it lies.
 pub fn asked_vertex<V: Copy>(event: &impl RingEvent<V>) -> Option<V> {
     asked_now(event).map(|known| known.at)
@@ -171,10 +195,4 @@ pub const fn rule_term(rule: Rule) -> &'static str {
         Rule::OutIn => "rule-out-in",
         Rule::OutOut => "rule-out-out",
     }
-}
-
-/// The four rules, of which each edge falls under one.
-pub fn rules() -> Vec<Named> {
-    let named = |rule| Value::Term(rule_term(rule)).into();
-    Rule::ALL.map(named).to_vec()
 }

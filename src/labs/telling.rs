@@ -299,30 +299,20 @@ impl<M: Telling> At<'_, M> {
     pub fn options(&self) -> Option<Choice> {
         let row = self.row();
         let question = row.answers?;
-        let said = |row: &Row| Value::Message(self.message(row.option.unwrap_or(row.key)));
-        let (options, right): (Vec<Answered>, Value) = match question.options {
-            Options::Rows => {
-                let rows = M::ROWS.iter();
-                let rows =
-                    rows.filter(|other| other.answers.is_some_and(|it| it.id == question.id));
-                let mut options: Vec<Answered> = Vec::new();
-                for (option, row) in rows.map(|row| (said(row), row)) {
-                    if options.iter().all(|(known, ..)| *known != option) {
-                        options.push((option, None, row));
-                    }
-                }
-                (options, said(row))
-            }
-            Options::Of { name, list } => {
-                let values = M::listed(self, list).into_iter();
-                let said = |value: Value| match row.option {
-                    Some(key) => Value::Message(self.message(key).with(OPTION, value)),
-                    None => value,
-                };
-                let option = |entry: Named| Some((said(entry.value?), entry.link, row));
-                (values.filter_map(option).collect(), said(self.value(name)?))
-            }
+        let mut options = self.answering(question.id);
+        let right = match question.options {
+            Options::Rows => self.said(row),
+            Options::Of { name, .. } => self.said_of(row, self.value(name)?),
         };
+        let rows = M::ROWS.iter();
+        let of_list = rows.filter_map(|other| Some((other, other.answers?)));
+        let mut of_list = of_list.filter(|(_, other)| other.id == question.id);
+        let listed = of_list.find_map(|(other, it)| Some((other, it.options.list()?)));
+        if let Some((of_list, list)) = listed {
+            let said = |value| self.said_of(of_list, value);
+            let entries = M::listed(self, list).into_iter();
+            options.extend(entries.filter_map(|it| Some((said(it.value?), it.link, of_list))));
+        }
         let right = options.iter().position(|(option, ..)| *option == right)?;
         let glimpses = options.iter();
         let glimpses = glimpses.map(|(_, link, row)| M::glimpse(self, row, *link));
@@ -334,6 +324,34 @@ impl<M: Telling> At<'_, M> {
             right,
             is_of_phase: row.is_of_phase,
         })
+    }
+
+    /// The rows that answer a question as they are, each once.
+    fn answering(&self, id: &'static str) -> Vec<Answered> {
+        let question = Question {
+            id,
+            options: Options::Rows,
+        };
+        let mut options: Vec<Answered> = Vec::new();
+        for row in M::ROWS.iter().filter(|row| row.answers == Some(question)) {
+            let option = self.said(row);
+            if options.iter().all(|(known, ..)| *known != option) {
+                options.push((option, None, row));
+            }
+        }
+        options
+    }
+
+    fn said(&self, row: &Row) -> Value {
+        Value::Message(self.message(row.option.unwrap_or(row.key)))
+    }
+
+    /// An entry of a list, as the row says it that picks one.
+    fn said_of(&self, row: &Row, entry: Value) -> Value {
+        match row.option {
+            Some(key) => Value::Message(self.message(key).with(OPTION, entry)),
+            None => entry,
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use toml::de::DeValue;
 
 use crate::{
-    figure::{Run, Tick},
+    figure::{Moment, Run, Tick},
     labs::Scene,
     text::{Catalog, Value},
 };
@@ -37,6 +37,8 @@ pub struct Goal {
     pub(super) conditions: Vec<Condition>,
     /// A scene that reaches it.
     pub reached: Arc<Scene>,
+    /// The moment of the run that its hint tells, where that is not what decided last.
+    pub hint: Option<Moment>,
 }
 
 impl Goal {
@@ -95,7 +97,8 @@ impl Goal {
         all
     }
 
-    /// What one of its parts compares, where that is two numbers: what is, the sign, and what should be.
+    /// What one of its parts compares, where that is two numbers of which one says what the other should be: what is, the sign,
+    /// and what should be.
     pub fn compared(
         &self,
         part: usize,

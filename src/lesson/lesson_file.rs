@@ -9,12 +9,13 @@ use toml::{Spanned, de::DeString};
 
 use crate::{
     figure::{Moment, Run},
-    labs::{Lab, Lock, Scene},
+    labs::{Lab, Scene},
 };
 
 use super::{
     asking::{self, Goal},
     course::Lesson,
+    grips::{drags_in, locks},
     likeness,
     names::{Names, is_figure_name, is_kebab},
     prelude::*,
@@ -27,9 +28,9 @@ use super::{
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
-const STEP_FIELDS: [&str; 13] = [
+const STEP_FIELDS: [&str; 14] = [
     "id", "was", "scene", "at", "figure", "drawn", "before", "lock", "drag", "code", "ask", "goal",
-    "reached",
+    "reached", "hint",
 ];
 
 /// Nobody reads a longer lesson.
@@ -256,21 +257,7 @@ impl Steps {
             let position = stop.as_ref().and_then(|stop| *stop.found.get()?);
             asking::asks(node, run.zip(position))
         });
-        let goal = fields
-            .get("goal")
-            .map(|node| (node, asking::conditions(node)));
-        let goal = goal.and_then(|(node, conditions)| {
-            let reached = self.named(fields.require("reached")?)?;
-            let scene = |name: &str| self.scenes.get(name)?.scene.clone();
-            let goal = Goal {
-                conditions: conditions?,
-                reached: scene(&reached)?,
-            };
-            if let Some(stop) = stop.as_ref().filter(|_| self.run().is_some()) {
-                goal.check(node, &stop.scene);
-            }
-            Some(goal)
-        });
+        let goal = self.goal(&fields, stop.as_ref());
         let step = id.clone().zip(stop);
         let step = step.map(|(id, stop)| LessonStep {
             id,
@@ -286,6 +273,31 @@ impl Steps {
             goal,
         });
         (id, step)
+    }
+
+    fn goal(&mut self, fields: &TomlFields<'_>, stop: Option<&Stop>) -> Option<Goal> {
+        let node = fields.get("goal")?;
+        let conditions = asking::conditions(node);
+        let reached = self.named(fields.require("reached")?)?;
+        let reached = self.scenes.get(&reached)?.scene.clone()?;
+        let hint = fields
+            .get("hint")
+            .and_then(|node| Some((node, moment(node)?)));
+        let run = stop.and_then(|_| self.run());
+        if let Some(((node, hint), run)) = hint.as_ref().zip(run)
+            && run.find(hint).is_none()
+        {
+            node.error(never_comes(hint, run), []);
+        }
+        let goal = Goal {
+            conditions: conditions?,
+            reached,
+            hint: hint.map(|(_, hint)| hint),
+        };
+        if let Some(stop) = stop.filter(|_| run.is_some()) {
+            goal.check(node, &stop.scene);
+        }
+        Some(goal)
     }
 
     /// The run of the scene that is shown, where moments are looked for now.
@@ -364,31 +376,4 @@ impl Steps {
         }
         Some(stop)
     }
-}
-
-/// Those of an unknown lab cannot be known.
-fn locks(lab: Option<&Lab>, node: Node<'_>) -> Vec<Lock> {
-    let nodes = node.list("expect-locks").into_iter().flatten();
-    let Some(lab) = lab else {
-        return Vec::new();
-    };
-    let lock = |node: Node<'_>| {
-        let known = lab.lock_groups;
-        node.one_of(known, "problem-unknown-lock", |name| Lock::of(lab, name))
-    };
-    nodes.filter_map(lock).collect()
-}
-
-/// Kinds of handles of the step's own scene.
-fn drags_in(scene: &Scene, node: Node<'_>) -> Vec<String> {
-    let handles = scene.document().handles().into_iter();
-    let mut known: Vec<&str> = handles.map(|handle| handle.kind().id).collect();
-    known.dedup();
-    let nodes = node.list("expect-drags").into_iter().flatten();
-    let kind = |node: Node<'_>| {
-        node.one_of(&known, "problem-unknown-lock", |name| {
-            known.contains(&name).then(|| name.to_owned())
-        })
-    };
-    nodes.filter_map(kind).collect()
 }

@@ -20,6 +20,7 @@ mod files;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod glossary;
+mod grips;
 mod lesson_file;
 mod likeness;
 mod link;

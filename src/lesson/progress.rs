@@ -204,6 +204,17 @@ impl Progress {
         }
     }
 
+    /// What has changed since it was like this.
+    #[must_use]
+    pub fn since(&self, before: &Self) -> Self {
+        let is_new = |(name, mark): &(&String, &Mark)| before.steps.get(*name) != Some(*mark);
+        let steps = self.steps.iter().filter(is_new);
+        Self {
+            begun: self.begun,
+            steps: steps.map(|(name, mark)| (name.clone(), *mark)).collect(),
+        }
+    }
+
     /// Of two that were kept by windows of one computer: the union, where they are of one student, else the later student's.
     #[must_use]
     pub fn joined(mut self, other: &Self) -> Self {

@@ -46,7 +46,7 @@ pub fn spots(
         Some(Spot {
             index,
             at: reach.at(scene, handle)?,
-            name: look.catalog.message(&handle.name()),
+            name: look.catalog.message(&scene.document().called(handle)),
             place: reach.place(scene, handle)?,
             locked: Lock::any_holds(locks, handle),
             asked: reach.asked.iter().any(|kind| kind == handle.kind().id),

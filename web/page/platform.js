@@ -116,7 +116,8 @@ export function splice(lessons, ask) {
   });
   addEventListener("message", ({ source, data }) => {
     const isAnswer = source === parent && data?.subject === "SPLICE.getState.response";
-    if (isAnswer && typeof data.state === "string") ask({ progress: data.state });
+    // What this browser remembers may be another student's.
+    if (isAnswer) ask({ afresh: true, progress: typeof data.state === "string" ? data.state : null });
   });
   addEventListener("pagehide", report);
   document.addEventListener("visibilitychange", () => document.hidden && report());

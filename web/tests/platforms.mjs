@@ -164,7 +164,8 @@ for (const named of [true, false])
     const state = JSON.stringify({ version: 1, begun: 1, steps: { [`${LESSON}/entering`]: { told: "beforehand" } } });
     const parent = PARENT.replace("FRAME", `${server.url}#${ASKED}`);
     server.state.pages.set("parent.html", parent);
-    const page = await bench.browser.page({ init: remembered({}) });
+    const others = `${LESSON}/of-another-student`;
+    const page = await bench.browser.page({ init: remembered({ progress: { begun: 1, steps: { [others]: { told: "beforehand" } } } }) });
     await framed(page, `${server.url}parent.html`);
     await page.until(`heard.some(({ subject }) => subject === "SPLICE.getState")`);
     const { message_id, activity_id } = await page.see(`heard.find(({ subject }) => subject === "SPLICE.getState")`);
@@ -175,6 +176,7 @@ for (const named of [true, false])
     const [first] = await page.see(reports);
     assert(first.score >= 0 && first.score < 1 && first.state.includes(ASKED), JSON.stringify(first));
     assert.equal(first.activity_id, activity_id);
+    assert(!first.state.includes(others), "what another student did in this browser is not told");
     const [event] = await page.see(`heard.filter(({ subject }) => subject === "SPLICE.sendEvent")`);
     assert.equal(event.name, "answered");
     assert.equal(event.data.page, ASKED);
@@ -195,6 +197,7 @@ for (const named of [true, false])
     await page.until(`${reports}.length === 2`, "what was not told is told when the page is hidden");
     const second = (await page.see(reports))[1];
     assert(second.score > first.score && second.state.includes("entering") && second.state.includes(ASKED), JSON.stringify(second));
+    assert(!second.state.includes(others), second.state);
     assert.equal((await page.see(`heard.filter(({ subject }) => subject === "SPLICE.sendEvent")`)).length, 1, "the state is no answer");
     await hide(false);
     await page.see(`document.querySelector("iframe").contentWindow.location.hash = "#${LESSON}"`);
@@ -202,5 +205,6 @@ for (const named of [true, false])
     await page.settled();
     await page.see(`document.querySelector("iframe").src = "about:blank"`);
     await page.until(`${reports}.length === 3`, "and when it goes");
+    assert((await page.see(`localStorage.getItem("clipscope")`)).includes(others), "the other student's marks stay in this browser");
     assertQuiet(page);
   });

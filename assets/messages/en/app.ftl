@@ -290,6 +290,7 @@ answers-title = Asked in this run
 answer-right = Step { $step }: { $right }. Told beforehand.
 answer-wrong = Step { $step }: { $right }, not: { $chosen }.
 answer-shown = Step { $step }: { $right }. Shown.
+practice-stands = The question of this step: { $told }.
 told-beforehand = told beforehand
 told-after = told after the numbers
 told-open = open
@@ -315,7 +316,7 @@ mark-goal = goal not reached yet
 goal-hint = Hint (T)
 goal-hint-part = { $part } of { $count } seen
 goal-hint-none = The run of this scene decides nothing: change the scene first.
-goal-hint-now = Now { $now }; the goal is { $sign }{ $wanted }.
+goal-hint-now = “{ $part }”: now { $now }, wanted { $sign }{ $wanted }.
 goal-so-far = Where your runs ended
 goal-ended =
     { $count ->

@@ -49,7 +49,7 @@ handle-far = Far plane
 handle-top = Opening of the camera
 handle-point = Point P
 handle-space-end = End P{ $number }
-handle-space-corner = Vertex V{ $number }
+handle-space-corner = Vertex { $vertex }
 handle-object = Object { $number }
 handle-object-corner = Object { $number }, vertex { $corner }
 
@@ -114,6 +114,8 @@ planes-done-outside = The { $plane } plane rejects the object after { $planes ->
        *[other] { $planes } tests
     }: nothing of it is drawn.
 option-beyond = Outside the { $option } plane
+option-within = Inside every plane
+option-across = Outside no plane, but not inside all of them
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = if d < −r: cull
 code-sphere-straddles = if d < r: straddles

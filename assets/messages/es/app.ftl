@@ -290,6 +290,7 @@ answers-title = Preguntas de esta ejecución
 answer-right = Paso { $step }: { $right }. Dicho de antemano.
 answer-wrong = Paso { $step }: { $right }, no: { $chosen }.
 answer-shown = Paso { $step }: { $right }. Mostrado.
+practice-stands = La pregunta de este paso: { $told }.
 told-beforehand = dicho de antemano
 told-after = dicho después de los números
 told-open = pendiente
@@ -315,7 +316,7 @@ mark-goal = objetivo aún no alcanzado
 goal-hint = Pista (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = La ejecución de esta escena no decide nada: cambia primero la escena.
-goal-hint-now = Ahora { $now }; el objetivo es { $sign }{ $wanted }.
+goal-hint-now = «{ $part }»: ahora { $now }; se pide { $sign }{ $wanted }.
 goal-so-far = Dónde acabaron tus ejecuciones
 goal-ended =
     { $count ->

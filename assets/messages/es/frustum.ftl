@@ -49,7 +49,7 @@ handle-far = Plano lejano
 handle-top = Apertura de la cámara
 handle-point = Punto P
 handle-space-end = Extremo P{ $number }
-handle-space-corner = Vértice V{ $number }
+handle-space-corner = Vértice { $vertex }
 handle-object = Objeto { $number }
 handle-object-corner = Objeto { $number }, vértice { $corner }
 
@@ -114,6 +114,8 @@ planes-done-outside = El plano { $plane } descarta el objeto tras { $planes ->
        *[other] { $planes } pruebas
     }: no se dibuja nada de él.
 option-beyond = Fuera del plano { $option }
+option-within = Dentro de todos los planos
+option-across = Fuera de ninguno, pero no dentro de todos los planos
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = si d < −r: descartar
 code-sphere-straddles = si d < r: cruza el plano

@@ -290,6 +290,7 @@ answers-title = Perguntas desta execução
 answer-right = Passo { $step }: { $right }. Dito de antemão.
 answer-wrong = Passo { $step }: { $right }, não: { $chosen }.
 answer-shown = Passo { $step }: { $right }. Mostrado.
+practice-stands = A pergunta deste passo: { $told }.
 told-beforehand = respondido de antemão
 told-after = respondido depois dos números
 told-open = em aberto
@@ -315,7 +316,7 @@ mark-goal = meta ainda não alcançada
 goal-hint = Dica (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = A execução desta cena não decide nada: mude primeiro a cena.
-goal-hint-now = Agora { $now }; o objetivo é { $sign }{ $wanted }.
+goal-hint-now = “{ $part }”: agora { $now }; pede-se { $sign }{ $wanted }.
 goal-so-far = Onde as suas execuções terminaram
 goal-ended =
     { $count ->

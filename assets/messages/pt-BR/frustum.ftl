@@ -49,7 +49,7 @@ handle-far = Plano distante
 handle-top = Abertura da câmera
 handle-point = Ponto P
 handle-space-end = Extremo P{ $number }
-handle-space-corner = Vértice V{ $number }
+handle-space-corner = Vértice { $vertex }
 handle-object = Objeto { $number }
 handle-object-corner = Objeto { $number }, vértice { $corner }
 
@@ -114,6 +114,8 @@ planes-done-outside = O plano { $plane } descarta o objeto após { $planes ->
        *[other] { $planes } testes
     }: nada dele é desenhado.
 option-beyond = Fora do plano { $option }
+option-within = Dentro de todos os planos
+option-across = Fora de nenhum plano, mas não dentro de todos
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = se d < −r: descarte
 code-sphere-straddles = se d < r: cruza o plano

@@ -46,7 +46,7 @@ handle-far = 远平面
 handle-top = 相机视场角
 handle-point = 点 P
 handle-space-end = 端点 P{ $number }
-handle-space-corner = 顶点 V{ $number }
+handle-space-corner = 顶点 { $vertex }
 handle-object = 物体 { $number }
 handle-object-corner = 物体 { $number } 的顶点 { $corner }
 
@@ -90,6 +90,8 @@ sphere-done-inside = 球在全部 { $planes } 个平面的内侧：三角形不�
 sphere-done-straddles = 球跨在 { $planes } 个平面中的 { $cut } 个上：接着逐个测试三角形。
 planes-done-outside = 第 { $planes } 次测试判定它在{ $plane }平面外侧：整个剔除。
 option-beyond = 在{ $option }平面外侧
+option-within = 在所有平面内侧
+option-across = 不在任何平面外侧，但也不在所有平面内侧
 code-sphere-distance = d ← n·c + D
 code-sphere-outside = 若 d < −r：剔除
 code-sphere-straddles = 若 d < r：跨界

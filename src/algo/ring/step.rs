@@ -87,9 +87,6 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// In the order of the paper's table.
-    pub const ALL: [Self; 4] = [Self::InIn, Self::InOut, Self::OutIn, Self::OutOut];
-
     #[inline]
     const fn of(is_from_inside: bool, is_to_inside: bool) -> Self {
         match (is_from_inside, is_to_inside) {

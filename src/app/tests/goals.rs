@@ -88,7 +88,7 @@ fn a_difference_is_made_smaller_and_stays_the_same() {
         };
         n_differ += 1;
         let mut n_runs = 0;
-        let found = smaller(&read.scene, &mut |scene| {
+        let found = smaller(&read.scene, &|_| true, &mut |scene| {
             n_runs += 1;
             Difference::kind_in(scene).as_ref() == Some(&kind)
         });
@@ -251,10 +251,7 @@ fn hunts_by_their_answers_stay_found_when_they_are_made_smaller() {
         ("32-before-the-divide", "hunt-image"),
     ] {
         let mut bench = Bench::course(SIZE);
-        bench.command(Command::OpenPage(Page::Step(
-            lesson.to_owned(),
-            step.to_owned(),
-        )));
+        bench.open_step(lesson, step);
         assert!(!bench.app.is_reached(), "{step}");
         let open = bench.app.bookmark.step().expect("it is there").clone();
         assert_eq!(open.id, step);
@@ -269,4 +266,67 @@ fn hunts_by_their_answers_stay_found_when_they_are_made_smaller() {
         }
         assert!(bench.app.is_reached(), "{step}: what was found is lost");
     }
+}
+
+#[test]
+fn a_hint_says_which_part_is_open_and_its_numbers_first() {
+    let mut bench = Bench::course(SIZE);
+    bench.ctx.enable_accesskit();
+    bench.open_step("29-plane-by-plane", "one-piece");
+    bench.key(Key::T);
+    bench.frame(0.1, Vec::new());
+    let said = "“One triangle is left”: now 2, wanted 1.";
+    let is_said = |(name, _): &(String, Rect)| name == said;
+    assert!(bench.names.iter().any(is_said), "{:?}", bench.names);
+}
+
+#[test]
+fn a_hunt_shows_no_costs_on_the_stage_until_it_is_solved() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("34-the-nearer-wins", "hunt-pixel");
+    let has_costs = |bench: &Bench| {
+        let mut views = bench
+            .app
+            .playback
+            .on_stage()
+            .iter()
+            .flat_map(|it| &it.views);
+        views.any(|view| matches!(view.body, crate::figure::Body::Costs(_)))
+    };
+    assert!(
+        !has_costs(&bench),
+        "they would tell that the programs differ"
+    );
+    let goal = bench.app.bookmark.step().and_then(|step| step.goal.clone());
+    bench.edit(Edit::Replace(
+        (*goal.expect("a hunt is a goal").reached).clone(),
+    ));
+    bench.frame(0.1, Vec::new());
+    assert!(bench.app.is_reached() && has_costs(&bench));
+}
+
+#[test]
+fn a_smaller_scene_leaves_what_is_locked() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("06-touching-and-parallel", "hunt-parallel");
+    let step = bench.app.bookmark.step().expect("it is open").clone();
+    let window = |bench: &Bench| {
+        let document = bench.app.scene().document();
+        let handles = document.handles().into_iter();
+        let locked = handles.filter(|handle| Lock::any_holds(&step.locks, *handle));
+        locked.map(|it| document.position(it)).collect::<Vec<_>>()
+    };
+    let before = window(&bench);
+    assert!(!before.is_empty());
+    bench.edit(Edit::Replace(
+        (*step.goal.as_ref().expect("a hunt").reached).clone(),
+    ));
+    bench.command(Command::Smaller);
+    let begun = std::time::Instant::now();
+    while bench.app.is_making_smaller() {
+        bench.frame(0.01, Vec::new());
+        assert!(begun.elapsed().as_secs() < 120);
+    }
+    assert!(bench.app.is_reached());
+    assert_eq!(window(&bench), before);
 }

@@ -86,6 +86,11 @@ impl Bench {
         Self::seen(Lang::En, ThemeKind::Light, size)
     }
 
+    fn open_step(&mut self, lesson: &str, step: &str) {
+        let page = Page::Step(lesson.to_owned(), step.to_owned());
+        self.command(Command::OpenPage(page));
+    }
+
     /// The course in this language and theme.
     fn seen(lang: Lang, theme: ThemeKind, size: Vec2) -> Self {
         let settings = Settings {

@@ -41,6 +41,9 @@ impl eframe::App for Page {
         self.talk.hear(&mut self.app, self.heard.asked());
         self.app.ui(ui);
         self.talk.tell(&self.app);
+        if self.talk.is_on_platform {
+            self.memory.forget();
+        }
         self.memory.pass(&mut self.app, ui.ctx());
         let lang = Some(self.app.settings.lang);
         if std::mem::replace(&mut self.lang, lang) != lang {

@@ -17,6 +17,10 @@ pub struct Talk {
     told: Json,
     /// Of the open step: how its question is answered, and whether its goal is reached.
     done: Option<(String, Told, Option<bool>)>,
+    /// The marks that this browser had kept when the page was opened.
+    found: Option<Progress>,
+    /// Does a platform keep its student's marks? Then this browser keeps none.
+    pub is_on_platform: bool,
     /// The lessons whose score the page wants, and the marks that it has been told of.
     scored: Vec<String>,
     marks: Option<Progress>,
@@ -45,8 +49,8 @@ impl Stands {
 }
 
 /// What another page may ask: `{"page": "05-intervals/entering", "lang": "es", "theme": "dark"}`, each or all of it. A platform asks for
-/// the score of lessons, `{"scored": ["05-intervals"]}`, and brings marks that it has kept, `{"progress": "…"}`, to which others than its own
-/// student's are not added: `{"afresh": true}`.
+/// the score of lessons, `{"scored": ["05-intervals"]}`, and brings marks that it has kept, `{"progress": "…"}`. To those only what is new
+/// since the page was opened is added, `{"afresh": true}`: what this browser has kept may be another student's.
 #[derive(Default, Deserialize)]
 #[serde(default)]
 struct Asked {
@@ -67,6 +71,8 @@ fn place() -> String {
 impl Talk {
     /// Before a frame: what the address has come to say, and what was asked.
     pub fn hear(&mut self, app: &mut App, asked: Vec<String>) {
+        let progress = &app.settings.progress;
+        self.found.get_or_insert_with(|| progress.clone());
         let now = place();
         if now != self.place {
             if !now.is_empty() {
@@ -83,7 +89,11 @@ impl Talk {
 
     fn obey(&mut self, app: &mut App, asked: Asked) {
         if asked.afresh {
+            let found = self.found.take().unwrap_or_default();
+            let own = app.settings.progress.since(&found);
             app.begin_afresh();
+            app.settings.progress.merge(&own);
+            self.is_on_platform = true;
         }
         if let Some(progress) = &asked.progress {
             app.take_up_marks(progress.as_bytes());
@@ -149,11 +159,16 @@ impl Talk {
     }
 
     fn tell_score(&mut self, app: &App) {
-        let marks = &app.settings.progress;
-        if self.scored.is_empty() || self.marks.as_ref() == Some(marks) {
+        if self.scored.is_empty() {
             return;
         }
-        self.marks = Some(marks.clone());
+        let marks = match &self.found {
+            Some(found) if !self.is_on_platform => app.settings.progress.since(found),
+            _ => app.settings.progress.clone(),
+        };
+        if self.marks.as_ref() == Some(&marks) {
+            return;
+        }
         let course = &app.bookmark.course;
         let lessons = self.scored.iter().filter_map(|id| course.lesson(id));
         let lessons: Vec<&Lesson> = lessons.collect();
@@ -162,6 +177,7 @@ impl Talk {
         tell(
             &json!({"score": tally.score(), "open": open, "progress": marks.written_of(&lessons)}),
         );
+        self.marks = Some(marks);
     }
 
     fn write(&mut self, place: &str) {

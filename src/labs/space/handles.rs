@@ -5,8 +5,8 @@ use glam::DVec3;
 use crate::{
     figure::Link,
     geom::VolumeSide,
-    labs::{Draggable, Handle, HandleKind, Motion},
-    text::{Diagnostic, Message},
+    labs::{Draggable, Handle, HandleKind, Motion, words::subscript},
+    text::{Diagnostic, Message, Value},
 };
 
 use super::{
@@ -52,7 +52,8 @@ static END: HandleKind = marked("end", "segment", |[i, _]| {
     Message::new("handle-space-end").with("number", i + 1)
 });
 static CORNER: HandleKind = marked("corner", "triangle", |[i, _]| {
-    Message::new("handle-space-corner").with("number", i)
+    let vertex = format!("V{}", subscript(i));
+    Message::new("handle-space-corner").with("vertex", Value::Name(vertex))
 });
 static OBJECT: HandleKind = HandleKind {
     is_vertex: true,
@@ -101,6 +102,17 @@ impl Draggable for Scene {
             handles.extend(triangles.flat_map(corners));
         }
         handles
+    }
+
+    /// An object is called as it is in the picture.
+    fn called(&self, handle: Handle) -> Message {
+        let [i, corner] = handle.idx();
+        let of_object = |key| Message::new(key).with("number", self.object_name(i));
+        match handle.kind().id {
+            "object" => of_object("handle-object"),
+            "object-corner" => of_object("handle-object-corner").with("corner", corner + 1),
+            _ => handle.name(),
+        }
     }
 
     fn position(&self, handle: Handle) -> Option<[f64; 3]> {

@@ -20,6 +20,15 @@ pub enum Options {
     },
 }
 
+impl Options {
+    pub const fn list(self) -> Option<&'static str> {
+        match self {
+            Self::Rows => None,
+            Self::Of { list, .. } => Some(list),
+        }
+    }
+}
+
 /// Everything that is said of one kind of step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Row {
@@ -84,7 +93,8 @@ impl Row {
         }
     }
 
-    /// One of the answers to a question whose options are all rows that answer it.
+    /// One of the answers to a question whose options are all rows that answer it, and the entries of a list where another row
+    /// picks one of these.
     pub const fn answers(self, id: &'static str) -> Self {
         let options = Options::Rows;
         let answers = Some(Question { id, options });

@@ -124,6 +124,9 @@ impl Condition {
         scene: &Scene,
         runs: &[(&'static str, &dyn Run)],
     ) -> Option<(f64, &'static str, f64)> {
+        if self.relation == Relation::Unequal {
+            return None;
+        }
         let [a, b] = [&self.left, &self.right].map(|side| side.number(scene, runs));
         Some((a?, self.relation.sign(), b?))
     }

@@ -26,6 +26,8 @@ const LINE: f32 = 19.0;
 const GAPS: [f32; 2] = [18.0, 8.0];
 const WITHIN: f32 = 7.0;
 const HEAD: f32 = 32.0;
+/// The gap under the last row may be missing.
+const FITS: f32 = 0.3;
 
 const TOTAL: Kind = ("cost-total", "cost-total", Counts::total);
 
@@ -34,6 +36,21 @@ impl Costs {
     fn rows(&self) -> impl Iterator<Item = Kind> + use<> {
         let n = if self.is_crowd() { 1 } else { KINDS.len() };
         KINDS.into_iter().take(n).chain([TOTAL])
+    }
+
+    /// As many of them as there is room for: the total, and of the rest first those that differ.
+    fn rows_in(&self, n_fit: usize) -> Vec<Kind> {
+        let mut rows: Vec<Kind> = self.rows().collect();
+        let is_same = |kind: &Kind| {
+            let mut counts = self.counts.iter().map(kind.2);
+            let first = counts.next();
+            counts.all(|count| Some(count) == first)
+        };
+        while rows.len() > n_fit.max(1) {
+            let of_kinds = &rows[..rows.len() - 1];
+            rows.remove(of_kinds.iter().position(is_same).unwrap_or(0));
+        }
+        rows
     }
 
     const fn is_crowd(&self) -> bool {
@@ -55,7 +72,13 @@ impl Costs {
     fn row_height(&self, slate: &Slate<'_>) -> f32 {
         let n_lines = if self.is_pair() { 1 } else { self.counts.len() };
         let gap = GAPS[usize::from(!self.is_pair())];
-        slate.pts(LINE + gap) + n_lines as f32 * self.step(slate)
+        Self::line(slate) + slate.pts(gap) + n_lines as f32 * self.step(slate)
+    }
+
+    /// The words over a kind's bars: text does not shrink without end.
+    fn line(slate: &Slate<'_>) -> f32 {
+        const LINES: f32 = 1.3;
+        slate.pts(LINE).max(LINES * slate.theme().least_text)
     }
 
     /// From bar to bar, which have their names beside them.
@@ -111,6 +134,7 @@ impl OnSlate for Costs {
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, _: &mut Links) {
         let names = self.names(slate);
         let middle = rect.center().x.round();
+        let mut head = slate.pts(HEAD);
         if let ([left, right], true) = (&names[..], self.is_pair()) {
             let gap = vec2(slate.pts(WITHIN), 0.0);
             let top = pos2(middle, rect.top());
@@ -127,13 +151,15 @@ impl OnSlate for Costs {
                 } else {
                     let style = (Face::Strong, SIZE, slate.theme().ink);
                     let name = slate.wrapped(&self.names[nth], half, style);
+                    head = head.max(name.size().y + slate.pts(WITHIN));
                     slate.put(&name, at, align);
                 }
             }
         }
         let height = self.row_height(slate);
-        let mut top = rect.top() + slate.pts(HEAD);
-        for kind in self.rows() {
+        let mut top = rect.top() + head;
+        let n_fit = ((rect.bottom() - top) / height + FITS).floor() as usize;
+        for kind in self.rows_in(n_fit) {
             let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
             let style = (Face::Plain, SIZE, slate.theme().soft);
             let words = slate.words(slate.look.say(kind.0), style);
@@ -164,7 +190,7 @@ impl OnSlate for Costs {
 impl Costs {
     fn pair(&self, slate: &mut Slate<'_>, place: Rect, kind: &Kind) {
         let theme = slate.theme();
-        let middle = pos2(place.center().x.round(), place.top() + slate.pts(LINE));
+        let middle = pos2(place.center().x.round(), place.top() + Self::line(slate));
         let room = 0.5 * place.width() - self.numbers(slate);
         let unit = room / self.most(kind) as f32;
         let both = self.least(kind);
@@ -189,7 +215,7 @@ impl Costs {
         let widest = names.iter().map(|name| name.size().x).fold(0.0, f32::max);
         let left = place.left() + widest + slate.pts(WITHIN);
         let unit = (place.right() - left - self.numbers(slate)) / self.most(kind) as f32;
-        let mut from = pos2(left, place.top() + slate.pts(LINE));
+        let mut from = pos2(left, place.top() + Self::line(slate));
         for (nth, counts) in self.counts.iter().enumerate() {
             if let Some(name) = names.get(nth) {
                 let y = from.y + 0.5 * slate.pts(self.bar());

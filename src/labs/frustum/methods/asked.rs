@@ -78,6 +78,15 @@ pub const fn beyond(row: Row) -> Row {
     row.before_its_phase()
 }
 
+/// The other answers: all of it lies inside every plane, or some of it.
+pub const fn within(row: Row) -> Row {
+    row.answers_as("plane", "option-within").before_its_phase()
+}
+
+pub const fn across(row: Row) -> Row {
+    row.answers_as("plane", "option-across").before_its_phase()
+}
+
 #[derive(Default)]
 pub struct Asked<'a> {
     pub scenery: Option<&'a Scenery>,

@@ -8,7 +8,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::asked::{Asked, beyond, both, fate_of, place, says};
+use super::asked::{Asked, across, beyond, both, fate_of, place, says, within};
 
 const CORNERS_VIEW: &str = "corners";
 
@@ -53,12 +53,12 @@ impl Telling for BoxCull {
             says(Outside, 2, "box-outside").so(RANGE).answers_as("class", "option-box-outside");
         meets: Event::Meets { meets: true } => Row::new(Phase, 3, "box-meets").answers("meets");
         in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
-        none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "box-done-inside");
+        none_out: Event::Done { class: Inside } => within(Row::new(Accept, 4, "box-done-inside"));
         culled: Event::Done { class: Outside } =>
             beyond(Row::new(Reject, 4, "planes-done-outside"));
         drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
-            Row::new(Accept, 4, "box-done-in-vain");
-        cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "box-done-straddles");
+            across(Row::new(Accept, 4, "box-done-in-vain"));
+        cut: Event::Done { class: Straddles } => across(Row::new(Accept, 4, "box-done-straddles"));
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

@@ -10,7 +10,7 @@ use crate::{
 };
 
 use super::super::Object;
-use super::asked::{Asked, beyond, both, distance_formula, fate_of, place, says};
+use super::asked::{Asked, across, beyond, both, distance_formula, fate_of, place, says, within};
 
 const GAUGES_VIEW: &str = "distances";
 
@@ -65,8 +65,10 @@ impl Telling for SphereCull {
         inside: Event::Plane { class: Inside, .. } => sphere_says(Inside, 1);
         outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, 2);
         straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, 3);
-        none_out: Event::Done { class: Inside } => Row::new(Accept, 4, "sphere-done-inside").so(R);
-        cut: Event::Done { class: Straddles } => Row::new(Accept, 4, "sphere-done-straddles").so(R);
+        none_out: Event::Done { class: Inside } =>
+            within(Row::new(Accept, 4, "sphere-done-inside").so(R));
+        cut: Event::Done { class: Straddles } =>
+            across(Row::new(Accept, 4, "sphere-done-straddles").so(R));
         culled: Event::Done { class: Outside } =>
             beyond(Row::new(Reject, 4, "planes-done-outside").so(R));
     }

@@ -53,9 +53,7 @@ impl PolygonTelling for Pipeline {
 }
 
 const fn test(line: usize, key: &'static str) -> Row {
-    Row::new(Test, line, key)
-        .so(&["{S lies}", "{P lies}"])
-        .picks_as("rule", "rules", "option-rule")
+    Row::new(Test, line, key).so(&["{S lies}", "{P lies}"])
 }
 
 const fn first(key: &'static str) -> Row {
@@ -89,22 +87,22 @@ impl Telling for Pipeline {
         // The edge that closes the ring lets a crossing through at most: its end has been asked before.
         closes_in_out: Event::Test { stage_idx, rule: Rule::InOut, distances, .. }
             if is_closed(step, stage_idx) && is_crossed(distances) =>
-            test(CLOSE, "pipe-closing-cross").about("P");
+            puts_crossing(test(CLOSE, "pipe-closing-cross")).about("P");
         closes_out_in: Event::Test { stage_idx, rule: Rule::OutIn, distances, .. }
             if is_closed(step, stage_idx) && is_crossed(distances) =>
-            test(CLOSE, "pipe-closing-cross").keeps("P");
+            puts_crossing(test(CLOSE, "pipe-closing-cross")).keeps("P");
         closes_inside: Event::Test { stage_idx, rule: Rule::InIn | Rule::OutIn, .. }
-            if is_closed(step, stage_idx) => test(CLOSE, "pipe-closing").keeps("P");
+            if is_closed(step, stage_idx) => puts_nothing(test(CLOSE, "pipe-closing")).keeps("P");
         closes_outside: Event::Test { stage_idx, .. } if is_closed(step, stage_idx) =>
-            test(CLOSE, "pipe-closing").about("P");
-        in_in: Event::Test { rule: Rule::InIn, .. } => test(PASS_ON, "pipe-vertex").keeps("P");
-        out_out: Event::Test { rule: Rule::OutOut, .. } => test(PASS_ON, "pipe-nothing").drops("P");
+            puts_nothing(test(CLOSE, "pipe-closing")).about("P");
+        in_in: Event::Test { rule: Rule::InIn, .. } => puts_end(test(PASS_ON, "pipe-vertex")).keeps("P");
+        out_out: Event::Test { rule: Rule::OutOut, .. } => puts_nothing(test(PASS_ON, "pipe-nothing")).drops("P");
         in_out: Event::Test { rule: Rule::InOut, distances, .. } if is_crossed(distances) =>
-            test(CROSS, "pipe-crossing").drops("P");
-        leaves: Event::Test { rule: Rule::InOut, .. } => test(CROSS, "pipe-nothing").drops("P");
+            puts_crossing(test(CROSS, "pipe-crossing")).drops("P");
+        leaves: Event::Test { rule: Rule::InOut, .. } => puts_nothing(test(CROSS, "pipe-nothing")).drops("P");
         out_in: Event::Test { rule: Rule::OutIn, distances, .. } if is_crossed(distances) =>
-            test(CROSS, "pipe-both").keeps("P");
-        comes: Event::Test { rule: Rule::OutIn, .. } => test(CROSS, "pipe-vertex").keeps("P");
+            puts_both(test(CROSS, "pipe-both")).keeps("P");
+        comes: Event::Test { rule: Rule::OutIn, .. } => puts_end(test(CROSS, "pipe-vertex")).keeps("P");
         cuts_closing: Event::Cross { stage_idx, .. } if is_closed(step, stage_idx) => cross(CLOSE);
         cuts: Event::Cross { .. } => cross(CROSS);
         output: Event::Output { .. } => Row::new(Test, OUTPUT, "pipe-output");
@@ -153,10 +151,6 @@ impl Telling for Pipeline {
                 return of_test.or_else(|| formula().map(Named::from));
             }
         })
-    }
-
-    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
-        rules()
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {

@@ -12,7 +12,10 @@ pub(super) use crate::{
     labs::{
         polygons::{PolygonTelling, Scene, ScenePart, UnfitScene},
         prelude::*,
-        rings::{Asked, RingStep, asked_vertex, is_crossed, rules},
+        rings::{
+            Asked, RingStep, asked_vertex, is_crossed, puts_both, puts_crossing, puts_end,
+            puts_nothing,
+        },
         words::{vertex_name, vertex_symbol},
     },
 };

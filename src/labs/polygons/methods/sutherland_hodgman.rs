@@ -128,9 +128,7 @@ const CROSSES: &[&str] = &["{I 1}", "{I 2}", "{I 3}", "{uv(I)}"];
 const PUTS_OUT: &[&str] = &["{place} = {at}"];
 
 const fn test(line: usize, key: &'static str) -> Row {
-    Row::new(Test, line, key)
-        .so(LIES)
-        .picks_as("rule", "rules", "option-rule")
+    Row::new(Test, line, key).so(LIES)
 }
 
 const fn cross(line: usize) -> Row {
@@ -170,25 +168,25 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
             Row::new(Test, FIRST, "sh-first-outside").so(&["{P lies}"]).answers("first").drops("P");
         // The edge that closes the ring puts out a crossing at most: its end has been asked before.
         closes_in_in: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InIn, .. }) =>
-            test(IN_IN, "sh-closing").keeps("P");
+            puts_nothing(test(IN_IN, "sh-closing")).keeps("P");
         closes_in_out: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut, distances, .. })
-            if is_crossed(distances) => test(IN_OUT, "sh-closing-cross").about("P");
+            if is_crossed(distances) => puts_crossing(test(IN_OUT, "sh-closing-cross")).about("P");
         closes_leaving: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut, .. }) =>
-            test(IN_OUT, "sh-closing").about("P");
+            puts_nothing(test(IN_OUT, "sh-closing")).about("P");
         closes_out_in: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutIn, distances, .. })
-            if is_crossed(distances) => test(OUT_IN, "sh-closing-cross").keeps("P");
+            if is_crossed(distances) => puts_crossing(test(OUT_IN, "sh-closing-cross")).keeps("P");
         closes_coming: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutIn, .. }) =>
-            test(OUT_IN, "sh-closing").keeps("P");
+            puts_nothing(test(OUT_IN, "sh-closing")).keeps("P");
         closes_out_out: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::OutOut, .. }) =>
-            test(OUT_OUT, "sh-closing").about("P");
-        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => test(IN_IN, "sh-in-in").keeps("P");
+            puts_nothing(test(OUT_OUT, "sh-closing")).about("P");
+        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => puts_end(test(IN_IN, "sh-in-in")).keeps("P");
         in_out: Event::Test(EdgeTest { rule: Rule::InOut, distances, .. }) if is_crossed(distances) =>
-            test(IN_OUT, "sh-in-out").drops("P");
-        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => test(IN_OUT, "sh-in-out-touch").drops("P");
+            puts_crossing(test(IN_OUT, "sh-in-out")).drops("P");
+        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => puts_nothing(test(IN_OUT, "sh-in-out-touch")).drops("P");
         out_in: Event::Test(EdgeTest { rule: Rule::OutIn, distances, .. }) if is_crossed(distances) =>
-            test(OUT_IN, "sh-out-in").keeps("P");
-        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => test(OUT_IN, "sh-out-in-touch").keeps("P");
-        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => test(OUT_OUT, "sh-out-out").drops("P");
+            puts_both(test(OUT_IN, "sh-out-in")).keeps("P");
+        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => puts_end(test(OUT_IN, "sh-out-in-touch")).keeps("P");
+        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => puts_nothing(test(OUT_OUT, "sh-out-out")).drops("P");
         cuts_leaving: Event::Cross { .. } if rule(step) == Some(Rule::InOut) => cross(IN_OUT);
         cuts_coming: Event::Cross { .. } => cross(OUT_IN);
         puts_first: Event::Output { .. } if rule(step).is_none() => output(FIRST);
@@ -218,10 +216,6 @@ impl<V: LabVertex, L: Variant> Telling for SutherlandHodgman<V, L> {
                 return of_vertex().or_else(of_edge).or_else(of_test);
             }
         })
-    }
-
-    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
-        rules()
     }
 
     fn watch(at: &At<'_, Self>) -> Watch {

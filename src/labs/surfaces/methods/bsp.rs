@@ -119,25 +119,38 @@ impl Telling for Bsp {
             ]
         });
         let camera = at.scenery.map(|scenery| scenery.scene().camera.camera());
+        let mut is_observer = true;
         for view in &mut views {
             if let (Body::Space(space), Some(camera)) = (&mut view.body, camera) {
-                space.marks.extend(cut_pieces(at, camera));
+                let pieces = cut_pieces(at).map(|piece| part(camera, piece));
+                if std::mem::take(&mut is_observer) {
+                    let names = cut_pieces(at).map(|it| names::piece_name(at.scenery, it));
+                    let named = pieces.zip(names).map(|(mark, name)| mark.labelled(name));
+                    space.marks.extend(named);
+                } else {
+                    space.marks.extend(pieces);
+                }
             }
         }
         views
     }
 }
 
-/// The outlines of the parts that planes have cut off before this step.
-fn cut_pieces(at: &At<'_, Bsp>, camera: &Camera) -> Vec<Mark3> {
-    let now = shown(at);
-    let pieces = (0..).zip(&at.step.held.pieces);
-    let cut = pieces.filter(|(number, piece)| !piece.cuts.is_empty() && !now.contains(number));
-    let outline = |(_, piece): (u32, &BspPiece)| {
-        let corners = piece.polygon.iter().map(|&at| camera.world_from_view(at));
-        Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).fine()
+/// The parts that planes have cut off before this step, and that are whole since.
+fn cut_pieces<'a>(at: &At<'a, Bsp>) -> impl Iterator<Item = &'a BspPiece> {
+    let (now, all) = (shown(at), &at.step.held.pieces);
+    let is_cut_again = |piece: &BspPiece| {
+        let mut others = all.iter().filter(|other| other.id == piece.id);
+        others.any(|it| it.cuts.len() > piece.cuts.len() && it.cuts.starts_with(&piece.cuts))
     };
-    cut.map(outline).collect()
+    let pieces = (0..).zip(all).filter(|(_, piece)| !piece.cuts.is_empty());
+    let whole = pieces.filter(move |(nth, piece)| !now.contains(nth) && !is_cut_again(piece));
+    whole.map(|(_, piece)| piece)
+}
+
+fn part(camera: &Camera, piece: &BspPiece) -> Mark3 {
+    let corners = piece.polygon.iter().map(|&at| camera.world_from_view(at));
+    Mark3::new(Role::Ink, Shape3::Outline(corners.collect())).fine()
 }
 
 /// The pieces that the step is about.

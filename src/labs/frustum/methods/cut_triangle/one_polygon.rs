@@ -5,7 +5,7 @@ use crate::{
         ring::{EdgeTest, Known, Rule},
         volume::{CutTriangles, IntersectionPolygonEvent as Event},
     },
-    labs::rings::{is_crossed, rules},
+    labs::rings::{is_crossed, puts_both, puts_crossing, puts_end, puts_nothing},
 };
 
 use super::{
@@ -50,9 +50,7 @@ impl<L: Variant<OnePolygon>> SpaceTelling for Shown<L> {
 }
 
 const fn test(key: &'static str) -> Row {
-    Row::new(Test, polygon::DISTANCE, key)
-        .so(&["{distance}"])
-        .picks_as("rule", "rules", "option-rule")
+    Row::new(Test, polygon::DISTANCE, key).so(&["{distance}"])
 }
 
 const fn first(key: &'static str) -> Row {
@@ -93,16 +91,16 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
         first_outside: Event::First { .. } => first("ip-first-outside").drops("P");
         // The edge that closes the ring puts out a crossing at most: its end has been asked before.
         closes_cut: Event::Test(EdgeTest { idx: [_, 0], rule: Rule::InOut | Rule::OutIn, distances, .. })
-            if is_crossed(distances) => test("ip-closing-cross").about("P");
-        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) => test("sh-closing").about("P");
-        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => test("sh-in-in").keeps("P");
-        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => test("sh-out-out").drops("P");
+            if is_crossed(distances) => puts_crossing(test("ip-closing-cross")).about("P");
+        closes: Event::Test(EdgeTest { idx: [_, 0], .. }) => puts_nothing(test("sh-closing")).about("P");
+        in_in: Event::Test(EdgeTest { rule: Rule::InIn, .. }) => puts_end(test("sh-in-in")).keeps("P");
+        out_out: Event::Test(EdgeTest { rule: Rule::OutOut, .. }) => puts_nothing(test("sh-out-out")).drops("P");
         in_out: Event::Test(EdgeTest { rule: Rule::InOut, distances, .. }) if is_crossed(distances) =>
-            test("ip-in-out").drops("P");
-        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => test("ip-touch").drops("P");
+            puts_crossing(test("ip-in-out")).drops("P");
+        leaves: Event::Test(EdgeTest { rule: Rule::InOut, .. }) => puts_nothing(test("ip-touch")).drops("P");
         out_in: Event::Test(EdgeTest { rule: Rule::OutIn, distances, .. }) if is_crossed(distances) =>
-            test("ip-out-in").keeps("P");
-        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => test("ip-touch").keeps("P");
+            puts_both(test("ip-out-in")).keeps("P");
+        comes: Event::Test(EdgeTest { rule: Rule::OutIn, .. }) => puts_end(test("ip-touch")).keeps("P");
         cuts: Event::Cross { .. } =>
             Row::new(Cut, polygon::CROSS, "ip-cross").so(&["{t of d}", "{place of cut}"]);
         puts_cut: Event::Output { at } if rings(step).asked.is_crossing(at) => output(polygon::CROSS);
@@ -140,10 +138,6 @@ impl<L: Variant<OnePolygon>> Telling for Shown<L> {
             }
             _ => return of_plane().or_else(of_vertex).or_else(of_test),
         })
-    }
-
-    fn listed(_: &At<'_, Self>, _: &str) -> Vec<Named> {
-        rules()
     }
 
     fn views(at: &At<'_, Self>) -> Vec<View> {

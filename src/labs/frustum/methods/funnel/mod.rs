@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     super::Object,
-    asked::{Asked, beyond},
+    asked::{Asked, across, beyond, within},
     sphere_cull::{AskedSphere, sphere_gauges, sphere_says},
 };
 use variant::{CULL, DRAW, EACH, FACE, PLANE, STRADDLES, TRIANGLE, Variant};
@@ -64,9 +64,9 @@ impl<L: Variant> Telling for Funnel<L> {
         plane_straddles: Event::Plane { class: Straddles, .. } => sphere_says(Straddles, PLANE);
         plane_outside: Event::Plane { class: Outside, .. } => sphere_says(Outside, PLANE);
         inside: Event::Sphere { class: Inside, .. } =>
-            Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object").answers("sphere");
+            within(Row::new(Accept, STRADDLES, "funnel-sphere-inside").keeps("object"));
         straddles: Event::Sphere { class: Straddles, .. } =>
-            Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object").answers("sphere");
+            across(Row::new(Accept, STRADDLES, "funnel-sphere-straddles").cuts("object"));
         culled: Event::Sphere { class: Outside, .. } =>
             beyond(Row::new(Reject, CULL, "funnel-sphere-outside").drops("object"));
         whole: Event::Triangle { fate: TriangleFate::Inside, .. } =>

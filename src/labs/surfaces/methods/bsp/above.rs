@@ -13,7 +13,11 @@ use crate::{
 
 use super::super::{planes::plane_of, prelude::*};
 
-use super::{names::node_of, own, shown};
+use super::{
+    cut_pieces,
+    names::{node_of, piece_name},
+    own, shown,
+};
 
 /// The eye at 0: across to the right, ahead upwards.
 const fn from_above([x, _, z]: [f64; 3]) -> [f64; 2] {
@@ -60,11 +64,15 @@ fn triangles(at: &At<'_, Bsp>) -> Vec<Mark> {
             .and_then(|scenery| surface_link(scenery.scene(), id));
         mark
     });
+    let cut = cut_pieces(at).map(|piece| {
+        let name = piece_name(at.scenery, piece);
+        Mark::new(Role::Ink, outline(&piece.polygon)).labelled(name)
+    });
     let pieces = shown(at).into_iter().map(|piece| {
         let piece = &at.step.held.pieces[piece as usize];
         Mark::new(Role::Signal, outline(&piece.polygon))
     });
-    whole.chain(pieces).collect()
+    whole.chain(cut).chain(pieces).collect()
 }
 
 /// Those of the nodes so far; dashed, but for the one at work.
