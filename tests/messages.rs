@@ -152,9 +152,11 @@ fn every_checked_key_is_used() {
         .into_iter()
         .map(|(_, source)| source)
         .collect();
+    // Whatever stands between one quotation mark and the next.
+    let quoted: BTreeSet<&str> = code.split('"').collect();
     let unused: Vec<_> = english()
         .into_keys()
-        .filter(|key| !code.contains(&format!("\"{key}\"")))
+        .filter(|key| !quoted.contains(&**key))
         .collect();
     assert!(unused.is_empty(), "no code says {}", unused.join(", "));
 }

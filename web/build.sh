@@ -12,6 +12,9 @@ note() { printf '\n!!! %s\n\n' "$*" >&2; }
 
 rustup target list --installed 2>/dev/null | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
 
+# Every browser with WebGL2 of the last years has SIMD; without it the painter of glyphs brings a megabyte that stands in for it.
+export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128"
+
 profile=release
 [ -n "$quick" ] && profile=dev
 cargo build --locked --profile "$profile" -p clipscope-page --target wasm32-unknown-unknown --target-dir "$target"

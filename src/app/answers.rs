@@ -21,14 +21,26 @@ impl Answer {
     }
 }
 
-/// One row a question; nothing where marks come at the end, and it is not there yet.
+/// One row a question; nothing where marks come at the end, and it is not there yet. A new row is scrolled into sight.
 pub fn table(app: &App, ui: &mut Ui) {
     // What is asked once more, and what comes after that, is not told here.
     let asked = app.practice.step_asked();
-    for answer in app.answers_told() {
-        if asked.is_none_or(|open| answer.step < open) {
-            row(app, ui, answer);
-        }
+    let answers = app.answers_told().iter();
+    let told = answers.filter(|answer| asked.is_none_or(|open| answer.step < open));
+    let top = ui.cursor().min;
+    let mut n_rows = 0;
+    for answer in told {
+        row(app, ui, answer);
+        n_rows += 1;
+    }
+    let id = Id::unique("answers in sight");
+    let before: usize = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    if n_rows != before {
+        ui.data_mut(|data| data.insert_temp(id, n_rows));
+    }
+    if n_rows > before {
+        let last = Rect::from_min_max(pos2(top.x, ui.min_rect().bottom() - 1.0), ui.min_rect().max);
+        ui.scroll_to_rect(last, None);
     }
 }
 

@@ -277,7 +277,7 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
     let words = step_told(app, steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
-    let text = if has_words || app.hides_length() {
+    let text = if has_words || app.hides_length() || app.is_hunting() {
         words.clone()
     } else {
         format!("{step} / {n_steps}")
@@ -312,7 +312,7 @@ impl App {
 
 /// While it is asked what comes, no total tells how much of it there is.
 pub fn step_told(app: &App, steps: [usize; 2]) -> String {
-    if app.hides_length() {
+    if app.hides_length() || app.is_hunting() {
         let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
         return app.look().catalog.message(&message);
     }

@@ -102,14 +102,29 @@ fn clicked(
 #[derive(Clone, Copy, Default)]
 struct Hold {
     from: [f64; 3],
+    /// From there to where it is taken hold of.
+    to_held: [f64; 3],
     axis: Option<[f64; 3]>,
 }
 
 impl Hold {
     fn new(app: &App, ui: &Ui, handle: Handle) -> Option<Self> {
-        let from = app.scene().document().position(handle)?;
-        let axis = held_axis(ui);
-        Some(Self { from, axis })
+        let document = app.scene().document();
+        let (from, held) = (document.position(handle)?, document.held_at(handle)?);
+        Some(Self {
+            from,
+            to_held: std::array::from_fn(|i| held[i] - from[i]),
+            axis: held_axis(ui),
+        })
+    }
+
+    /// Where the handle lies when it is held there.
+    fn place_where_held(&self, at: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| at[i] - self.to_held[i])
+    }
+
+    fn held(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.from[i] + self.to_held[i])
     }
 }
 
@@ -143,13 +158,13 @@ fn moved_by(
             axis.map_or(own, Motion::Axis)
         }
     };
-    let to = moved_to(&lens, motion, hold.from, moved.to);
-    let to = lens.deeper(to, moved.deeper);
+    let to = moved_to(&lens, motion, hold.held(), moved.to);
+    let to = hold.place_where_held(lens.deeper(to, moved.deeper));
     let gesture = match moved.by {
         Gesture::Drag => UndoGroup::Drag(moved.spot),
         Gesture::Nudge(_) => UndoGroup::Nudge(moved.spot),
     };
-    let step = || round_step(STEP_PTS * lens.unit_at(hold.from) / viewport.scale);
+    let step = || round_step(STEP_PTS * lens.unit_at(hold.held()) / viewport.scale);
     let edit = match moved.by {
         Gesture::Nudge(times) if !is_flat && moved.deeper == 0.0 => {
             nudged(scene, handle, (motion, [hold.from, to]), [step(), times])?

@@ -66,10 +66,9 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let now = ui.input(|input| input.time);
     let lit = controls.led_to.filter(|(_, since)| now < since + LIT_SECS);
     let handles = scene.document().handles();
-    let step = app.bookmark.step();
     let form = Form {
         look,
-        locks: step.map_or(&[], |step| step.locks_in(scene, &handles)),
+        locks: app.locks(&handles),
         lit: lit.map(|(id, _)| id),
         takes_focus: lit.is_some_and(|(_, since)| is_new(ui, since)),
     };

@@ -40,9 +40,10 @@ pub fn hint_button(app: &App, ui: &mut Ui) {
 fn hint(app: &App, ui: &mut Ui) {
     let (look, help) = (app.look_at_step(), &app.goals.help);
     let id = Id::unique("parts of the hint in sight");
-    let before: usize = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    if help.n_shown != before {
-        ui.data_mut(|data| data.insert_temp(id, help.n_shown));
+    let (before, was_new): (usize, bool) = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let is_new = help.n_shown > before;
+    if help.n_shown != before || was_new {
+        ui.data_mut(|data| data.insert_temp(id, (help.n_shown, is_new)));
     }
     if help.n_shown == 0 {
         return;
@@ -61,8 +62,10 @@ fn hint(app: &App, ui: &mut Ui) {
             said(ui, look, &text);
         }
     }
-    if help.n_shown > before {
+    // What stands below is laid out one frame later.
+    if is_new || was_new {
         ui.scroll_to_rect(Rect::from_min_max(top, ui.min_rect().max), None);
+        ui.ctx().request_repaint();
     }
 }
 

@@ -8,7 +8,7 @@ use std::sync::{
 use web_time::Duration;
 
 use crate::{
-    labs::{Difference, Lock, smaller},
+    labs::{Difference, Lock, listed, moved, smaller},
     lesson::Goal,
     widgets::TextTold,
 };
@@ -60,6 +60,10 @@ impl App {
         if self.goals.search.is_some() {
             return;
         }
+        if self.is_hunting() {
+            self.tell(&Message::new("smaller-not-yet"), now);
+            return;
+        }
         let Some(kind) = Difference::kind_in(self.history.now()) else {
             self.tell(&Message::new("smaller-no-difference"), now);
             return;
@@ -68,12 +72,8 @@ impl App {
         let goal = self.bookmark.step().and_then(|step| step.goal.clone());
         let goal = goal.filter(|_| self.is_reached());
         // What the step locks stays where it is.
-        let handles = self.history.now().document().handles();
-        let locks = self
-            .bookmark
-            .step()
-            .map(|step| step.locks_in(self.history.now(), &handles).to_vec());
-        let is_free = move |handle| !Lock::any_holds(locks.as_deref().unwrap_or_default(), handle);
+        let locks = self.locks(&self.scene().document().handles()).to_vec();
+        let is_free = move |handle| !Lock::any_holds(&locks, handle);
         let is_stopped = Arc::new(AtomicBool::new(false));
         let (first, stop) = (self.history.now().clone(), is_stopped.clone());
         let look = move || {
@@ -123,7 +123,11 @@ impl App {
         self.goals.search = None;
         match found {
             _ if !is_of_now => {}
-            Ok(Some(found)) => self.edit(Edit::Replace(found), None, now),
+            Ok(Some(found)) => {
+                let what = told_of_smaller(self.history.now(), &found);
+                self.edit(Edit::Reduce(found), None, now);
+                self.tell(&what, now);
+            }
             Ok(None) | Err(_) => self.tell(&Message::new("smaller-none"), now),
         }
     }
@@ -154,4 +158,20 @@ impl App {
         self.look_for_hint();
         self.count_end();
     }
+}
+
+/// What has become smaller: the number of vertices, else numbers that are rounder.
+fn told_of_smaller(before: &Scene, after: &Scene) -> Message {
+    let n_vertices = |scene: &Scene| {
+        let handles = scene.document().handles().into_iter();
+        Value::Count(handles.filter(|handle| handle.kind().is_vertex).count())
+    };
+    let [n_before, n_after] = [before, after].map(n_vertices);
+    if n_before == n_after {
+        let handles = moved(before, after);
+        let rounder = Message::new("smaller-rounder");
+        return rounder.with("handles", listed(after, &handles));
+    }
+    let fewer = Message::new("smaller-fewer").with("before", n_before);
+    fewer.with("after", n_after)
 }

@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 use crate::{
-    figure::{Caption, Decides},
+    figure::{Caption, Decides, Run},
+    labs::{Difference, listed, moved},
     lesson::{Block, Inline},
     text::Formula,
 };
@@ -12,6 +13,8 @@ use super::{App, desk::Page, prelude::*};
 
 /// What is compared or decides, and the equation.
 pub const PARTS: usize = 2;
+/// Of more handles nobody keeps in mind which a solution moves.
+const MOST_MOVED: usize = 4;
 /// In longer runs nobody looks for what decided them while something is dragged.
 const LONGEST: usize = 4096;
 
@@ -31,20 +34,28 @@ pub struct Hint {
     pub equation: Vec<Formula>,
     /// The least change that turns what was decided.
     pub turned: Option<Message>,
-    /// What the first part of the goal that does not hold compares, where that is two numbers.
-    pub compared: Option<Message>,
+    /// The first part of the goal that does not hold, with the two numbers that it compares, where there are any.
+    pub open: Option<Message>,
+    /// What one solution moves.
+    pub way: Option<Message>,
 }
 
 impl Hint {
-    /// What its first part says: the two numbers of the goal, or what decided.
-    pub fn first(&self) -> Option<&Message> {
-        self.compared.as_ref().or(self.decides.as_ref())
+    fn all(&self) -> impl Iterator<Item = &Message> {
+        let is_of_hunt = self.open.is_none() && self.turned.is_none();
+        let [before, after] = [is_of_hunt, !is_of_hunt].map(|is| self.way.as_ref().filter(|_| is));
+        let decides = self.open.iter().chain(before).chain(&self.decides);
+        decides.chain(&self.turned).chain(after)
     }
 
-    /// What its second part says besides the equation.
+    /// What its first part says: which part of the goal is open, or what a solution moves, or what decided.
+    pub fn first(&self) -> Option<&Message> {
+        self.all().next()
+    }
+
+    /// What its second part says before the equation.
     pub fn second(&self) -> impl Iterator<Item = &Message> {
-        let decides = self.compared.as_ref().and(self.decides.as_ref());
-        decides.into_iter().chain(&self.turned)
+        self.all().skip(1)
     }
 }
 
@@ -81,39 +92,34 @@ impl App {
         let scene = self.playback.scene();
         let run = self.playback.main();
         let n_steps = run.n_steps();
-        let named = self
-            .bookmark
-            .step()
-            .and_then(|step| step.goal.as_ref()?.hint.as_ref());
+        let goal = self.bookmark.step().and_then(|step| step.goal.as_ref());
+        let open = self.met().iter().position(|is_met| !is_met);
+        let named = goal.zip(open).and_then(|(goal, part)| goal.hint(part));
         let named = named.and_then(|moment| run.find(moment));
-        let mut last: Option<(Link, usize)> = None;
-        run.visit([1, n_steps.min(LONGEST)], &mut |step, shown| {
-            let decision = shown.decision();
-            if let Some((_, about)) = decision.filter(|(it, _)| *it != Decides::Nothing) {
-                last = Some((about, step));
-            }
-            ControlFlow::Continue(())
-        });
         let mut hint = Hint::default();
-        if let Some(step) = named {
+        if let Some(goal) = goal.filter(|_| self.is_hunting()) {
+            let (parted, equation) = where_they_part(&goal.reached);
+            (hint.decides, hint.equation) = (parted, equation);
+        } else if let Some(step) = named {
             let why = run.caption(step);
             (hint.decides, hint.equation) = (Some(why.decision), why.arithmetic);
-        } else if let Some((about, step)) = last {
+        } else if let Some((about, step)) = last_decision(run) {
             let verdict = scene.document().verdict(about, (run, n_steps));
             hint.turned = verdict.as_ref().and_then(|it| it.notes.last().cloned());
             let why = verdict.map_or_else(|| run.caption(step), |verdict| verdict.why);
             (hint.decides, hint.equation) = (Some(why.decision), why.arithmetic);
         }
-        hint.compared = self.compared();
+        hint.open = self.open_part();
+        hint.way = self.way();
         self.goals.help.hint = hint;
     }
 
-    fn compared(&self) -> Option<Message> {
+    /// A goal of one part says itself what is open, unless that is a number.
+    fn open_part(&self) -> Option<Message> {
         let open = self.met().iter().position(|is_met| !is_met)?;
         let goal = self.bookmark.step()?.goal.as_ref()?;
         let scene = self.playback.scene();
         let runs = scene.by_method(self.playback.runs());
-        let (now, sign, wanted) = goal.compared(open, scene, &runs)?;
         let [_, step_idx] = self.bookmark.at;
         let text = self
             .bookmark
@@ -123,6 +129,10 @@ impl App {
             Block::Goal { nth, text } if *nth == open => Some(plain(text)),
             _ => None,
         })?;
+        let Some((now, sign, wanted)) = goal.compared(open, scene, &runs) else {
+            let is_one_of_many = goal.n_parts() > 1;
+            return is_one_of_many.then(|| Message::new("goal-hint-open").with("part", part));
+        };
         // A sign only where the number itself is not the goal.
         let sign = if sign == "=" {
             String::new()
@@ -132,6 +142,17 @@ impl App {
         let message = Message::new("goal-hint-now").with("part", part);
         let message = message.with("now", now);
         Some(message.with("sign", sign).with("wanted", wanted))
+    }
+
+    /// What the lesson's own solution moves, unless that is all that may be moved.
+    fn way(&self) -> Option<Message> {
+        let step = self.bookmark.step()?;
+        let handles = moved(&step.scene, &step.goal.as_ref()?.reached);
+        let all = step.scene.document().handles().into_iter();
+        let free = all.filter(|it| it.is_part() && !Lock::any_holds(&step.locks, *it));
+        let is_said = (1..=MOST_MOVED).contains(&handles.len()) && handles.len() < free.count();
+        is_said
+            .then(|| Message::new("goal-hint-way").with("handles", listed(&step.scene, &handles)))
     }
 
     /// Counts where the run of the scene ends, once nothing is dragged any more; not that of the step's own scene.
@@ -169,6 +190,33 @@ impl App {
             }),
         }
     }
+}
+
+/// What is said where the two programs of a hunt part, in a scene that ends it.
+fn where_they_part(reached: &Scene) -> (Option<Message>, Vec<Formula>) {
+    let document = reached.document();
+    let recorded = document.record();
+    let runs: Vec<&dyn Run> = recorded.iter().map(|run| &**run).collect();
+    let difference = Difference::between(&document.methods(), &runs);
+    let right = difference.and_then(|it| runs.get(1 - it.column.min(1)).zip(it.step));
+    let Some(why) = right.map(|(run, step)| run.caption(step.min(run.n_steps()))) else {
+        return (None, Vec::new());
+    };
+    let said = Message::new("goal-hint-parts").with("said", why.decision);
+    (Some(said), why.arithmetic)
+}
+
+/// What is decided last, and at which step.
+fn last_decision(run: &dyn Run) -> Option<(Link, usize)> {
+    let mut last = None;
+    run.visit([1, run.n_steps().min(LONGEST)], &mut |step, shown| {
+        let decision = shown.decision();
+        if let Some((_, about)) = decision.filter(|(it, _)| *it != Decides::Nothing) {
+            last = Some((about, step));
+        }
+        ControlFlow::Continue(())
+    });
+    last
 }
 
 fn plain(text: &[Inline]) -> String {

@@ -12,7 +12,7 @@ use crate::{
 };
 
 use super::{
-    App, Command, answers, bars::step_text, controls, prelude::*, stage_state::StageState,
+    App, Command, answers, bars::step_told, controls, prelude::*, stage_state::StageState,
     typing::told_of,
 };
 
@@ -183,13 +183,13 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
     for (i, (card, step)) in cards.into_iter().zip(app.playback.steps()).enumerate() {
         let is_current = i == column;
         // As at the last step, so that a name that takes two lines does so at all of them.
-        let last = step_text(look, [step[1]; 2]);
+        let last = step_told(app, [step[1]; 2]);
         let last = ui.painter().layout_no_wrap(
             last,
             TextStyle::Small.resolve(ui.style()),
             look.theme.soft,
         );
-        let (name, step) = (app.name_of(card), step_text(look, step));
+        let (name, step) = (app.name_of(card), step_told(app, step));
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.scope(|ui| {

@@ -219,6 +219,12 @@ impl App {
         self.playback.difference.filter(|_| !is_asking)
     }
 
+    /// What the open step locks among these handles of the scene.
+    pub(super) fn locks(&self, handles: &[Handle]) -> &[Lock] {
+        let step = self.bookmark.step();
+        step.map_or(&[], |step| step.locks_in(self.scene(), handles))
+    }
+
     /// Is a scene looked for in which two programs differ? What each of them costs would tell that they do.
     pub(super) fn is_hunting(&self) -> bool {
         let has_goal = !self.met().is_empty();

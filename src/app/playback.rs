@@ -1,5 +1,7 @@
 //! The recorded runs on stage, and the cursor that walks them together.
 
+use std::cell::RefCell;
+
 use crate::{
     figure::{
         Caption, CodeLinks, Comparison, Eyes, Frame, Need, Prospect, Run, Tick, View, Watch,
@@ -51,6 +53,8 @@ pub struct Playback {
     comparison: (Vec<&'static str>, Comparison),
     hidden: Hidden,
     together: Option<Frame>,
+    /// At which position of the first run the others stand where: events are compared from the beginning to find that.
+    beside: RefCell<Option<(usize, Vec<usize>)>>,
     /// How numbers are written: those of the whole run, and those of the present step.
     notations: [Notation; 2],
     /// Found with the first frames, and kept whatever is dragged; none where they are to be found anew.
@@ -100,6 +104,7 @@ impl Playback {
             comparison,
             hidden: Hidden::default(),
             together: None,
+            beside: RefCell::default(),
             notations: [Notation::Own; 2],
             eyes: None,
             recording: 0,
@@ -129,6 +134,7 @@ impl Playback {
         self.is_late = false;
         self.scene = found.scene;
         let before = std::mem::replace(&mut self.runs, found.runs).swap_remove(0);
+        self.beside = RefCell::default();
         let now = (before, self.transport.position());
         let (before, step) = self.interrupted.take().unwrap_or(now);
         let position = self.main().corresponding(&*before, step);
@@ -304,8 +310,16 @@ impl Playback {
     /// Of each run, where it stands and how many steps it has.
     pub fn steps(&self) -> Vec<[usize; 2]> {
         let position = self.transport.position();
-        let stand = |run: &dyn Run| [run.beside(self.main(), position), run.n_steps()];
-        self.runs().map(stand).collect()
+        let mut beside = self.beside.borrow_mut();
+        if beside.as_ref().is_none_or(|(at, _)| *at != position) {
+            let others = self.runs().skip(1);
+            let stand = others.map(|run| run.beside(self.main(), position));
+            *beside = Some((position, stand.collect()));
+        }
+        let others = beside.iter().flat_map(|(_, steps)| steps.iter().copied());
+        let stand = std::iter::once(position).chain(others);
+        let of_all = stand.zip(self.runs());
+        of_all.map(|(step, run)| [step, run.n_steps()]).collect()
     }
 
     /// Cost so far and in the end, of each run.

@@ -155,7 +155,12 @@ fn sign(ui: &mut Ui, look: Look<'_>) {
     let asked = look.say("practice-question");
     let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);
     said_live(ui, asked);
-    ui.add(Label::new(soft(look, "practice-how")).truncate());
+    // Where it is cut, a finger chooses.
+    let how = look.say("practice-how");
+    let whole = words(ui, look, (&how, TextStyle::Body), f32::INFINITY);
+    if whole.size().x <= ui.available_width() {
+        ui.label(soft(look, "practice-how"));
+    }
 }
 
 fn question(app: &App, ui: &mut Ui, asked: &Asked, lit: Option<Link>) -> Option<Link> {

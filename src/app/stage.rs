@@ -51,7 +51,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
         None => app.scene().document().handles(),
     };
     let step = app.bookmark.step();
-    let locks = step.map_or(&[][..], |step| step.locks_in(app.scene(), &handles));
+    let locks = app.locks(&handles);
     let asked = step.map_or(&[][..], |step| &step.drags);
     let focused = state.focused.take();
     state.canvas_ids.clear();

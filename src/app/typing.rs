@@ -21,9 +21,8 @@ pub struct Typing {
 
 /// Does the lesson hold it in place?
 fn is_held(app: &App, handle: Handle) -> bool {
-    let (scene, step) = (app.scene(), app.bookmark.step());
-    let locks = step.map(|step| step.locks_in(scene, &scene.document().handles()));
-    locks.is_some_and(|locks| Lock::any_holds(locks, handle))
+    let locks = app.locks(&app.scene().document().handles());
+    Lock::any_holds(locks, handle)
 }
 
 pub fn told_of(app: &App, watch: &Watch, link: Link) -> Option<Handle> {

@@ -51,8 +51,16 @@ pub trait Run: Send {
 
     fn output_json(&self) -> Json;
 
+    /// Where a run that is wrong on purpose first does something else than the right one, from step 1.
+    fn differs_at(&self) -> Option<usize> {
+        None
+    }
+}
+
+/// What is the same for all of them is compiled once.
+impl dyn Run + '_ {
     /// The moment of a step, to be found again in another run; `start` at step 0.
-    fn moment(&self, step: usize) -> Moment {
+    pub fn moment(&self, step: usize) -> Moment {
         if step == 0 {
             return Moment::Start;
         }
@@ -67,7 +75,7 @@ pub trait Run: Send {
     }
 
     /// The last step up to this one that answers a question, and what might come there.
-    fn decision_by(&self, step: usize) -> Option<(usize, Choice)> {
+    pub fn decision_by(&self, step: usize) -> Option<(usize, Choice)> {
         (1..=step.min(self.n_steps())).rev().find_map(|step| {
             let mut choice = None;
             self.visit([step, step], &mut |_, shown| {
@@ -79,7 +87,7 @@ pub trait Run: Send {
     }
 
     /// The step at which it is asked what another one decides: the one before, or where the phase began that leads to it.
-    fn asked_at(&self, decided: usize, choice: &Choice) -> usize {
+    pub fn asked_at(&self, decided: usize, choice: &Choice) -> usize {
         let begins = |&step: &usize| step == 0 || self.tick(step) == Tick::Phase;
         let mut before = (0..decided).rev();
         let found = if choice.is_of_phase {
@@ -90,7 +98,7 @@ pub trait Run: Send {
         found.unwrap_or_default()
     }
 
-    fn find(&self, moment: &Moment) -> Option<usize> {
+    pub fn find(&self, moment: &Moment) -> Option<usize> {
         let (wanted, nth) = match moment {
             Moment::Start => return Some(0),
             Moment::End => return Some(self.n_steps()),
@@ -107,7 +115,7 @@ pub trait Run: Send {
     /// The step to show beside `step` of another run: its end beside the other's end. As long as both do the same, as many
     /// steps in; where they part, what this run does in place of the other, or, where the other only does more, the last that
     /// both did; from then on the same moment, or where that never comes, as many steps in.
-    fn beside(&self, other: &dyn Run, step: usize) -> usize {
+    pub fn beside(&self, other: &dyn Run, step: usize) -> usize {
         if step >= other.n_steps() {
             return self.n_steps();
         }
@@ -143,7 +151,7 @@ pub trait Run: Send {
     }
 
     /// Where a cursor at `step` of `before` belongs: at the same moment, else the same kind of event, else as near as can be.
-    fn corresponding(&self, before: &dyn Run, step: usize) -> usize {
+    pub fn corresponding(&self, before: &dyn Run, step: usize) -> usize {
         if step >= before.n_steps() {
             return self.n_steps();
         }
@@ -157,13 +165,6 @@ pub trait Run: Send {
             .unwrap_or_else(|| step.min(self.n_steps()))
     }
 
-    /// Where a run that is wrong on purpose first does something else than the right one, from step 1.
-    fn differs_at(&self) -> Option<usize> {
-        None
-    }
-}
-
-impl dyn Run + '_ {
     /// # Panics
     /// Where the run, made again, does not tell what it told: every method is tested for it.
     pub fn frame(&self, step: usize) -> Frame {
@@ -260,7 +261,7 @@ impl dyn Run + '_ {
     }
 }
 
-fn as_far_along(now: &(impl Run + ?Sized), before: &dyn Run, step: usize) -> usize {
+fn as_far_along(now: &dyn Run, before: &dyn Run, step: usize) -> usize {
     let n_steps = now.n_steps();
     if n_steps == before.n_steps() || step == 0 {
         return step;

@@ -18,6 +18,8 @@ pub enum Edit {
     /// One less: without this handle's.
     Remove(Option<Handle>),
     Replace(Scene),
+    /// The same scene, smaller: what is seen of it stays as it is.
+    Reduce(Scene),
     Own(Own),
 }
 
@@ -32,6 +34,7 @@ impl Edit {
             Self::Own(change) => change.brings_another(),
             Self::Method(_)
             | Self::Compare(_)
+            | Self::Reduce(_)
             | Self::Drag(..)
             | Self::Measure(..)
             | Self::Add(_)
@@ -50,7 +53,7 @@ impl Edit {
             Self::Measure(handle, to) => document.set_measure(handle, to)?,
             Self::Add(after) => return document.add(after),
             Self::Remove(handle) => document.remove(handle)?,
-            Self::Replace(other) => *scene = other,
+            Self::Replace(other) | Self::Reduce(other) => *scene = other,
             Self::Own(change) => return change.apply(scene),
         }
         Ok(None)

@@ -72,6 +72,11 @@ impl Handle {
         self.kind
     }
 
+    /// Is it no figure that is taken hold of as a whole, of parts that are taken hold of as well?
+    pub const fn is_part(self) -> bool {
+        !self.kind.is_whole || self.kind.is_vertex
+    }
+
     pub fn is(self, kind: &HandleKind) -> bool {
         self.kind.id == kind.id
     }

@@ -112,6 +112,10 @@ pub trait Draggable {
     }
     /// Where a handle lies; `None` where the scene has no such handle.
     fn position(&self, handle: Handle) -> Option<[f64; 3]>;
+    /// Where it is taken hold of: where it lies, unless what moves with it lies elsewhere.
+    fn held_at(&self, handle: Handle) -> Option<[f64; 3]> {
+        self.position(handle)
+    }
     /// Moves a handle. Where the scene would not be valid it is left as it was.
     fn drag(&mut self, handle: Handle, to: [f64; 3]) -> Result<(), Diagnostic>;
     /// How it may move: as its kind does, unless that depends on the scene.

@@ -10,6 +10,7 @@ mod handle;
 mod interval;
 mod lab;
 pub mod lines;
+mod moved;
 pub mod polygons;
 mod prelude;
 pub mod recorded;
@@ -36,6 +37,7 @@ pub use lab::{
     Answers, AtStep, Backdrop, Change, ChangeOf, Click, Document, Draggable, Lab, Lock,
     OutlineKind, Own, Plain, Scene, Verdict,
 };
+pub use moved::{listed, moved};
 pub use registry::{Listed, Method, MethodEntry};
 pub use sketch::Sketch;
 pub use smaller::smaller;

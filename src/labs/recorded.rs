@@ -107,11 +107,11 @@ impl<M: Telling> Shown for ShownStep<'_, M> {
     }
 
     fn names(&self) -> Vec<&'static str> {
-        known_names::<M>()
+        known_names(M::ROWS, &M::OPENING, M::WATCH)
     }
 
     fn lists(&self) -> Vec<&'static str> {
-        known_lists::<M>()
+        known_lists(M::ROWS, M::WATCH)
     }
 }
 

@@ -37,11 +37,17 @@ pub struct Goal {
     pub(super) conditions: Vec<Condition>,
     /// A scene that reaches it.
     pub reached: Arc<Scene>,
-    /// The moment of the run that its hint tells, where that is not what decided last.
-    pub hint: Option<Moment>,
+    /// The moments of the run that its hint tells, each while that part is open, the last for those after it as well; none where
+    /// it tells what decided last.
+    pub hints: Vec<Moment>,
 }
 
 impl Goal {
+    /// What its hint tells while this part is the first that is open.
+    pub fn hint(&self, part: usize) -> Option<&Moment> {
+        self.hints.get(part).or(self.hints.last())
+    }
+
     pub const fn n_parts(&self) -> usize {
         self.conditions.len()
     }

@@ -280,19 +280,19 @@ impl Steps {
         let conditions = asking::conditions(node);
         let reached = self.named(fields.require("reached")?)?;
         let reached = self.scenes.get(&reached)?.scene.clone()?;
-        let hint = fields
-            .get("hint")
-            .and_then(|node| Some((node, moment(node)?)));
         let run = stop.and_then(|_| self.run());
-        if let Some(((node, hint), run)) = hint.as_ref().zip(run)
-            && run.find(hint).is_none()
-        {
-            node.error(never_comes(hint, run), []);
-        }
+        let hint = |node: Node<'_>| {
+            let hint = moment(node)?;
+            if let Some(run) = run.filter(|run| run.find(&hint).is_none()) {
+                node.error(never_comes(&hint, run), []);
+            }
+            Some(hint)
+        };
+        let hints = fields.get("hint").and_then(|it| it.list("expect-moments"));
         let goal = Goal {
             conditions: conditions?,
             reached,
-            hint: hint.map(|(_, hint)| hint),
+            hints: hints.into_iter().flatten().filter_map(hint).collect(),
         };
         if let Some(stop) = stop.filter(|_| run.is_some()) {
             goal.check(node, &stop.scene);

@@ -69,7 +69,7 @@ pub fn spots(
 
 impl Reach<'_> {
     fn at(&self, scene: &Scene, handle: Handle) -> Option<[f64; 2]> {
-        let world = scene.document().position(handle)?;
+        let world = scene.document().held_at(handle)?;
         self.lens.drawing_from_world(world)
     }
 

@@ -90,7 +90,7 @@ impl Canvas<'_> {
         let before: Vec<Placed> = ui
             .data(|data| data.get_temp(self.labels()))
             .unwrap_or_default();
-        let [pointed, pressed] = self.under(ui, &response, &before);
+        let [pointed, pressed] = under(ui, &response).map(|at| self.there(ui, &before, at));
         let pinch = Pinch::now(ui, self.id, viewport.rect);
         let handles = Handles {
             id: self.id,
@@ -99,11 +99,11 @@ impl Canvas<'_> {
             grid: step,
             snap: self.snap,
             is_space: !self.has_grid,
-            pointed: pointed.and_then(self.seized),
+            pointed: pointed.1,
             reach: reach(ui, taking::REACH),
             look: self.look,
         };
-        let moved = handles.interact(ui, &response, pressed.and_then(self.seized));
+        let moved = handles.interact(ui, &response, pressed.1);
         let holds_handle = gripped(ui, self.id).is_some();
         let (moved, view) = if pinch.is_on {
             handles.let_go(ui);
@@ -127,7 +127,7 @@ impl Canvas<'_> {
             moved,
             released: holds_handle && (pinch.is_on || response.drag_stopped()),
             clicked: click(ui, &response, &handles).filter(|_| !pinch.is_on),
-            pointed,
+            pointed: pointed.0,
             focused,
             response,
             picture: None,
@@ -180,13 +180,18 @@ impl Canvas<'_> {
         self.covered.iter().any(|covered| covered.contains(at))
     }
 
-    /// What is drawn under the pointer, and where the button has gone down for a drag.
-    fn under(&self, ui: &Ui, response: &Response, labels: &[Placed]) -> [Option<Link>; 2] {
-        let hover = response.hover_pos().filter(|_| !response.dragged());
-        let starts = response.drag_started_by(PointerButton::Primary);
-        let origin = ui.input(|input| input.pointer.press_origin());
+    /// What is drawn there; and the topmost of it that can be taken hold of, with the handle that it is taken hold of by.
+    fn there(&self, ui: &Ui, labels: &[Placed], at: Option<Pos2>) -> (Option<Link>, Option<usize>) {
         let reach = reach(ui, hit::REACH);
-        [hover, origin.filter(|_| starts)].map(|at| self.link_at(labels, at?, reach))
+        let at = at.filter(|at| !self.is_covered(*at));
+        let links: Vec<Link> = at.map_or_else(Vec::new, |at| {
+            let label = labels.iter().find(|label| label.rect.contains(at));
+            let named = label.and_then(|label| label.link);
+            let drawn = hit::links_at(&self.viewport, self.marks, at, reach);
+            named.into_iter().chain(drawn).collect()
+        });
+        let seized = links.iter().find_map(|link| (self.seized)(*link));
+        (links.first().copied(), seized)
     }
 
     fn say_place(&self, painter: &Painter, said: Option<String>, labels: &[Placed]) {
@@ -203,15 +208,6 @@ impl Canvas<'_> {
     }
 
     /// What is drawn there is about this: a name, or a mark.
-    fn link_at(&self, labels: &[Placed], at: Pos2, reach: f32) -> Option<Link> {
-        if self.is_covered(at) {
-            return None;
-        }
-        let label = labels.iter().find(|label| label.rect.contains(at));
-        let named = label.and_then(|label| label.link);
-        named.or_else(|| hit::link_at(&self.viewport, self.marks, at, reach))
-    }
-
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
     fn figure(&self, painter: &Painter, before: &[Placed]) -> Vec<Placed> {
         let around = Around {
@@ -222,6 +218,14 @@ impl Canvas<'_> {
         let look = self.look;
         look.stage(painter, &self.viewport, self.marks, self.lit, around)
     }
+}
+
+/// Where the pointer is, and where the button has gone down for a drag.
+fn under(ui: &Ui, response: &Response) -> [Option<Pos2>; 2] {
+    let hover = response.hover_pos().filter(|_| !response.dragged());
+    let starts = response.drag_started_by(PointerButton::Primary);
+    let origin = ui.input(|input| input.pointer.press_origin());
+    [hover, origin.filter(|_| starts)]
 }
 
 fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageClick> {

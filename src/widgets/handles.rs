@@ -94,8 +94,7 @@ impl Handles<'_> {
     ) -> Option<Moved> {
         if canvas.drag_started_by(egui::PointerButton::Primary)
             && let Some(origin) = ui.input(|i| i.pointer.press_origin())
-            && let near = self.near(ui, origin)
-            && let Some(spot) = near.or(pressed).and_then(|i| self.spot(i))
+            && let Some(spot) = self.held(ui, origin, pressed).and_then(|i| self.spot(i))
         {
             self.take(ui, spot.index);
             let grip = Grip {

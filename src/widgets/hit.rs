@@ -13,6 +13,16 @@ pub const REACH: f32 = 8.0;
 
 /// The link of the topmost mark with one within reach of a place on the screen; else of the face of a solid there.
 pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2, reach: f32) -> Option<Link> {
+    links_at(viewport, marks, at, reach).next()
+}
+
+/// The links of all that is there, the topmost first.
+pub fn links_at(
+    viewport: &Viewport,
+    marks: &[Mark],
+    at: Pos2,
+    reach: f32,
+) -> impl Iterator<Item = Link> {
     let mut nearby = Vec::new();
     for mark in marks.iter().rev() {
         let Some(link) = mark.link else { continue };
@@ -23,16 +33,14 @@ pub fn link_at(viewport: &Viewport, marks: &[Mark], at: Pos2, reach: f32) -> Opt
         }
     }
     // Points are drawn over lines, and are harder to hit.
-    let point = nearby.iter().find(|(is_point, _)| *is_point);
-    let mark = point.or(nearby.first()).map(|&(_, link)| link);
-    mark.or_else(|| {
-        let place = viewport.to_world(at);
-        let mut shapes = marks.iter().rev().map(|mark| &mark.shape);
-        shapes.find_map(|shape| match shape {
-            Shape::Solids(solids) => solids.link_at(place),
-            _ => None,
-        })
-    })
+    nearby.sort_by_key(|(is_point, _)| !is_point);
+    let place = viewport.to_world(at);
+    let shapes = marks.iter().rev().map(|mark| &mark.shape);
+    let faces = shapes.filter_map(move |shape| match shape {
+        Shape::Solids(solids) => solids.link_at(place),
+        _ => None,
+    });
+    nearby.into_iter().map(|(_, link)| link).chain(faces)
 }
 
 fn distance(part: &Part<'_>, at: Pos2) -> f32 {

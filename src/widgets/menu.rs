@@ -49,19 +49,31 @@ fn opening<R>(
     closes: PopupCloseBehavior,
     content: impl FnOnce(&mut Ui) -> R,
 ) -> InnerResponse<Option<R>> {
+    let (mut content, mut inner) = (Some(content), None);
+    let mut show = |ui: &mut Ui| inner = content.take().map(|content| content(ui));
+    let response = opened(ui, title, closes, &mut show);
+    InnerResponse::new(inner, response)
+}
+
+/// Compiled once, whatever is in it.
+fn opened(
+    ui: &mut Ui,
+    title: WidgetText,
+    closes: PopupCloseBehavior,
+    content: &mut dyn FnMut(&mut Ui),
+) -> Response {
     // What is taller than the window scrolls.
     let most = ui.ctx().content_rect().height() - AROUND_PTS;
     let content = |ui: &mut Ui| {
         let rows = ScrollArea::vertical().max_height(most);
-        rows.show(ui, content).inner
+        rows.show(ui, content);
     };
     let config = MenuConfig::new().style(menu_style).close_behavior(closes);
-    let (response, inner) = if menu::is_in_menu(ui) {
-        SubMenuButton::new(title).config(config).ui(ui, content)
+    if menu::is_in_menu(ui) {
+        SubMenuButton::new(title).config(config).ui(ui, content).0
     } else {
-        MenuButton::new(title).config(config).ui(ui, content)
-    };
-    InnerResponse::new(inner.map(|inner| inner.inner), response)
+        MenuButton::new(title).config(config).ui(ui, content).0
+    }
 }
 
 pub fn is_chosen(ui: &mut Ui, is_current: bool, name: impl Into<WidgetText>) -> bool {

@@ -17,21 +17,22 @@ impl Handles<'_> {
         self.viewport.to_screen(spot.at).distance(at)
     }
 
-    /// The nearest within reach, and all that fall together with it.
+    /// The nearest within reach, and all that fall together with it. One that stays where it is takes no press from others.
     pub fn group(&self, at: Pos2) -> Vec<usize> {
         let by_distance = |a: &&Spot, b: &&Spot| {
-            let [a, b] = [a, b].map(|spot| self.distance(spot, at));
-            a.total_cmp(&b)
+            let [to_a, to_b] = [a, b].map(|spot| self.distance(spot, at));
+            a.locked.cmp(&b.locked).then(to_a.total_cmp(&to_b))
         };
-        let nearest = self.spots.iter().min_by(by_distance);
-        let Some(nearest) = nearest.filter(|spot| self.distance(spot, at) <= self.reach) else {
+        let within = |spot: &&Spot| self.distance(spot, at) <= self.reach;
+        let Some(nearest) = self.spots.iter().filter(within).min_by(by_distance) else {
             return Vec::new();
         };
         let centre = self.viewport.to_screen(nearest.at);
         let others = self
             .spots
             .iter()
-            .filter(|spot| spot.index != nearest.index && self.distance(spot, centre) <= TOGETHER);
+            .filter(|spot| spot.index != nearest.index && spot.locked == nearest.locked)
+            .filter(|spot| self.distance(spot, centre) <= TOGETHER);
         let indices = std::iter::once(nearest).chain(others);
         indices.map(|spot| spot.index).collect()
     }
@@ -41,6 +42,13 @@ impl Handles<'_> {
         let group = self.group(at);
         let taken = self.taken(ui).filter(|i| group.contains(i));
         taken.or(group.first().copied())
+    }
+
+    /// What a press there takes hold of: a handle that may move, else the one of what is drawn there, else one that is locked.
+    pub fn held(&self, ui: &Ui, at: Pos2, drawn: Option<usize>) -> Option<usize> {
+        let near = self.near(ui, at);
+        let is_free = |&i: &usize| self.spot(i).is_some_and(|spot| !spot.locked);
+        near.filter(is_free).or(drawn).or(near)
     }
 
     fn taken(&self, ui: &Ui) -> Option<usize> {
@@ -68,7 +76,8 @@ impl Handles<'_> {
     }
 
     pub fn touched(&self, ui: &Ui, canvas: &Response) -> Option<usize> {
-        let pointed = canvas.hover_pos().and_then(|at| self.near(ui, at));
-        gripped(ui, self.id).or(pointed).or(self.pointed)
+        let pointed = canvas.hover_pos();
+        let pointed = pointed.map_or(self.pointed, |at| self.held(ui, at, self.pointed));
+        gripped(ui, self.id).or(pointed)
     }
 }

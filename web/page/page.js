@@ -127,6 +127,18 @@ function watch() {
   });
 }
 
+/// Chromium that plays another device says how many pixels its own screen would have: then the app counts them by the ratio.
+function measurePixels() {
+  return new Promise((measured) => {
+    new ResizeObserver(([{ contentRect, devicePixelContentBoxSize }], observer) => {
+      observer.disconnect();
+      const pixels = devicePixelContentBoxSize?.[0].inlineSize ?? NaN;
+      if (Math.abs(pixels - contentRect.width * devicePixelRatio) > 1) delete ResizeObserverEntry.prototype.devicePixelContentBoxSize;
+      measured();
+    }).observe(document.body);
+  });
+}
+
 async function run() {
   tell(say.loading, { of: 0 });
   if (!document.createElement("canvas").getContext("webgl2")) return fail("no-webgl", say["no-webgl"]);
@@ -142,7 +154,7 @@ async function run() {
   keepKeys(canvas);
   if (EMBED) embed(canvas);
   if (PACKED_LESSONS && !location.hash) location.replace(`#${PACKED_LESSONS[0]}`);
-  const course = await otherCourse();
+  const [course] = await Promise.all([otherCourse(), measurePixels()]);
   await startUnfocused(() => app.start(canvas, beside, ...course));
   talk();
   report();

@@ -15,7 +15,7 @@ const WORDS = {
     reopen: "Open it where it was",
     newer: "There is a newer Clipscope: load it",
     old: "This browser is too old for Clipscope.",
-    oldMore: (why) => `It needs WebAssembly. The browser says: ${why}`,
+    oldMore: (why) => `It needs WebAssembly with SIMD: Chrome 91, Firefox 89, Safari 16.4 or newer. The browser says: ${why}`,
   },
   "zh-CN": {
     loading: "正在下载 Clipscope",
@@ -30,7 +30,7 @@ const WORDS = {
     reopen: "从原处重新打开",
     newer: "Clipscope 有新版本：重新加载",
     old: "这个浏览器太旧，不能运行 Clipscope。",
-    oldMore: (why) => `它需要 WebAssembly。浏览器的说明：${why}`,
+    oldMore: (why) => `它需要带 SIMD 的 WebAssembly：Chrome 91、Firefox 89、Safari 16.4 或更新的版本。浏览器的说明：${why}`,
   },
   es: {
     loading: "Clipscope está llegando",
@@ -46,7 +46,7 @@ const WORDS = {
     reopen: "Abrirlo donde estaba",
     newer: "Hay un Clipscope más nuevo: cárgalo",
     old: "Este navegador es demasiado antiguo para Clipscope.",
-    oldMore: (why) => `Hace falta WebAssembly. El navegador dice: ${why}`,
+    oldMore: (why) => `Hace falta WebAssembly con SIMD: Chrome 91, Firefox 89, Safari 16.4 o posteriores. El navegador dice: ${why}`,
   },
   "pt-BR": {
     loading: "O Clipscope está chegando",
@@ -62,7 +62,7 @@ const WORDS = {
     reopen: "Abrir onde estava",
     newer: "Há um Clipscope mais novo: carregue-o",
     old: "Este navegador é antigo demais para o Clipscope.",
-    oldMore: (why) => `Ele precisa de WebAssembly. O navegador diz: ${why}`,
+    oldMore: (why) => `Ele precisa de WebAssembly com SIMD: Chrome 91, Firefox 89, Safari 16.4 ou mais novos. O navegador diz: ${why}`,
   },
 };
 

@@ -124,6 +124,7 @@ action-reset = Reset
 action-fit = Fit
 handle-locked = { $name } is locked in this step.
 handle-other = click: { $name }
+handles-listed = { $list }; { $name }
 action-reset-view = Fit the view
 action-close = Close
 action-cancel = Cancel
@@ -291,8 +292,8 @@ answer-right = Step { $step }: { $right }. Told beforehand.
 answer-wrong = Step { $step }: { $right }, not: { $chosen }.
 answer-shown = Step { $step }: { $right }. Shown.
 practice-stands = The question of this step: { $told }.
-told-beforehand = told beforehand
-told-after = told after the numbers
+told-beforehand = answered beforehand
+told-after = answered after the numbers were shown
 told-open = open
 told-seen = seen
 told-unseen = not seen yet
@@ -317,6 +318,9 @@ goal-hint = Hint (T)
 goal-hint-part = { $part } of { $count } seen
 goal-hint-none = The run of this scene decides nothing: change the scene first.
 goal-hint-now = “{ $part }”: now { $now }, wanted { $sign }{ $wanted }.
+goal-hint-open = “{ $part }”: not yet.
+goal-hint-way = One solution moves only: { $handles }.
+goal-hint-parts = In one solution the two programs part here: { $said }
 goal-so-far = Where your runs ended
 goal-ended =
     { $count ->
@@ -331,7 +335,10 @@ mark-hints =
     }
 action-smaller = A smaller scene with the same difference
 smaller-search = A smaller scene is looked for. Esc stops, and the smallest so far stays.
-smaller-none = No smaller scene was found with the same difference.
+smaller-none = No smaller scene was found with the same difference: this one is small already.
+smaller-not-yet = First change the scene until the goal is reached. Then M makes the scene smaller.
+smaller-fewer = The scene is smaller: { $after } vertices are left of { $before }, and the same difference.
+smaller-rounder = The numbers are rounder, and the difference is the same. Moved: { $handles }.
 smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.
 
 ## A lesson that is made

@@ -161,6 +161,7 @@ expect-figure = Expected: at most 64 lower-case letters, digits and hyphens: nin
 expect-first-here = The first one is in line { $line }.
 expect-first-scene = The first step must name its scene; later steps keep it.
 expect-moment = Expected: start, end, or an event with its words, such as “cut left”.
+expect-moments = Expected: a list of moments, such as ["cut left"].
 expect-moment-number = Expected: a number from 1 after “#”.
 expect-reference = Expected: a value in braces, such as { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } or { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Expected: a list of the handles that are locked, such as ["window"].

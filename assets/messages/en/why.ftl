@@ -103,7 +103,10 @@ why-facing-above = The shadow of e is the height of the eye above the plane of f
 why-facing-below = The shadow of e points the other way: the eye is not above the plane of face { $face }, so it does not see its front.
 why-facing-other-above = For face { $face } the eye is above the bar.
 why-facing-other-below = For face { $face } the eye is not above the bar.
-why-facing-fronts = The eye is above the bar for { $fronts } of { $faces } faces: these show their front, and their n·e is positive.
+why-facing-fronts = { $fronts ->
+    [one] The eye is above the bar for { $fronts } of { $faces } faces: this face shows its front, and its n·e is positive.
+   *[other] The eye is above the bar for { $fronts } of { $faces } faces: these show their front, and their n·e is positive.
+}
 why-code-product = n·e = |n| · shadow of e on n
 why-words-product = A dot product is a length times a shadow.
 why-code-height = height ← n·e / |n|

@@ -124,6 +124,7 @@ action-reset = Restablecer
 action-fit = Encuadrar
 handle-locked = { $name } no se puede mover en este paso.
 handle-other = haz clic: { $name }
+handles-listed = { $list }; { $name }
 action-reset-view = Encuadrar todo
 action-close = Cerrar
 action-cancel = Cancelar
@@ -291,8 +292,8 @@ answer-right = Paso { $step }: { $right }. Dicho de antemano.
 answer-wrong = Paso { $step }: { $right }, no: { $chosen }.
 answer-shown = Paso { $step }: { $right }. Mostrado.
 practice-stands = La pregunta de este paso: { $told }.
-told-beforehand = dicho de antemano
-told-after = dicho después de los números
+told-beforehand = respondida de antemano
+told-after = respondida después de ver los números
 told-open = pendiente
 told-seen = visto
 told-unseen = aún no visto
@@ -317,6 +318,9 @@ goal-hint = Pista (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = La ejecución de esta escena no decide nada: cambia primero la escena.
 goal-hint-now = «{ $part }»: ahora { $now }; se pide { $sign }{ $wanted }.
+goal-hint-open = «{ $part }»: todavía no.
+goal-hint-way = Una solución mueve solo esto: { $handles }.
+goal-hint-parts = En una solución los dos programas se separan aquí: { $said }
 goal-so-far = Dónde acabaron tus ejecuciones
 goal-ended =
     { $count ->
@@ -331,7 +335,10 @@ mark-hints =
     }
 action-smaller = Una escena más pequeña con la misma diferencia
 smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y deja la más pequeña que se haya encontrado.
-smaller-none = No se ha encontrado una escena más pequeña con la misma diferencia.
+smaller-none = No se ha encontrado ninguna escena más pequeña con la misma diferencia: esta ya es pequeña.
+smaller-not-yet = Primero cambia la escena hasta alcanzar el objetivo. Después, M reduce la escena.
+smaller-fewer = La escena es más pequeña: quedan { $after } de { $before } vértices, y la diferencia es la misma.
+smaller-rounder = Los números son más redondos, y la diferencia es la misma. Se ha movido: { $handles }.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.
 
 ## A lesson that is made

@@ -161,6 +161,7 @@ expect-figure = Se esperaba: como mucho 64 letras minúsculas sin tilde, cifras 
 expect-first-here = El primero está en la línea { $line }.
 expect-first-scene = El primer paso debe nombrar su escena; los siguientes la conservan.
 expect-moment = Se esperaba: start, end o un suceso con sus palabras, como «cut left».
+expect-moments = Se esperaba: una lista de momentos, como ["cut left"].
 expect-moment-number = Se esperaba: un número a partir de 1 después de «#».
 expect-reference = Se esperaba: un valor entre llaves, como { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } o { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Se esperaba: una lista de los tiradores bloqueados, como ["window"].

@@ -103,7 +103,10 @@ why-facing-above = La sombra de e es la altura del ojo sobre el plano de la cara
 why-facing-below = La sombra de e apunta al otro lado: el ojo no está por encima del plano de la cara { $face }, así que no la ve por delante.
 why-facing-other-above = Para la cara { $face }, el ojo está por encima de la barra.
 why-facing-other-below = Para la cara { $face }, el ojo no está por encima de la barra.
-why-facing-fronts = El ojo queda por encima de la barra para { $fronts } de { $faces } caras: esas se ven por delante, y su n·e es positivo.
+why-facing-fronts = { $fronts ->
+    [one] El ojo queda por encima de la barra para { $fronts } de { $faces } caras: esa se ve por delante, y su n·e es positivo.
+   *[other] El ojo queda por encima de la barra para { $fronts } de { $faces } caras: esas se ven por delante, y su n·e es positivo.
+}
 why-code-product = n·e = |n| · sombra de e sobre n
 why-words-product = Un producto escalar es una longitud por una sombra.
 why-code-height = altura ← n·e / |n|

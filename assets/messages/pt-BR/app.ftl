@@ -124,6 +124,7 @@ action-reset = Redefinir
 action-fit = Enquadrar
 handle-locked = Não é possível mover { $name } neste passo.
 handle-other = clique: { $name }
+handles-listed = { $list }; { $name }
 action-reset-view = Enquadrar tudo
 action-close = Fechar
 action-cancel = Cancelar
@@ -291,8 +292,8 @@ answer-right = Passo { $step }: { $right }. Dito de antemão.
 answer-wrong = Passo { $step }: { $right }, não: { $chosen }.
 answer-shown = Passo { $step }: { $right }. Mostrado.
 practice-stands = A pergunta deste passo: { $told }.
-told-beforehand = respondido de antemão
-told-after = respondido depois dos números
+told-beforehand = respondida de antemão
+told-after = respondida depois de ver os números
 told-open = em aberto
 told-seen = visto
 told-unseen = ainda não visto
@@ -317,6 +318,9 @@ goal-hint = Dica (T)
 goal-hint-part = { $part } de { $count } vistas
 goal-hint-none = A execução desta cena não decide nada: mude primeiro a cena.
 goal-hint-now = “{ $part }”: agora { $now }; pede-se { $sign }{ $wanted }.
+goal-hint-open = “{ $part }”: ainda não.
+goal-hint-way = Uma solução move só isto: { $handles }.
+goal-hint-parts = Em uma solução os dois programas se separam aqui: { $said }
 goal-so-far = Onde as suas execuções terminaram
 goal-ended =
     { $count ->
@@ -333,7 +337,10 @@ mark-hints =
     }
 action-smaller = Uma cena menor com a mesma diferença
 smaller-search = Procura-se uma cena menor. Esc interrompe a busca e deixa a menor que tiver sido encontrada.
-smaller-none = Não foi encontrada uma cena menor com a mesma diferença.
+smaller-none = Não foi encontrada nenhuma cena menor com a mesma diferença: esta já é pequena.
+smaller-not-yet = Primeiro mude a cena até alcançar o objetivo. Depois, M reduz a cena.
+smaller-fewer = A cena está menor: restam { $after } de { $before } vértices, e a diferença é a mesma.
+smaller-rounder = Os números estão mais redondos, e a diferença é a mesma. Foi movido: { $handles }.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.
 
 ## A lesson that is made

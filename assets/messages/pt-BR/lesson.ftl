@@ -161,6 +161,7 @@ expect-figure = Esperado: no máximo 64 letras minúsculas sem acento, algarismo
 expect-first-here = O primeiro está na linha { $line }.
 expect-first-scene = O primeiro passo deve nomear sua cena; os seguintes a mantêm.
 expect-moment = Esperado: start, end ou um evento com suas palavras, como “cut left”.
+expect-moments = Esperado: uma lista de momentos, como ["cut left"].
 expect-moment-number = Esperado: um número a partir de 1 depois de “#”.
 expect-reference = Esperado: um valor entre chaves, como { "{" }u_min{ "}" }, { "{" }P₁.x @ end{ "}" } ou { "{" }output.segment[2] of practice : 2{ "}" }.
 expect-locks = Esperado: uma lista dos pontos de controle bloqueados, como ["window"].

@@ -103,7 +103,10 @@ why-facing-above = A sombra do vetor e é a altura do olho acima do plano da fac
 why-facing-below = A sombra do vetor e aponta para o outro lado: o olho não está acima do plano da face { $face }, então não a vê de frente.
 why-facing-other-above = Para a face { $face }, o olho está acima da barra.
 why-facing-other-below = Para a face { $face }, o olho não está acima da barra.
-why-facing-fronts = O olho está acima da barra para { $fronts } de { $faces } faces: essas mostram a frente, e o n·e delas é positivo.
+why-facing-fronts = { $fronts ->
+    [1] O olho está acima da barra para { $fronts } de { $faces } faces: essa mostra a frente, e o n·e dela é positivo.
+   *[other] O olho está acima da barra para { $fronts } de { $faces } faces: essas mostram a frente, e o n·e delas é positivo.
+}
 why-code-product = n·e = |n| · sombra de e sobre n
 why-words-product = Um produto escalar é um comprimento vezes uma sombra.
 why-code-height = altura ← n·e / |n|

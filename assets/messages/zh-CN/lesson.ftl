@@ -153,6 +153,7 @@ expect-figure = 应为：最多 64 个小写字母、数字和连字符：nine-r
 expect-first-here = 前一个在第 { $line } 行。
 expect-first-scene = 第一步必须指明场景；之后的步骤沿用它。
 expect-moment = 应为：start、end，或事件名称及其词语，例如“cut left”。
+expect-moments = 应为：时刻的列表，例如 ["cut left"]。
 expect-moment-number = 应为：“#”之后为从 1 起的整数。
 expect-reference = 应为：花括号中的一个值，例如 { "{" }u_min{ "}" }、{ "{" }P₁.x @ end{ "}" } 或 { "{" }output.segment[2] of practice : 2{ "}" }。
 expect-locks = 应为：被锁定的控制柄的列表，例如 ["window"]。

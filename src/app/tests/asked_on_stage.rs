@@ -179,11 +179,14 @@ fn asked_at(page: Page, lang: Lang, size: Vec2) -> Bench {
 #[test]
 fn all_options_are_in_sight() {
     let course = Course::embedded();
+    let first = &course.lessons[0];
+    let first = Page::Step(first.id.clone(), first.steps[0].id.clone());
+    let mut bench = asked_at(first, Lang::Es, SIZE);
     for lesson in &course.lessons {
         let asks = |step: &&LessonStep| step.asks.is_some();
         for step in lesson.steps.iter().filter(asks) {
-            let page = Page::Step(lesson.id.clone(), step.id.clone());
-            let mut bench = asked_at(page, Lang::Es, SIZE);
+            bench.open_step(&lesson.id, &step.id);
+            bench.settle();
             let Some(asked) = bench.app.practice.open() else {
                 continue;
             };

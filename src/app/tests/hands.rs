@@ -310,3 +310,62 @@ fn what_is_locked_says_so_where_it_is_pointed_at() {
         "{texts:?}"
     );
 }
+
+#[test]
+fn what_is_locked_takes_no_press_from_what_is_drawn_there() {
+    let mut bench = Bench::course(ROOMY);
+    let mut n_taken = 0;
+    for (lesson, step) in [
+        ("34-the-nearer-wins", "nothing-replaced"),
+        ("41-a-tree-of-planes", "no-cut"),
+        ("37-far-to-near", "farthest-vertex"),
+    ] {
+        bench.open_step(lesson, step);
+        bench.settle();
+        let handles = bench.document().handles();
+        let locks = bench.app.locks(&handles).to_vec();
+        let is_locked = |handle: &Handle| Lock::any_holds(&locks, *handle);
+        let (ids, before) = (
+            bench.app.stage.handle_ids.clone(),
+            bench.app.scene().clone(),
+        );
+        for (id, _) in ids.iter().zip(&handles).filter(|(_, it)| is_locked(it)) {
+            let place = bench.ctx.read_response(*id).expect("it is there").rect;
+            bench.drag(place.center(), place.center() + vec2(25.0, -15.0));
+            let moved = crate::labs::moved(&before, bench.app.scene());
+            assert!(!moved.iter().any(is_locked), "{lesson}: {moved:?}");
+            n_taken += usize::from(!moved.is_empty());
+            bench.edit(Edit::Replace(before.clone()));
+            bench.settle();
+        }
+    }
+    assert!(n_taken > 0, "a face lies under one of them");
+}
+
+#[test]
+fn a_triangle_is_taken_hold_of_in_its_middle_and_follows_the_pointer() {
+    let mut bench = Bench::course(ROOMY);
+    bench.open_step("34-the-nearer-wins", "nothing-replaced");
+    bench.settle();
+    let handles = bench.document().handles();
+    let nth = handles.iter().position(|it| it.kind().id == "object");
+    let (nth, before) = (nth.expect("triangles are there"), bench.app.scene().clone());
+    let place = |bench: &Bench| {
+        let id = bench.app.stage.handle_ids[nth];
+        bench
+            .ctx
+            .read_response(id)
+            .expect("it is there")
+            .rect
+            .center()
+    };
+    let (from, by) = (place(&bench), vec2(40.0, 0.0));
+    bench.drag(from, from + by);
+    bench.settle();
+    assert_eq!(
+        crate::labs::moved(&before, bench.app.scene()),
+        [handles[nth]]
+    );
+    let off = (place(&bench) - from - by).length();
+    assert!(off < 16.0, "to round numbers near the pointer: {off}");
+}

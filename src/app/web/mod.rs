@@ -40,7 +40,7 @@ impl eframe::App for Page {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.talk.hear(&mut self.app, self.heard.asked());
         self.app.ui(ui);
-        self.talk.tell(&self.app);
+        self.talk.tell(&self.app, ui.ctx());
         if self.talk.is_on_platform {
             self.memory.forget();
         }

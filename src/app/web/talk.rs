@@ -1,5 +1,7 @@
 //! The page's address, which is a link to what is on the stage, and what the app tells the page around it, and is asked by that.
 
+use std::borrow::Cow;
+
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 use wasm_bindgen::JsValue;
@@ -9,11 +11,16 @@ use crate::lesson::Progress;
 
 use super::super::{App, Command, desk::Page, prelude::*};
 
+/// The address waits until nothing has changed for so long, in seconds: a browser takes as long for one as for half a frame.
+const REST_SECS: f64 = 0.25;
+
 #[derive(Default)]
 pub struct Talk {
     /// What follows `#` in the address, as it was read or written last.
     place: String,
     stands: Option<Stands>,
+    /// What is to be written there, and since when it is so.
+    comes: Option<(Stands, f64)>,
     told: Json,
     /// Of the open step: how its question is answered, and whether its goal is reached.
     done: Option<(String, Told, Option<bool>)>,
@@ -113,8 +120,8 @@ impl Talk {
     }
 
     /// After a frame: what is open now, and what was answered.
-    pub fn tell(&mut self, app: &App) {
-        self.tell_address(app);
+    pub fn tell(&mut self, app: &App, ctx: &Context) {
+        self.tell_address(app, ctx);
         self.tell_score(app);
         let Some(place) = step_of(app) else {
             return;
@@ -144,13 +151,23 @@ impl Talk {
     }
 
     /// The address follows, but for what is still moving; at first it stays as the reader has it.
-    fn tell_address(&mut self, app: &App) {
-        let stands = Some(Stands::of(app));
-        if self.stands == stands || app.is_dragging() || app.is_recording() {
+    fn tell_address(&mut self, app: &App, ctx: &Context) {
+        let stands = Stands::of(app);
+        if self.stands.as_ref() == Some(&stands) || app.is_dragging() || app.is_recording() {
+            self.comes = None;
             return;
         }
         let is_first = self.stands.is_none();
-        self.stands = stands;
+        let now = ctx.input(|input| input.time);
+        let since = self.comes.as_ref().filter(|(comes, _)| *comes == stands);
+        let left = since.map_or(REST_SECS, |(_, since)| since + REST_SECS - now);
+        if left > 0.0 && !is_first {
+            let since = now + left - REST_SECS;
+            self.comes = Some((stands, since));
+            ctx.request_repaint_after(web_time::Duration::from_secs_f64(left));
+            return;
+        }
+        (self.stands, self.comes) = (Some(stands), None);
         let link = app.address_link().filter(|_| !is_first);
         let place = link.as_deref().map(|link| link.trim_start_matches('#'));
         if let Some(place) = place.filter(|place| *place != self.place) {
@@ -163,10 +180,10 @@ impl Talk {
             return;
         }
         let marks = match &self.found {
-            Some(found) if !self.is_on_platform => app.settings.progress.since(found),
-            _ => app.settings.progress.clone(),
+            Some(found) if !self.is_on_platform => Cow::Owned(app.settings.progress.since(found)),
+            _ => Cow::Borrowed(&app.settings.progress),
         };
-        if self.marks.as_ref() == Some(&marks) {
+        if self.marks.as_ref() == Some(&*marks) {
             return;
         }
         let course = &app.bookmark.course;
@@ -177,7 +194,7 @@ impl Talk {
         tell(
             &json!({"score": tally.score(), "open": open, "progress": marks.written_of(&lessons)}),
         );
-        self.marks = Some(marks);
+        self.marks = Some(marks.into_owned());
     }
 
     fn write(&mut self, place: &str) {

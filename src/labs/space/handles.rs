@@ -132,6 +132,17 @@ impl Draggable for Scene {
         })
     }
 
+    /// A triangle in its middle: the origin of its coordinates can be anywhere.
+    fn held_at(&self, handle: Handle) -> Option<[f64; 3]> {
+        let object = self.objects().get(handle.idx()[0]);
+        let triangle = object.filter(|it| handle.is(&OBJECT) && it.model().is_triangle());
+        let Some(triangle) = triangle else {
+            return self.position(handle);
+        };
+        let sum: DVec3 = triangle.points().map(DVec3::from).sum();
+        Some((sum / 3.0).into())
+    }
+
     /// Planes go along the volume's side, its opening upwards.
     fn motion(&self, handle: Handle) -> Motion {
         match handle.kind().id {

@@ -11,9 +11,9 @@
 
 use crate::text::{Formula, Token, Value};
 
-use super::{At, Telling};
+use super::teller::Teller;
 
-impl<M: Telling> At<'_, M> {
+impl dyn Teller + '_ {
     /// A template with this step's values; none where one of its names is not alive.
     pub fn formula(&self, template: &str) -> Option<Formula> {
         let (mut rest, mut formula) = match template.strip_prefix("~ ") {

@@ -122,14 +122,15 @@ impl Telling for Bsp {
         let mut is_observer = true;
         for view in &mut views {
             if let (Body::Space(space), Some(camera)) = (&mut view.body, camera) {
-                let pieces = cut_pieces(at).map(|piece| part(camera, piece));
-                if std::mem::take(&mut is_observer) {
-                    let names = cut_pieces(at).map(|it| names::piece_name(at.scenery, it));
-                    let named = pieces.zip(names).map(|(mark, name)| mark.labelled(name));
-                    space.marks.extend(named);
-                } else {
-                    space.marks.extend(pieces);
-                }
+                let is_named = std::mem::take(&mut is_observer);
+                space.marks.extend(cut_pieces(at).map(|piece| {
+                    let mark = part(camera, piece);
+                    if is_named {
+                        mark.labelled(names::piece_name(at.scenery, piece))
+                    } else {
+                        mark
+                    }
+                }));
             }
         }
         views
