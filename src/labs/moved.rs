@@ -15,22 +15,23 @@ pub fn moved(scene: &Scene, there: &Scene) -> Vec<Handle> {
         left.retain(|handle| handle.is_part());
         return left;
     }
+    // A figure as a whole lies elsewhere until the last of its parts is in its place.
+    let n_parts = |left: &[Handle]| left.iter().filter(|it| it.is_part()).count();
     let mut scene = scene.clone();
     let mut found = Vec::new();
-    // Each round leaves fewer handles elsewhere.
-    while !left.is_empty() {
+    // Each round leaves fewer parts elsewhere.
+    while n_parts(&left) > 0 {
         let moves = left.iter().filter_map(|&handle| {
             let mut moved = scene.clone();
             let to = there.document().position(handle)?;
             moved.document_mut().drag(handle, to).ok()?;
             Some((elsewhere(&moved, there), handle, moved))
         });
-        let Some((rest, handle, moved)) = moves.min_by_key(|(rest, ..)| rest.len()) else {
+        let fewest = moves.min_by_key(|(rest, ..)| n_parts(rest));
+        let fewer = fewest.filter(|(rest, ..)| n_parts(rest) < n_parts(&left));
+        let Some((rest, handle, moved)) = fewer else {
             break;
         };
-        if rest.len() >= left.len() {
-            break;
-        }
         found.push(handle);
         (left, scene) = (rest, moved);
     }

@@ -337,7 +337,7 @@ action-smaller = A smaller scene with the same difference
 smaller-search = A smaller scene is looked for. Esc stops, and the smallest so far stays.
 smaller-none = No smaller scene was found with the same difference: this one is small already.
 smaller-not-yet = First change the scene until the goal is reached. Then M makes the scene smaller.
-smaller-fewer = The scene is smaller: { $after } vertices are left of { $before }, and the same difference.
+smaller-fewer = The scene is smaller, with the same difference. Vertices: { $after } in place of { $before }.
 smaller-rounder = The numbers are rounder, and the difference is the same. Moved: { $handles }.
 smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.
 

@@ -337,7 +337,7 @@ action-smaller = Una escena más pequeña con la misma diferencia
 smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y deja la más pequeña que se haya encontrado.
 smaller-none = No se ha encontrado ninguna escena más pequeña con la misma diferencia: esta ya es pequeña.
 smaller-not-yet = Primero cambia la escena hasta alcanzar el objetivo. Después, M reduce la escena.
-smaller-fewer = La escena es más pequeña: quedan { $after } de { $before } vértices, y la diferencia es la misma.
+smaller-fewer = La escena es más pequeña, y la diferencia es la misma. Vértices: { $after } en lugar de { $before }.
 smaller-rounder = Los números son más redondos, y la diferencia es la misma. Se ha movido: { $handles }.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.
 

@@ -339,7 +339,7 @@ action-smaller = Uma cena menor com a mesma diferença
 smaller-search = Procura-se uma cena menor. Esc interrompe a busca e deixa a menor que tiver sido encontrada.
 smaller-none = Não foi encontrada nenhuma cena menor com a mesma diferença: esta já é pequena.
 smaller-not-yet = Primeiro mude a cena até alcançar o objetivo. Depois, M reduz a cena.
-smaller-fewer = A cena está menor: restam { $after } de { $before } vértices, e a diferença é a mesma.
+smaller-fewer = A cena está menor, e a diferença é a mesma. Vértices: { $after } em vez de { $before }.
 smaller-rounder = Os números estão mais redondos, e a diferença é a mesma. Foi movido: { $handles }.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.
 
