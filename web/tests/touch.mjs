@@ -78,7 +78,9 @@ test("two fingers bring a space nearer, and do not turn it", async () => {
   await fingers(page, apart(40, 40));
   await page.until("location.hash.includes('eye=')", "the eye has moved");
   const first = await eye(page);
+  const address = await page.see("location.hash");
   await fingers(page, apart(40, 40));
+  await page.until(`location.hash !== ${JSON.stringify(address)}`, "the address has followed");
   const second = await eye(page);
   assert(Math.abs(first.distance / second.distance - 2) < 0.2, `${first.distance} / ${second.distance}`);
   assert.deepEqual(second.angles, first.angles, "two fingers do not turn it");
