@@ -4,7 +4,7 @@ use egui::{Color32, Role, Sense, TextFormat, TextStyle, WidgetInfo, text::Layout
 
 use crate::figure::Choice;
 
-use super::{App, prelude::*};
+use super::{App, in_sight::scroll_to_new, prelude::*};
 
 const SIGN: f32 = 6.0;
 
@@ -33,15 +33,9 @@ pub fn table(app: &App, ui: &mut Ui) {
         row(app, ui, answer);
         n_rows += 1;
     }
-    let id = Id::unique("answers in sight");
-    let before: usize = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    if n_rows != before {
-        ui.data_mut(|data| data.insert_temp(id, n_rows));
-    }
-    if n_rows > before {
-        let last = Rect::from_min_max(pos2(top.x, ui.min_rect().bottom() - 1.0), ui.min_rect().max);
-        ui.scroll_to_rect(last, None);
-    }
+    let end = ui.min_rect().max;
+    let last = Rect::from_min_max(pos2(top.x, end.y - 1.0), end);
+    scroll_to_new(ui, "answers", n_rows, last);
 }
 
 impl App {

@@ -277,7 +277,7 @@ fn number_and_timeline(app: &App, ui: &mut Ui) {
     let words = step_told(app, steps);
     let has_words = ui.available_width() > 260.0 * app.look().theme.text_scale;
     let [step, n_steps] = steps;
-    let text = if has_words || app.hides_length() || app.is_hunting() {
+    let text = if has_words || app.hides_total() {
         words.clone()
     } else {
         format!("{step} / {n_steps}")
@@ -297,6 +297,11 @@ impl App {
         (self.practice.is_on && !is_over) || self.practice.is_asking()
     }
 
+    /// Is no number of all steps to be told? Of two programs in a hunt it would tell whether they differ.
+    fn hides_total(&self) -> bool {
+        self.hides_length() || self.is_hunting()
+    }
+
     /// How long the timeline is: however long the run is, a little longer than what is told, where that is not to be told.
     pub(super) fn n_steps_told(&self) -> usize {
         const AHEAD: usize = 8;
@@ -310,9 +315,9 @@ impl App {
     }
 }
 
-/// While it is asked what comes, no total tells how much of it there is.
+/// `step 4 of 6`, or `step 4` where the total is not to be told.
 pub fn step_told(app: &App, steps: [usize; 2]) -> String {
-    if app.hides_length() || app.is_hunting() {
+    if app.hides_total() {
         let message = Message::new("practice-step").with("step", Value::Count(steps[0]));
         return app.look().catalog.message(&message);
     }

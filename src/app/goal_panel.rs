@@ -3,7 +3,7 @@
 
 use egui::{Role, Sense, WidgetInfo, accesskit::Live};
 
-use super::{App, Command, hint::PARTS, prelude::*};
+use super::{App, Command, hint::PARTS, in_sight::scroll_to_new, prelude::*};
 
 const DOT: f32 = 2.5;
 const STEP: f32 = 8.0;
@@ -39,13 +39,9 @@ pub fn hint_button(app: &App, ui: &mut Ui) {
 
 fn hint(app: &App, ui: &mut Ui) {
     let (look, help) = (app.look_at_step(), &app.goals.help);
-    let id = Id::unique("parts of the hint in sight");
-    let (before, was_new): (usize, bool) = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    let is_new = help.n_shown > before;
-    if help.n_shown != before || was_new {
-        ui.data_mut(|data| data.insert_temp(id, (help.n_shown, is_new)));
-    }
+    let scroll = |ui: &Ui, to| scroll_to_new(ui, "parts of the hint", help.n_shown, to);
     if help.n_shown == 0 {
+        scroll(ui, Rect::NOTHING);
         return;
     }
     let top = ui.cursor().min;
@@ -62,11 +58,7 @@ fn hint(app: &App, ui: &mut Ui) {
             said(ui, look, &text);
         }
     }
-    // What stands below is laid out one frame later.
-    if is_new || was_new {
-        ui.scroll_to_rect(Rect::from_min_max(top, ui.min_rect().max), None);
-        ui.ctx().request_repaint();
-    }
+    scroll(ui, Rect::from_min_max(top, ui.min_rect().max));
 }
 
 fn said(ui: &mut Ui, look: Look<'_>, text: &str) {

@@ -1,11 +1,11 @@
 //! Help towards the open step's goal: a hint in two parts, what decided its run and the equation; and where its runs have ended.
 
-use std::ops::ControlFlow;
+use std::{ops::ControlFlow, sync::Arc};
 
 use crate::{
     figure::{Caption, Decides, Run},
     labs::{Difference, listed, moved},
-    lesson::{Block, Inline},
+    lesson::{Block, Inline, LessonStep},
     text::Formula,
 };
 
@@ -23,9 +23,21 @@ pub struct Help {
     /// So many parts of the hint are shown.
     pub n_shown: usize,
     pub hint: Hint,
+    /// Found when the hint is first asked for: it is the same whatever becomes of the scene.
+    solution: Option<Solution>,
     pub ended: Vec<Ended>,
     /// The recording whose end has been counted last.
     counted: Option<u64>,
+}
+
+/// What the lesson's own solution shows.
+struct Solution {
+    scene: Arc<Scene>,
+    /// What it moves, unless that is all that may be moved.
+    way: Option<Message>,
+    /// Where the two programs of a hunt part in it, and the equation there.
+    parted: Option<Message>,
+    equation: Vec<Formula>,
 }
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -36,16 +48,16 @@ pub struct Hint {
     pub turned: Option<Message>,
     /// The first part of the goal that does not hold, with the two numbers that it compares, where there are any.
     pub open: Option<Message>,
-    /// What one solution moves.
+    /// What one solution moves: of a hunt that comes first.
     pub way: Option<Message>,
+    is_of_hunt: bool,
 }
 
 impl Hint {
     fn all(&self) -> impl Iterator<Item = &Message> {
-        let is_of_hunt = self.open.is_none() && self.turned.is_none();
-        let [before, after] = [is_of_hunt, !is_of_hunt].map(|is| self.way.as_ref().filter(|_| is));
-        let decides = self.open.iter().chain(before).chain(&self.decides);
-        decides.chain(&self.turned).chain(after)
+        let way = |of_hunt| self.way.iter().filter(move |_| self.is_of_hunt == of_hunt);
+        let decides = self.open.iter().chain(way(true)).chain(&self.decides);
+        decides.chain(&self.turned).chain(way(false))
     }
 
     /// What its first part says: which part of the goal is open, or what a solution moves, or what decided.
@@ -85,21 +97,28 @@ impl App {
 
     /// The hint for the scene as it is now, where a part of it is shown.
     pub(super) fn look_for_hint(&mut self) {
-        let help = &self.goals.help;
-        if help.n_shown == 0 || self.is_reached() {
+        if self.goals.help.n_shown == 0 || self.is_reached() {
             return;
         }
+        let known = self.goals.help.solution.take();
+        let step = self.bookmark.step();
+        self.goals.help.solution = step.and_then(|step| Solution::of(step, known));
         let scene = self.playback.scene();
         let run = self.playback.main();
         let n_steps = run.n_steps();
         let goal = self.bookmark.step().and_then(|step| step.goal.as_ref());
-        let open = self.met().iter().position(|is_met| !is_met);
-        let named = goal.zip(open).and_then(|(goal, part)| goal.hint(part));
-        let named = named.and_then(|moment| run.find(moment));
-        let mut hint = Hint::default();
-        if let Some(goal) = goal.filter(|_| self.is_hunting()) {
-            let (parted, equation) = where_they_part(&goal.reached);
-            (hint.decides, hint.equation) = (parted, equation);
+        let named = goal.zip(self.first_open());
+        let named = named.and_then(|(goal, part)| run.find(goal.hint(part)?));
+        let solution = self.goals.help.solution.as_ref();
+        let mut hint = Hint {
+            open: self.open_part(),
+            way: solution.and_then(|it| it.way.clone()),
+            is_of_hunt: self.is_hunting(),
+            ..Hint::default()
+        };
+        if let Some(solution) = solution.filter(|_| hint.is_of_hunt) {
+            hint.decides.clone_from(&solution.parted);
+            hint.equation.clone_from(&solution.equation);
         } else if let Some(step) = named {
             let why = run.caption(step);
             (hint.decides, hint.equation) = (Some(why.decision), why.arithmetic);
@@ -109,14 +128,17 @@ impl App {
             let why = verdict.map_or_else(|| run.caption(step), |verdict| verdict.why);
             (hint.decides, hint.equation) = (Some(why.decision), why.arithmetic);
         }
-        hint.open = self.open_part();
-        hint.way = self.way();
         self.goals.help.hint = hint;
+    }
+
+    /// The first part of the goal that does not hold.
+    fn first_open(&self) -> Option<usize> {
+        self.met().iter().position(|is_met| !is_met)
     }
 
     /// A goal of one part says itself what is open, unless that is a number.
     fn open_part(&self) -> Option<Message> {
-        let open = self.met().iter().position(|is_met| !is_met)?;
+        let open = self.first_open()?;
         let goal = self.bookmark.step()?.goal.as_ref()?;
         let scene = self.playback.scene();
         let runs = scene.by_method(self.playback.runs());
@@ -142,17 +164,6 @@ impl App {
         let message = Message::new("goal-hint-now").with("part", part);
         let message = message.with("now", now);
         Some(message.with("sign", sign).with("wanted", wanted))
-    }
-
-    /// What the lesson's own solution moves, unless that is all that may be moved.
-    fn way(&self) -> Option<Message> {
-        let step = self.bookmark.step()?;
-        let handles = moved(&step.scene, &step.goal.as_ref()?.reached);
-        let all = step.scene.document().handles().into_iter();
-        let free = all.filter(|it| it.is_part() && !Lock::any_holds(&step.locks, *it));
-        let is_said = (1..=MOST_MOVED).contains(&handles.len()) && handles.len() < free.count();
-        is_said
-            .then(|| Message::new("goal-hint-way").with("handles", listed(&step.scene, &handles)))
     }
 
     /// Counts where the run of the scene ends, once nothing is dragged any more; not that of the step's own scene.
@@ -192,18 +203,36 @@ impl App {
     }
 }
 
-/// What is said where the two programs of a hunt part, in a scene that ends it.
-fn where_they_part(reached: &Scene) -> (Option<Message>, Vec<Formula>) {
-    let document = reached.document();
-    let recorded = document.record();
-    let runs: Vec<&dyn Run> = recorded.iter().map(|run| &**run).collect();
-    let difference = Difference::between(&document.methods(), &runs);
-    let right = difference.and_then(|it| runs.get(1 - it.column.min(1)).zip(it.step));
-    let Some(why) = right.map(|(run, step)| run.caption(step.min(run.n_steps()))) else {
-        return (None, Vec::new());
-    };
-    let said = Message::new("goal-hint-parts").with("said", why.decision);
-    (Some(said), why.arithmetic)
+impl Solution {
+    /// The `known` one, unless the lesson has another by now.
+    fn of(step: &LessonStep, known: Option<Self>) -> Option<Self> {
+        let reached = &step.goal.as_ref()?.reached;
+        if let Some(known) = known.filter(|known| Arc::ptr_eq(&known.scene, reached)) {
+            return Some(known);
+        }
+        let handles = moved(&step.scene, reached);
+        let all = step.scene.document().handles().into_iter();
+        let free = all.filter(|it| it.is_part() && !Lock::any_holds(&step.locks, *it));
+        let is_said = (1..=MOST_MOVED).contains(&handles.len()) && handles.len() < free.count();
+        let way = is_said.then(|| listed(&step.scene, &handles));
+        let parted = where_they_part(reached);
+        Some(Self {
+            scene: reached.clone(),
+            way: way.map(|handles| Message::new("goal-hint-way").with("handles", handles)),
+            equation: parted
+                .as_ref()
+                .map_or_else(Vec::new, |why| why.arithmetic.clone()),
+            parted: parted.map(|why| Message::new("goal-hint-parts").with("said", why.decision)),
+        })
+    }
+}
+
+/// What the right one of two programs says where a wrong one parts from it.
+fn where_they_part(scene: &Scene) -> Option<Caption> {
+    let recorded = scene.document().record();
+    let difference = Difference::in_scene(scene, &recorded)?;
+    let right = recorded.get(1 - difference.column.min(1))?;
+    Some(right.caption(difference.step?.min(right.n_steps())))
 }
 
 /// What is decided last, and at which step.

@@ -35,6 +35,7 @@ mod goal_panel;
 mod goals;
 mod hint;
 mod history;
+mod in_sight;
 mod inspector;
 mod keys;
 mod kit;

@@ -41,14 +41,18 @@ impl Difference {
         Some(Self { column, step })
     }
 
+    /// The same of a scene's methods and what has been recorded of it.
+    pub fn in_scene(scene: &Scene, recorded: &[Box<dyn Run>]) -> Option<Self> {
+        let runs: Vec<&dyn Run> = recorded.iter().map(|run| &**run).collect();
+        Self::between(&scene.document().methods(), &runs)
+    }
+
     /// The kind of event of a scene's mistake at its first difference; none where there is no difference, or no mistake.
     pub fn kind_in(scene: &Scene) -> Option<Words> {
-        let document = scene.document();
-        let recorded = document.record();
-        let runs: Vec<&dyn Run> = recorded.iter().map(|run| &**run).collect();
-        let Self { column, step } = Self::between(&document.methods(), &runs)?;
+        let recorded = scene.document().record();
+        let Self { column, step } = Self::in_scene(scene, &recorded)?;
         let mut words = Words::default();
-        runs[column].read_words(step?, &mut words);
+        recorded[column].read_words(step?, &mut words);
         Some(words.name())
     }
 

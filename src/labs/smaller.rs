@@ -86,8 +86,7 @@ impl Search<'_> {
 
 /// Is it a place that the scene is written with? A window is taken hold of as a whole, or by a side, where none of these is.
 fn has_place(handle: &Handle) -> bool {
-    let kind = handle.kind();
-    (!kind.is_whole || kind.is_vertex) && !matches!(kind.motion, Motion::Axis(_))
+    handle.is_part() && !matches!(handle.kind().motion, Motion::Axis(_))
 }
 
 /// How many coordinates are not round, those that are the least so more often.

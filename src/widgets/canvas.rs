@@ -182,16 +182,17 @@ impl Canvas<'_> {
 
     /// What is drawn there; and the topmost of it that can be taken hold of, with the handle that it is taken hold of by.
     fn there(&self, ui: &Ui, labels: &[Placed], at: Option<Pos2>) -> (Option<Link>, Option<usize>) {
-        let reach = reach(ui, hit::REACH);
-        let at = at.filter(|at| !self.is_covered(*at));
-        let links: Vec<Link> = at.map_or_else(Vec::new, |at| {
-            let label = labels.iter().find(|label| label.rect.contains(at));
-            let named = label.and_then(|label| label.link);
-            let drawn = hit::links_at(&self.viewport, self.marks, at, reach);
-            named.into_iter().chain(drawn).collect()
-        });
-        let seized = links.iter().find_map(|link| (self.seized)(*link));
-        (links.first().copied(), seized)
+        let Some(at) = at.filter(|at| !self.is_covered(*at)) else {
+            return (None, None);
+        };
+        let label = labels.iter().find(|label| label.rect.contains(at));
+        let named = label.and_then(|label| label.link);
+        let drawn = hit::links_at(&self.viewport, self.marks, at, reach(ui, hit::REACH));
+        let mut links = named.into_iter().chain(drawn);
+        let first = links.next();
+        // Faces are looked for only where nothing over them can be taken hold of.
+        let seized = first.into_iter().chain(links).find_map(self.seized);
+        (first, seized)
     }
 
     fn say_place(&self, painter: &Painter, said: Option<String>, labels: &[Placed]) {
@@ -207,7 +208,6 @@ impl Canvas<'_> {
         coordinates(painter, self.viewport.rect, self.look, (said, &taken));
     }
 
-    /// What is drawn there is about this: a name, or a mark.
     /// Draws the marks; where their labels stand, which is remembered until the next frame.
     fn figure(&self, painter: &Painter, before: &[Placed]) -> Vec<Placed> {
         let around = Around {

@@ -16,8 +16,7 @@ fn each_part_of_a_goal_has_its_own_hint() {
         said.expect("something decides")
     };
     assert!(decides(&bench).contains("left"), "{}", decides(&bench));
-    let goal = bench.app.bookmark.step().and_then(|step| step.goal.clone());
-    let mut scene = (*goal.expect("a goal").reached).clone();
+    let mut scene = bench.solution();
     let ends: Vec<_> = scene.document().handles().into_iter().take(2).collect();
     let [x, y, z] = scene.document().position(ends[1]).expect("an end");
     let _ = scene.document_mut().drag(ends[1], [x.min(0.5), y, z]);
@@ -81,8 +80,7 @@ fn a_scene_is_made_smaller_once_the_hunt_is_over_and_it_is_said_what_became_smal
         !bars::step_told(&bench.app, [9, 9]).contains("of"),
         "a total tells"
     );
-    let goal = bench.app.bookmark.step().and_then(|step| step.goal.clone());
-    bench.edit(Edit::Replace((*goal.expect("a goal").reached).clone()));
+    bench.edit(Edit::Replace(bench.solution()));
     bench.frame(0.1, Vec::new());
     assert!(bars::step_told(&bench.app, [9, 9]).contains("of"));
     let eyes = format!("{:?}", bench.app.playback.eyes);
@@ -115,9 +113,7 @@ fn a_smaller_scene_leaves_what_is_locked() {
     };
     let before = window(&bench);
     assert!(!before.is_empty());
-    bench.edit(Edit::Replace(
-        (*step.goal.as_ref().expect("a hunt").reached).clone(),
-    ));
+    bench.edit(Edit::Replace(bench.solution()));
     bench.command(Command::Smaller);
     let begun = std::time::Instant::now();
     while bench.app.is_making_smaller() {

@@ -244,6 +244,12 @@ impl Bench {
         self.press(Key::Z, ctrl());
     }
 
+    /// A scene that reaches the open step's goal.
+    fn solution(&self) -> Scene {
+        let goal = self.app.bookmark.step().and_then(|step| step.goal.as_ref());
+        (*goal.expect("the step has a goal").reached).clone()
+    }
+
     fn document(&self) -> &dyn Document {
         self.app.scene().document()
     }

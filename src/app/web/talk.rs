@@ -160,9 +160,9 @@ impl Talk {
         let is_first = self.stands.is_none();
         let now = ctx.input(|input| input.time);
         let since = self.comes.as_ref().filter(|(comes, _)| *comes == stands);
-        let left = since.map_or(REST_SECS, |(_, since)| since + REST_SECS - now);
+        let since = since.map_or(now, |(_, since)| *since);
+        let left = since + REST_SECS - now;
         if left > 0.0 && !is_first {
-            let since = now + left - REST_SECS;
             self.comes = Some((stands, since));
             ctx.request_repaint_after(web_time::Duration::from_secs_f64(left));
             return;
