@@ -1,8 +1,11 @@
 //! What was asked of this run, what was answered, and what is right: a wrong answer stays beside the right one, struck out.
 
-use egui::{Color32, Role, Sense, TextFormat, TextStyle, WidgetInfo, text::LayoutJob};
+use egui::{Color32, Role, Sense, TextStyle, WidgetInfo};
 
-use crate::figure::Choice;
+use crate::{
+    figure::Choice,
+    paint::{Span, Typeset},
+};
 
 use super::{App, in_sight::scroll_to_new, prelude::*};
 
@@ -53,19 +56,16 @@ fn row(app: &App, ui: &mut Ui, answer: &Answer) {
     let said = answer.choice.said(look.catalog);
     let [right, chosen] = [answer.choice.right, answer.chosen].map(|nth| &*said[nth]);
     let (body, strong) = (TextStyle::Body.resolve(ui.style()), theme::strong());
-    let plain = |colour| TextFormat::simple(body.clone(), colour);
-    let mut job = LayoutJob::default();
-    job.append(&format!("{}\u{2002}", answer.step), 0.0, plain(theme.soft));
+    let plain = |text: &str| Span::text(text, body.clone(), theme.soft);
+    let mut spans = vec![plain(&format!("{}\u{2002}", answer.step))];
+    let first = spans[0].n_chars();
+    let mut struck = first..first;
     if !answer.is_right() {
-        let struck = TextFormat {
-            strikethrough: Stroke::new(1.0, theme.soft),
-            ..plain(theme.soft)
-        };
-        job.append(chosen, 0.0, struck);
-        job.append("\u{2002}", 0.0, plain(theme.soft));
+        spans.push(plain(chosen));
+        struck.end += spans[1].n_chars();
+        spans.push(plain("\u{2002}"));
     }
-    let strong = TextFormat::simple(strong.resolve(ui.style()), theme.ink);
-    job.append(right, 0.0, strong);
+    spans.push(Span::text(right, strong.resolve(ui.style()), theme.ink));
     let key = match (answer.is_shown, answer.is_right()) {
         (true, _) => "answer-shown",
         (false, true) => "answer-right",
@@ -80,7 +80,13 @@ fn row(app: &App, ui: &mut Ui, answer: &Answer) {
         let size = vec2(2.0 * SIGN + 4.0, body.size * 1.3);
         let (place, _) = ui.allocate_exact_size(size, Sense::hover());
         sign(ui, theme, place.center(), answer);
-        let label = ui.add(Label::new(job).wrap());
+        let set = Typeset::running(ui.painter(), &spans, ui.available_width(), 0.0);
+        let label = ui.add(Label::new(set.galley()));
+        for part in set.boxes(struck) {
+            let part = part.translate(label.rect.min.to_vec2());
+            let line = Stroke::new(1.0, theme.soft);
+            ui.painter().hline(part.x_range(), part.center().y, line);
+        }
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
     });
 }

@@ -6,7 +6,7 @@ use crate::{
     figure::{Mark, Role},
     paint::round_step,
     panels::moved_to,
-    widgets::{CanvasShown, Gesture, Moved, gripped, link_at, place_at, reach, snapped},
+    widgets::{CanvasShown, Gesture, Moved, Seized, gripped, link_at, place_at, reach, snapped},
 };
 
 use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
@@ -285,11 +285,15 @@ pub fn pointed(
 }
 
 /// Which of the handles a press on what is drawn with this link takes hold of.
-pub fn seized(app: &App, (handles, locks): (&[Handle], &[Lock]), link: Link) -> Option<usize> {
+pub fn seized(app: &App, (handles, locks): (&[Handle], &[Lock]), link: Link) -> Option<Seized> {
     let seized = app.scene().document().seized(link)?;
-    let is_free = !Lock::any_holds(locks, seized);
-    let mut handles = handles.iter();
-    handles.position(|&handle| is_free && handle == seized)
+    let nth = handles.iter().position(|&handle| handle == seized)?;
+    if !Lock::any_holds(locks, seized) {
+        return Some(Seized::By(nth));
+    }
+    // What might be the answer is pointed at like a point or an edge.
+    let is_option = app.practice.option_of(link).is_some();
+    (!is_option).then_some(Seized::Locked)
 }
 
 fn turned(eye: Orbit, seen: &Viewport, to: PanZoom) -> Orbit {

@@ -1,9 +1,15 @@
 //! Under the parts of a goal: a hint, as far as it was asked for, and where the runs have ended. The button that asks for the hint
 //! is always in sight.
 
-use egui::{Role, Sense, WidgetInfo, accesskit::Live};
+use egui::{Role, Sense, TextStyle, WidgetInfo};
 
-use super::{App, Command, hint::PARTS, in_sight::scroll_to_new, prelude::*};
+use super::{
+    App, Command,
+    hint::PARTS,
+    in_sight::scroll_to_new,
+    prelude::*,
+    said::{said_live, words},
+};
 
 const DOT: f32 = 2.5;
 const STEP: f32 = 8.0;
@@ -39,9 +45,10 @@ pub fn hint_button(app: &App, ui: &mut Ui) {
 
 fn hint(app: &App, ui: &mut Ui) {
     let (look, help) = (app.look_at_step(), &app.goals.help);
-    let scroll = |ui: &Ui, to| scroll_to_new(ui, "parts of the hint", help.n_shown, to);
+    // After a drag it can be longer.
+    let scroll = |ui: &Ui, n_rows, to| scroll_to_new(ui, "rows of the hint", n_rows, to);
     if help.n_shown == 0 {
-        scroll(ui, Rect::NOTHING);
+        scroll(ui, 0, Rect::NOTHING);
         return;
     }
     let top = ui.cursor().min;
@@ -50,21 +57,21 @@ fn hint(app: &App, ui: &mut Ui) {
         Some(said) => look.catalog.message(said),
         None => look.say("goal-hint-none"),
     };
-    said(ui, look, &first);
+    let (width, mut n_rows) = (ui.available_width(), 0);
+    let mut set = |ui: &mut Ui, text: &str| {
+        let text = words(ui, look, (text, TextStyle::Body), width);
+        n_rows += text.rows.len();
+        said_live(ui, text);
+    };
+    set(ui, &first);
     if help.n_shown == PARTS {
         let equation = hint.equation.iter().map(|it| look.catalog.formula(it));
         let notes = hint.second().map(|note| look.catalog.message(note));
         for text in notes.chain(equation) {
-            said(ui, look, &text);
+            set(ui, &text);
         }
     }
-    scroll(ui, Rect::from_min_max(top, ui.min_rect().max));
-}
-
-fn said(ui: &mut Ui, look: Look<'_>, text: &str) {
-    let label = ui.add(Label::new(RichText::new(text).color(look.theme.ink)).wrap());
-    let live = |node: &mut egui::accesskit::Node| node.set_live(Live::Polite);
-    ui.ctx().accesskit_node_builder(label.id, live);
+    scroll(ui, n_rows, Rect::from_min_max(top, ui.min_rect().max));
 }
 
 /// A row for each way in which runs have ended, with a dot for each run; the last one's is blue.

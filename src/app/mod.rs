@@ -64,6 +64,7 @@ mod recording;
 mod reload;
 mod room;
 mod run_room;
+mod said;
 mod settings;
 mod shelf;
 mod shown;

@@ -5,7 +5,7 @@ mod cards;
 
 use std::sync::Arc;
 
-use egui::{Frame, Galley, Panel, Role, StrokeKind, TextStyle, Vec2, WidgetInfo, accesskit::Live};
+use egui::{Frame, Galley, Panel, Role, StrokeKind, TextStyle, Vec2, WidgetInfo};
 
 use crate::{
     figure::{Body, Chip, ChipFate, Choice, View},
@@ -16,9 +16,10 @@ use super::{
     App, Command, answers, marks,
     practice::{Asked, DIGITS},
     prelude::*,
+    said::{said_live, words},
 };
 
-use cards::{Table, cards, pixels, words};
+use cards::{Table, cards, pixels};
 
 /// Of the height that the stage would have.
 const MOST: f32 = 0.45;
@@ -131,12 +132,6 @@ impl Options {
     }
 }
 
-fn said_live(ui: &mut Ui, text: Arc<Galley>) {
-    let label = ui.add(Label::new(text));
-    let live = |node: &mut egui::accesskit::Node| node.set_live(Live::Polite);
-    ui.ctx().accesskit_node_builder(label.id, live);
-}
-
 /// One line, with what is at its right end.
 fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
     let size = vec2(ui.available_width(), row_height(ui));
@@ -149,8 +144,8 @@ fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
 /// That something is asked, and how to answer.
 fn sign(ui: &mut Ui, look: Look<'_>) {
     let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
-    Icon::Question.draw(ui.painter(), rect, look.theme.signal_text);
-    let stroke = look.theme.stroke(1.5, look.theme.signal);
+    Icon::Question.draw(ui.painter(), rect, look.theme.asks);
+    let stroke = look.theme.stroke(1.5, look.theme.asks);
     ui.painter().circle_stroke(rect.center(), 10.0, stroke);
     let asked = look.say("practice-question");
     let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);
@@ -342,6 +337,7 @@ fn at_the_end(app: &App, ui: &mut Ui) {
         };
         let words = |ui: &mut Ui| {
             ui.label(RichText::new(&stands).color(look.theme.soft));
+            told(app, ui);
         };
         line(ui, words, again);
         return;

@@ -14,13 +14,15 @@ const DASH: f32 = 3.0;
 const ARM: f32 = 3.5;
 
 impl Chip {
-    /// It tells right from wrong by its fill and its sign, not by its hue.
+    /// It tells right from wrong by its fill and its sign, not by its hue. Before that it has the question's colour, which no number
+    /// of the drawing has.
     pub fn draw(self, painter: &Painter, theme: &Theme, centre: Pos2, is_lit: bool) {
         let rect = self.place(theme, centre);
         let round = CORNER * scale(theme);
         let (fill, ink) = match self.fate {
             ChipFate::Open if is_lit => (theme.accent_wash, theme.accent),
-            ChipFate::Open | ChipFate::Wrong => (theme.background, theme.ink),
+            ChipFate::Open => (theme.background, theme.asks),
+            ChipFate::Wrong => (theme.background, theme.ink),
             ChipFate::Right => (theme.accent, theme.background),
         };
         painter.rect_filled(rect, round, fill);
@@ -29,7 +31,7 @@ impl Chip {
                 let (width, colour) = if is_lit {
                     (2.0, theme.accent)
                 } else {
-                    (1.0, theme.soft)
+                    (1.0, theme.asks)
                 };
                 let rim = Stroke::new(width, colour);
                 painter.rect_stroke(rect, round, rim, StrokeKind::Inside);

@@ -31,8 +31,8 @@ pub struct Canvas<'a> {
     pub name: String,
     pub text: String,
     pub spots: &'a [Spot],
-    /// The spot of what is drawn with a link, where that can be taken hold of.
-    pub seized: &'a dyn Fn(Link) -> Option<usize>,
+    /// The spot of what is drawn with a link, where that is a thing of the scene.
+    pub seized: &'a dyn Fn(Link) -> Option<Seized>,
     pub snap: bool,
     pub has_grid: bool,
     /// Is it said what is under the pointer?
@@ -42,6 +42,15 @@ pub struct Canvas<'a> {
     pub covered: &'a [Rect],
     pub lit: Option<Link>,
     pub look: Look<'a>,
+}
+
+/// A thing of the scene that has a handle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Seized {
+    /// A press on what is drawn of it takes hold of this spot.
+    By(usize),
+    /// The lesson locks it.
+    Locked,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -180,7 +189,8 @@ impl Canvas<'_> {
         self.covered.iter().any(|covered| covered.contains(at))
     }
 
-    /// What is drawn there; and the topmost of it that can be taken hold of, with the handle that it is taken hold of by.
+    /// What is drawn there, the topmost; and the handle of the topmost that can be taken hold of. What is locked gives way to that
+    /// one, so that no other thing is lit than a press would take.
     fn there(&self, ui: &Ui, labels: &[Placed], at: Option<Pos2>) -> (Option<Link>, Option<usize>) {
         let Some(at) = at.filter(|at| !self.is_covered(*at)) else {
             return (None, None);
@@ -188,11 +198,19 @@ impl Canvas<'_> {
         let label = labels.iter().find(|label| label.rect.contains(at));
         let named = label.and_then(|label| label.link);
         let drawn = hit::links_at(&self.viewport, self.marks, at, reach(ui, hit::REACH));
-        let mut links = named.into_iter().chain(drawn);
-        let first = links.next();
+        let (mut topmost, mut lit) = (None, None);
         // Faces are looked for only where nothing over them can be taken hold of.
-        let seized = first.into_iter().chain(links).find_map(self.seized);
-        (first, seized)
+        for link in named.into_iter().chain(drawn) {
+            let seized = (self.seized)(link);
+            topmost = topmost.or(Some(link));
+            if seized != Some(Seized::Locked) {
+                lit = lit.or(Some(link));
+            }
+            if let Some(Seized::By(spot)) = seized {
+                return (lit, Some(spot));
+            }
+        }
+        (topmost, None)
     }
 
     fn say_place(&self, painter: &Painter, said: Option<String>, labels: &[Placed]) {

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use egui::{Galley, TextStyle, Vec2};
 
 use crate::{
-    app::prelude::*,
+    app::{prelude::*, said::words},
     figure::{Choice, Glimpse, Raster},
-    paint::{Span, Typeset},
 };
 
 /// Beside a picture narrower words are hard to read.
@@ -22,12 +21,6 @@ pub struct Table {
     pub gap: f32,
     pub around: Vec2,
     pub chip: Vec2,
-}
-
-/// What is said, set for reading: subscripts are lowered.
-pub fn words(ui: &Ui, look: Look<'_>, (text, style): (&str, TextStyle), width: f32) -> Arc<Galley> {
-    let span = Span::text(text, style.resolve(ui.style()), look.theme.ink);
-    Typeset::wrapped(ui.painter(), &[span], width).galley()
 }
 
 /// How an option's pixels would be, and how large that is drawn.

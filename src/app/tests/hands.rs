@@ -331,9 +331,14 @@ fn what_is_locked_takes_no_press_from_what_is_drawn_there() {
         );
         for (id, _) in ids.iter().zip(&handles).filter(|(_, it)| is_locked(it)) {
             let place = bench.ctx.read_response(*id).expect("it is there").rect;
+            bench.point(place.center());
+            let lit = bench.app.stage.lit;
+            let lit = lit.and_then(|link| bench.document().seized(link));
             bench.drag(place.center(), place.center() + vec2(25.0, -15.0));
             let moved = crate::labs::moved(&before, bench.app.scene());
             assert!(!moved.iter().any(is_locked), "{lesson}: {moved:?}");
+            let is_other = lit.is_some_and(|it| is_locked(&it));
+            assert!(moved.is_empty() || !is_other, "{lesson}: {lit:?} is lit");
             n_taken += usize::from(!moved.is_empty());
             bench.edit(Edit::Replace(before.clone()));
             bench.settle();

@@ -346,6 +346,14 @@ fn a_whole_run_is_asked_and_marked_at_its_end() {
     assert!(!bench.app.practice.asks_for_a_step());
     assert_eq!(told(&bench), Told::Beforehand);
     assert!(!bench.app.practice.is_on, "its text and its claim open");
+    let sum = Message::new("practice-told").with("right", Value::Count(n_answers));
+    let sum = sum.with("count", Value::Count(n_answers));
+    let sum = Catalog::of(Lang::En).message(&sum);
+    let texts = bench.texts();
+    assert!(
+        texts.iter().any(|(text, _)| *text == sum),
+        "{sum}: {texts:?}"
+    );
 }
 
 #[test]
