@@ -1,6 +1,6 @@
 //! Doing what was asked for: the only place where the app changes.
 
-use crate::labs::OutlineKind;
+use crate::{labs::OutlineKind, paint::text_sizes::text_size};
 
 use super::{
     App, Command, Dialog,
@@ -158,7 +158,7 @@ impl App {
             Command::Theme(theme) => settings.theme = theme,
             Command::TextSize(text) => settings.text = text,
             Command::TextStep(0) => settings.text = 1.0,
-            Command::TextStep(by) => settings.text = theme::text_size(settings.text, by),
+            Command::TextStep(by) => settings.text = text_size(settings.text, by),
             Command::Snap(snap) => settings.snap = snap,
             Command::AskInLessons(asks) => {
                 settings.asks = asks;

@@ -6,7 +6,7 @@ use crate::{
     figure::Moment,
     labs::Scene,
     lesson::{Progress, SceneFormats},
-    paint::{ThemeKind, theme::text_size},
+    paint::{ThemeKind, text_sizes::text_size},
     text::Lang,
     trace::Transport,
 };
@@ -34,7 +34,7 @@ pub struct Settings {
     pub marks_at_end: bool,
     /// Steps a second.
     pub speed: f32,
-    /// How large text is, one of [`TEXT_SIZES`](crate::paint::theme::TEXT_SIZES). Before, all was enlarged.
+    /// How large text is, one of [`TEXT_SIZES`](crate::paint::text_sizes::TEXT_SIZES). Before, all was enlarged.
     #[serde(alias = "zoom")]
     pub text: f32,
     /// What stands beside the drawings is so many times as large as it is at first.

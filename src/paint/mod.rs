@@ -18,6 +18,7 @@ mod solid_outlines;
 mod solid_samples;
 mod solids;
 mod stage;
+pub mod text_sizes;
 mod texture;
 pub mod theme;
 mod triangle;

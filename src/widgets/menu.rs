@@ -6,7 +6,7 @@ use egui::{
 };
 
 use crate::{
-    paint::{ThemeKind, theme::TEXT_SIZES},
+    paint::{ThemeKind, text_sizes::TEXT_SIZES},
     text::Lang,
 };
 
