@@ -10,6 +10,8 @@ use crate::{
 use super::{App, in_sight::scroll_to_new, prelude::*};
 
 const SIGN: f32 = 6.0;
+/// While something is asked no more of the last answers are shown.
+const MOST_WHILE_ASKED: usize = 3;
 
 pub struct Answer {
     pub step: usize,
@@ -24,17 +26,28 @@ impl Answer {
     }
 }
 
-/// One row a question; nothing where marks come at the end, and it is not there yet. A new row is scrolled into sight.
+/// One row a question, the last ones while another is asked; nothing where marks come at the end, and it is not there yet. A new
+/// row is scrolled into sight.
 pub fn table(app: &App, ui: &mut Ui) {
     // What is asked once more, and what comes after that, is not told here.
     let asked = app.practice.step_asked();
     let answers = app.answers_told().iter();
     let told = answers.filter(|answer| asked.is_none_or(|open| answer.step < open));
+    let told: Vec<&Answer> = told.collect();
     let top = ui.cursor().min;
-    let mut n_rows = 0;
-    for answer in told {
+    let n_rows = told.len();
+    // What the next answer needs has room: code and watched values.
+    let n_folded = match asked {
+        Some(_) if n_rows > MOST_WHILE_ASKED => n_rows - MOST_WHILE_ASKED,
+        _ => 0,
+    };
+    if n_folded > 0 {
+        let earlier = Message::new("answers-earlier").with("count", Value::Count(n_folded));
+        let earlier = RichText::new(app.look().catalog.message(&earlier));
+        ui.label(earlier.color(app.look().theme.soft));
+    }
+    for answer in &told[n_folded..] {
         row(app, ui, answer);
-        n_rows += 1;
     }
     let end = ui.min_rect().max;
     let last = Rect::from_min_max(pos2(top.x, end.y - 1.0), end);

@@ -52,24 +52,16 @@ fn hint(app: &App, ui: &mut Ui) {
         return;
     }
     let top = ui.cursor().min;
-    let hint = &help.hint;
-    let first = match hint.first() {
-        Some(said) => look.catalog.message(said),
-        None => look.say("goal-hint-none"),
-    };
+    let mut said = help.hint.said(look.catalog);
+    if said.is_empty() {
+        said.push(look.say("goal-hint-none"));
+    }
     let (width, mut n_rows) = (ui.available_width(), 0);
-    let mut set = |ui: &mut Ui, text: &str| {
+    let n_said = if help.n_shown == PARTS { said.len() } else { 1 };
+    for text in &said[..n_said] {
         let text = words(ui, look, (text, TextStyle::Body), width);
         n_rows += text.rows.len();
         said_live(ui, text);
-    };
-    set(ui, &first);
-    if help.n_shown == PARTS {
-        let equation = hint.equation.iter().map(|it| look.catalog.formula(it));
-        let notes = hint.second().map(|note| look.catalog.message(note));
-        for text in notes.chain(equation) {
-            set(ui, &text);
-        }
     }
     scroll(ui, n_rows, Rect::from_min_max(top, ui.min_rect().max));
 }

@@ -169,6 +169,10 @@ fn told_of_smaller(before: &Scene, after: &Scene) -> Message {
     let [n_before, n_after] = [before, after].map(n_vertices);
     if n_before == n_after {
         let handles = moved(before, after);
+        // Of a number that no handle has nothing moves.
+        if handles.is_empty() {
+            return Message::new("smaller-rounder-only");
+        }
         let rounder = Message::new("smaller-rounder");
         return rounder.with("handles", listed(after, &handles));
     }

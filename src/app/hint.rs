@@ -6,7 +6,7 @@ use crate::{
     figure::{Caption, Decides, Run},
     labs::{Difference, listed, moved},
     lesson::{Block, Inline, LessonStep},
-    text::Formula,
+    text::{Catalog, Formula},
 };
 
 use super::{App, desk::Page, prelude::*};
@@ -54,20 +54,16 @@ pub struct Hint {
 }
 
 impl Hint {
-    fn all(&self) -> impl Iterator<Item = &Message> {
+    /// Its sentences in order, the equation behind what decides. The first part is the first of them: which part of the goal is open,
+    /// or what a solution moves, or what decided.
+    pub fn said(&self, catalog: &Catalog) -> Vec<String> {
         let way = |of_hunt| self.way.iter().filter(move |_| self.is_of_hunt == of_hunt);
-        let decides = self.open.iter().chain(way(true)).chain(&self.decides);
-        decides.chain(&self.turned).chain(way(false))
-    }
-
-    /// What its first part says: which part of the goal is open, or what a solution moves, or what decided.
-    pub fn first(&self) -> Option<&Message> {
-        self.all().next()
-    }
-
-    /// What its second part says before the equation.
-    pub fn second(&self) -> impl Iterator<Item = &Message> {
-        self.all().skip(1)
+        let before = self.open.iter().chain(way(true)).chain(&self.decides);
+        let after = self.turned.iter().chain(way(false));
+        let mut said: Vec<String> = before.map(|it| catalog.message(it)).collect();
+        said.extend(self.equation.iter().map(|it| catalog.formula(it)));
+        said.extend(after.map(|it| catalog.message(it)));
+        said
     }
 }
 

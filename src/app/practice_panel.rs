@@ -337,9 +337,9 @@ fn at_the_end(app: &App, ui: &mut Ui) {
         };
         let words = |ui: &mut Ui| {
             ui.label(RichText::new(&stands).color(look.theme.soft));
-            told(app, ui);
         };
         line(ui, words, again);
+        told(app, ui);
         return;
     }
     let transport = &app.playback.transport;

@@ -320,7 +320,7 @@ impl Column<'_> {
         let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
-        let shown = Canvas {
+        let mut shown = Canvas {
             id,
             viewport,
             name: format!("{panel}: {method}"),
@@ -343,7 +343,11 @@ impl Column<'_> {
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| spot_id(id, spot.index));
         state.handle_ids.extend(ids);
-        self.over_the_drawing(ui, state, &viewport, rect);
+        // What is lit is what a press takes.
+        let near = shown.near.and_then(|i| self.handles.get(i));
+        shown.pointed = near.and_then(|handle| handle.link()).or(shown.pointed);
+        let is_as_given = app.bookmark.step().is_some() && app.is_untouched();
+        self.over_the_drawing(ui, state, &viewport, (rect, shown.is_lost && !is_as_given));
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
         state.seen.insert(drawing.0, shown.viewport);
         shown
@@ -354,7 +358,7 @@ impl Column<'_> {
         ui: &mut Ui,
         state: &mut StageState,
         viewport: &Viewport,
-        rect: Rect,
+        (rect, is_lost): (Rect, bool),
     ) {
         let app = self.app;
         let is_refused = app.playback.main().is_refused() && state.sketch.is_none();
@@ -371,7 +375,7 @@ impl Column<'_> {
                 ui.ctx().request_repaint();
             }
         }
-        if state.is_moved(self.drawing.0) {
+        if is_lost || state.is_moved(self.drawing.0) {
             fit(app, ui, rect);
         }
     }

@@ -81,6 +81,10 @@ pub struct CanvasShown {
     pub released: bool,
     pub clicked: Option<StageClick>,
     pub pointed: Option<Link>,
+    /// The handle that a press takes for being near, whatever else is there.
+    pub near: Option<usize>,
+    /// The handle that was taken last lies out of sight.
+    pub is_lost: bool,
     /// Where in a camera's picture that stands on the stage: x and y from −1 to 1, y up.
     pub picture: Option<[f64; 2]>,
     pub focused: Option<usize>,
@@ -114,6 +118,11 @@ impl Canvas<'_> {
         };
         let moved = handles.interact(ui, &response, pressed.1);
         let holds_handle = gripped(ui, self.id).is_some();
+        let hover = response.hover_pos();
+        let near = hover.and_then(|at| handles.free_near(ui, at));
+        let is_named = |at| (before.iter()).any(|it| it.link.is_some() && it.rect.contains(at));
+        let near = near.filter(|_| !hover.is_some_and(is_named));
+        let is_lost = handles.is_lost(ui);
         let (moved, view) = if pinch.is_on {
             handles.let_go(ui);
             (None, pinched(&viewport, pinch))
@@ -137,6 +146,8 @@ impl Canvas<'_> {
             released: holds_handle && (pinch.is_on || response.drag_stopped()),
             clicked: click(ui, &response, &handles).filter(|_| !pinch.is_on),
             pointed: pointed.0,
+            near,
+            is_lost,
             focused,
             response,
             picture: None,

@@ -5,6 +5,8 @@ use egui::{Event, EventFilter, Key, Role};
 use super::prelude::*;
 
 const LEAP: f64 = 10.0;
+/// Parts of the grid.
+const FINER: [f64; 3] = [0.5, 0.2, 0.1];
 const FINE: f64 = 0.1;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -126,14 +128,19 @@ impl Handles<'_> {
             ui.data_mut(|data| data.insert_temp(self.id, grip));
         }
         let is_free = !self.snap || grip.is_free;
+        let exact = std::array::from_fn(|i| grip.spot_at[i] + pointer[i] - grip.pointer_at[i]);
         let to = std::array::from_fn(|i| {
             let by = pointer[i] - grip.pointer_at[i];
             match spot.snap {
-                _ if is_free || self.is_space => grip.spot_at[i] + by,
-                Snap::Place => snapped(grip.spot_at[i] + by, self.grid),
+                _ if is_free || self.is_space => exact[i],
+                Snap::Place => snapped(exact[i], self.grid),
                 Snap::Offset => grip.spot_at[i] + snapped(by, self.grid),
             }
         });
+        let to = match spot.snap {
+            Snap::Place if !is_free && !self.is_space => self.in_sight(to, exact),
+            _ => to,
+        };
         (to != spot.at).then_some(Moved {
             spot: grip.spot,
             to,
@@ -141,6 +148,15 @@ impl Handles<'_> {
             by: Gesture::Drag,
             is_free,
         })
+    }
+
+    /// The place itself where it can be seen, else the nearest on a finer grid that can be: what is dragged does not leave the
+    /// picture that the pointer is in.
+    fn in_sight(&self, to: [f64; 2], exact: [f64; 2]) -> [f64; 2] {
+        let is_seen = |at: &[f64; 2]| self.viewport.rect.contains(self.viewport.to_screen(*at));
+        let finer = FINER.map(|part| exact.map(|x| snapped(x, part * self.grid)));
+        let mut places = std::iter::once(to).chain(finer);
+        places.find(is_seen).unwrap_or(to)
     }
 
     fn focus(&self, ui: &mut Ui) -> Option<Moved> {

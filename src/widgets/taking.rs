@@ -47,8 +47,23 @@ impl Handles<'_> {
     /// What a press there takes hold of: a handle that may move, else the one of what is drawn there, else one that is locked.
     pub fn held(&self, ui: &Ui, at: Pos2, drawn: Option<usize>) -> Option<usize> {
         let near = self.near(ui, at);
+        self.free_near(ui, at).or(drawn).or(near)
+    }
+
+    pub fn free_near(&self, ui: &Ui, at: Pos2) -> Option<usize> {
         let is_free = |&i: &usize| self.spot(i).is_some_and(|spot| !spot.locked);
-        near.filter(is_free).or(drawn).or(near)
+        self.near(ui, at).filter(is_free)
+    }
+
+    /// Does the one that was taken last lie out of sight?
+    pub fn is_lost(&self, ui: &Ui) -> bool {
+        let spot = self.taken(ui).and_then(|i| self.spot(i));
+        spot.is_some_and(|spot| {
+            !self
+                .viewport
+                .rect
+                .contains(self.viewport.to_screen(spot.at))
+        })
     }
 
     fn taken(&self, ui: &Ui) -> Option<usize> {

@@ -288,6 +288,7 @@ lesson-ask-again = Ask me this again
 settings-asks = Lessons ask before they show
 settings-marks-at-end = Marks at the end of the run
 answers-title = Asked in this run
+answers-earlier = Earlier in this run: { $count } answers
 answer-right = Step { $step }: { $right }. Told beforehand.
 answer-wrong = Step { $step }: { $right }, not: { $chosen }.
 answer-shown = Step { $step }: { $right }. Shown.
@@ -338,6 +339,7 @@ smaller-search = A smaller scene is looked for. Esc stops, and the smallest so f
 smaller-none = No smaller scene was found with the same difference: this one is small already.
 smaller-not-yet = First change the scene until the goal is reached. Then M makes the scene smaller.
 smaller-fewer = The scene is smaller, with the same difference. Vertices: { $after } in place of { $before }.
+smaller-rounder-only = The numbers are rounder, and the difference is the same.
 smaller-rounder = The numbers are rounder, and the difference is the same. Moved: { $handles }.
 smaller-no-difference = There is no difference here to be made smaller: a mistake must stand beside the right method, and differ.
 

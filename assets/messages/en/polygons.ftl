@@ -185,9 +185,9 @@ sh-done-degenerate = Done after { $edges } edges: what is left has no area. Leng
 code-sh-each = for each clip edge: output ← empty
 code-sh-first = F ← first vertex; if inside: put out F
 code-sh-edges = for each edge S → P, the last one to F:
-code-sh-in-in = in → in: put out P
+code-sh-in-in = in → in: put out P if P ≠ F
 code-sh-in-out = in → out: put out I
-code-sh-out-in = out → in: put out I, P
+code-sh-out-in = out → in: put out I, and P if P ≠ F
 code-sh-out-out = out → out: put out nothing
 code-sh-pass = input ← output
 words-sh-each = Take the edges of the clip region in turn, each with an empty output list.
@@ -255,7 +255,7 @@ code-faulty-twice-out = in → out: put out I, I
 words-faulty-twice-out = The edge leaves: put out its crossing, twice.
 code-faulty-twice-in = out → in: put out I, I, P
 words-faulty-twice-in = The edge enters: put out its crossing, twice, then its end.
-code-faulty-end-first = out → in: put out P, I
+code-faulty-end-first = out → in: put out P if P ≠ F, and I
 words-faulty-end-first = The edge enters: put out its end, then its crossing.
 ## Weiler–Atherton
 

@@ -288,6 +288,7 @@ lesson-ask-again = Pregúntamelo otra vez
 settings-asks = Las lecciones preguntan antes de mostrar
 settings-marks-at-end = Marcas al final de la ejecución
 answers-title = Preguntas de esta ejecución
+answers-earlier = Antes en esta ejecución: { $count } respuestas
 answer-right = Paso { $step }: { $right }. Dicho de antemano.
 answer-wrong = Paso { $step }: { $right }, no: { $chosen }.
 answer-shown = Paso { $step }: { $right }. Mostrado.
@@ -338,6 +339,7 @@ smaller-search = Se busca una escena más pequeña. Esc detiene la búsqueda y d
 smaller-none = No se ha encontrado ninguna escena más pequeña con la misma diferencia: esta ya es pequeña.
 smaller-not-yet = Primero cambia la escena hasta alcanzar el objetivo. Después, M reduce la escena.
 smaller-fewer = La escena es más pequeña, y la diferencia es la misma. Vértices: { $after } en lugar de { $before }.
+smaller-rounder-only = Los números son más redondos, y la diferencia es la misma.
 smaller-rounder = Los números son más redondos, y la diferencia es la misma. Se ha movido: { $handles }.
 smaller-no-difference = Aquí no hay diferencia que reducir: junto al método correcto debe haber uno con un error, y los dos deben diferir.
 

@@ -182,9 +182,9 @@ sh-done-degenerate = Terminado tras { $edges } bordes: lo que queda no tiene ár
 code-sh-each = para cada borde de recorte: salida ← vacía
 code-sh-first = F ← primer vértice; si está dentro: emitir F
 code-sh-edges = para cada arista S → P, la última hasta F:
-code-sh-in-in = dentro → dentro: emitir P
+code-sh-in-in = dentro → dentro: emitir P si P ≠ F
 code-sh-in-out = dentro → fuera: emitir I
-code-sh-out-in = fuera → dentro: emitir I, P
+code-sh-out-in = fuera → dentro: emitir I, y P si P ≠ F
 code-sh-out-out = fuera → fuera: no emitir nada
 code-sh-pass = entrada ← salida
 words-sh-each = Toma uno a uno los bordes de la región de recorte, cada uno con una lista de salida vacía.
@@ -254,7 +254,7 @@ code-faulty-twice-out = dentro → fuera: emitir I, I
 words-faulty-twice-out = La arista sale: emite la intersección dos veces.
 code-faulty-twice-in = fuera → dentro: emitir I, I, P
 words-faulty-twice-in = La arista entra: emite la intersección dos veces y después su final.
-code-faulty-end-first = fuera → dentro: emitir P, I
+code-faulty-end-first = fuera → dentro: emitir P si P ≠ F, e I
 words-faulty-end-first = La arista entra: emite su final y después la intersección.
 
 ## Weiler–Atherton

@@ -288,6 +288,7 @@ lesson-ask-again = Pergunte-me de novo
 settings-asks = As lições perguntam antes de mostrar
 settings-marks-at-end = Marcas no fim da execução
 answers-title = Perguntas desta execução
+answers-earlier = Antes nesta execução: { $count } respostas
 answer-right = Passo { $step }: { $right }. Dito de antemão.
 answer-wrong = Passo { $step }: { $right }, não: { $chosen }.
 answer-shown = Passo { $step }: { $right }. Mostrado.
@@ -340,6 +341,7 @@ smaller-search = Procura-se uma cena menor. Esc interrompe a busca e deixa a men
 smaller-none = Não foi encontrada nenhuma cena menor com a mesma diferença: esta já é pequena.
 smaller-not-yet = Primeiro mude a cena até alcançar o objetivo. Depois, M reduz a cena.
 smaller-fewer = A cena está menor, e a diferença é a mesma. Vértices: { $after } em vez de { $before }.
+smaller-rounder-only = Os números estão mais redondos, e a diferença é a mesma.
 smaller-rounder = Os números estão mais redondos, e a diferença é a mesma. Foi movido: { $handles }.
 smaller-no-difference = Aqui não há diferença a reduzir: ao lado do método certo deve haver um com erro, e os dois devem diferir.
 

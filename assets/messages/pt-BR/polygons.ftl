@@ -182,9 +182,9 @@ sh-done-degenerate = Pronto após { $edges } bordas: o que resta não tem área.
 code-sh-each = para cada borda de recorte: saída ← vazia
 code-sh-first = F ← primeiro vértice; se está dentro: emita F
 code-sh-edges = para cada aresta S → P, por fim até F:
-code-sh-in-in = dentro → dentro: emita P
+code-sh-in-in = dentro → dentro: emita P se P ≠ F
 code-sh-in-out = dentro → fora: emita I
-code-sh-out-in = fora → dentro: emita I, P
+code-sh-out-in = fora → dentro: emita I, e P se P ≠ F
 code-sh-out-out = fora → fora: não emita nada
 code-sh-pass = entrada ← saída
 words-sh-each = Tome as bordas da região de recorte uma a uma, cada uma com uma lista de saída vazia.
@@ -252,7 +252,7 @@ code-faulty-twice-out = dentro → fora: emita I, I
 words-faulty-twice-out = A aresta sai: emita a interseção duas vezes.
 code-faulty-twice-in = fora → dentro: emita I, I, P
 words-faulty-twice-in = A aresta entra: emita a interseção duas vezes e depois o seu fim.
-code-faulty-end-first = fora → dentro: emita P, I
+code-faulty-end-first = fora → dentro: emita P se P ≠ F, e I
 words-faulty-end-first = A aresta entra: emita o seu fim e depois a interseção.
 
 ## Weiler–Atherton

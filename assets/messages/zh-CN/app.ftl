@@ -267,6 +267,7 @@ lesson-ask-again = 再问我一次
 settings-asks = 课程先提问再演示
 settings-marks-at-end = 运行结束后才评判
 answers-title = 这次运行问过的
+answers-earlier = 这次运行之前的回答：{ $count } 个
 answer-right = 第 { $step } 步：{ $right }。事先答对。
 answer-wrong = 第 { $step } 步：{ $right }，而不是：{ $chosen }。
 answer-shown = 第 { $step } 步：{ $right }。已给出答案。
@@ -306,6 +307,7 @@ smaller-search = 正在找更小的场景。按 Esc 停止，并保留已找到�
 smaller-none = 没有找到差别相同而更小的场景：这个场景已经很小。
 smaller-not-yet = 请先改变场景，直到达到目标。然后按 M 缩小场景。
 smaller-fewer = 场景变小了：{ $before } 个顶点只剩 { $after } 个，差别不变。
+smaller-rounder-only = 数字变得更整了，差别不变。
 smaller-rounder = 数字变得更整了，差别不变。移动了：{ $handles }。
 smaller-no-difference = 这里没有可以缩小的差别：正确方法旁要有一个有错误的方法，并且两者结果不同。
 

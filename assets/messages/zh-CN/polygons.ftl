@@ -183,9 +183,9 @@ sh-done-degenerate = { $edges } 条边处理完毕：剩下的部分没有面积
 code-sh-each = 对每条裁剪边：输出表 ← 空
 code-sh-first = F ← 第一个顶点；若在内侧，输出 F
 code-sh-edges = 对每条边 S → P，最后回到 F：
-code-sh-in-in = 内 → 内：输出 P
+code-sh-in-in = 内 → 内：若 P ≠ F，输出 P
 code-sh-in-out = 内 → 外：输出 I
-code-sh-out-in = 外 → 内：输出 I、P
+code-sh-out-in = 外 → 内：输出 I；若 P ≠ F，再输出 P
 code-sh-out-out = 外 → 外：不输出
 code-sh-pass = 输入表 ← 输出表
 words-sh-each = 依次取裁剪区域的每条边，每次从空的输出表开始。
@@ -255,7 +255,7 @@ code-faulty-twice-out = 内 → 外：输出 I、I
 words-faulty-twice-out = 边离开内侧：把交点输出两次。
 code-faulty-twice-in = 外 → 内：输出 I、I、P
 words-faulty-twice-in = 边进入内侧：先把交点输出两次，再输出终点。
-code-faulty-end-first = 外 → 内：输出 P、I
+code-faulty-end-first = 外 → 内：若 P ≠ F，输出 P；再输出 I
 words-faulty-end-first = 边进入内侧：先输出终点，再输出交点。
 ## Weiler–Atherton
 

@@ -40,11 +40,8 @@ fn a_hunts_hint_tells_what_a_solution_moves_and_where_the_programs_part() {
     bench.open_step("37-far-to-near", "hunt-keys");
     bench.command(Command::Hint);
     let said = |bench: &Bench| {
-        let catalog = bench.app.look().catalog;
-        let hint = bench.app.goals.help.hint.clone();
-        let first = hint.first().map(|it| catalog.message(it));
-        let second: Vec<String> = hint.second().map(|it| catalog.message(it)).collect();
-        (first.unwrap_or_default(), second.join(" "))
+        let said = bench.app.goals.help.hint.said(bench.app.look().catalog);
+        (said[0].clone(), said[1..].join(" "))
     };
     let (first, second) = said(&bench);
     assert!(first.starts_with("One solution moves only: "), "{first}");
@@ -60,10 +57,8 @@ fn of_several_parts_the_open_one_is_named() {
     let mut bench = Bench::course(SIZE);
     bench.open_step("03-outcodes", "all-ones");
     bench.command(Command::Hint);
-    let hint = &bench.app.goals.help.hint;
-    let first = hint.first().map(|it| bench.app.look().catalog.message(it));
-    let said = "“A piece of the segment is visible”: not yet.";
-    assert_eq!(first.as_deref(), Some(said));
+    let said = bench.app.goals.help.hint.said(bench.app.look().catalog);
+    assert_eq!(said[0], "“A piece of the segment is visible”: not yet.");
 }
 
 #[test]

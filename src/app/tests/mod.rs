@@ -12,6 +12,7 @@ mod free_scenes;
 mod frustum_menu;
 mod goals;
 mod hands;
+mod held;
 mod hints;
 mod keys;
 mod labs;

@@ -64,11 +64,14 @@ static OBJECT: HandleKind = HandleKind {
     })
 };
 
-static OBJECT_CORNER: HandleKind = kind("object-corner", "object", |[i, corner]| {
-    Message::new("handle-object-corner")
-        .with("number", i + 1)
-        .with("corner", corner + 1)
-});
+static OBJECT_CORNER: HandleKind = HandleKind {
+    link: Some(|[i, _]| object_link(i)),
+    ..kind("object-corner", "object", |[i, corner]| {
+        Message::new("handle-object-corner")
+            .with("number", i + 1)
+            .with("corner", corner + 1)
+    })
+};
 
 /// In a scene of more objects corners cannot be taken hold of by themselves.
 const MOST_WITH_CORNERS: usize = 12;
