@@ -355,22 +355,13 @@ fn a_triangle_is_taken_hold_of_in_its_middle_and_follows_the_pointer() {
     let handles = bench.document().handles();
     let nth = handles.iter().position(|it| it.kind().id == "object");
     let (nth, before) = (nth.expect("triangles are there"), bench.app.scene().clone());
-    let place = |bench: &Bench| {
-        let id = bench.app.stage.handle_ids[nth];
-        bench
-            .ctx
-            .read_response(id)
-            .expect("it is there")
-            .rect
-            .center()
-    };
-    let (from, by) = (place(&bench), vec2(40.0, 0.0));
+    let (from, by) = (bench.handle_at(nth), vec2(40.0, 0.0));
     bench.drag(from, from + by);
     bench.settle();
     assert_eq!(
         crate::labs::moved(&before, bench.app.scene()),
         [handles[nth]]
     );
-    let off = (place(&bench) - from - by).length();
+    let off = (bench.handle_at(nth) - from - by).length();
     assert!(off < 16.0, "to round numbers near the pointer: {off}");
 }

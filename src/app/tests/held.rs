@@ -2,12 +2,6 @@
 
 use super::{hands::ends, *};
 
-fn place(bench: &Bench, nth: usize) -> Pos2 {
-    let id = bench.app.stage.handle_ids[nth];
-    let response = bench.ctx.read_response(id).expect("it is there");
-    response.rect.center()
-}
-
 #[test]
 fn what_is_lit_at_a_corner_is_what_a_press_there_takes() {
     let mut bench = Bench::course(ROOMY);
@@ -16,11 +10,9 @@ fn what_is_lit_at_a_corner_is_what_a_press_there_takes() {
     let handles = bench.document().handles();
     let before = bench.app.scene().clone();
     let mut n_taken = 0;
-    for nth in 0..handles.len() {
-        if handles[nth].kind().id != "object-corner" {
-            continue;
-        }
-        let from = place(&bench, nth);
+    let all = handles.iter().enumerate();
+    for (nth, _) in all.filter(|(_, it)| it.kind().id == "object-corner") {
+        let from = bench.handle_at(nth);
         bench.point(from);
         let lit = bench.app.stage.lit.expect("a corner is lit");
         bench.drag(from, from + vec2(15.0, 15.0));
