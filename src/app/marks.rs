@@ -109,7 +109,8 @@ impl App {
 /// What is said of an answer.
 pub const fn key(told: Told) -> &'static str {
     match told {
-        Told::Open | Told::Missed => "told-open",
+        Told::Open => "told-open",
+        Told::Missed => "told-missed",
         Told::AfterTheNumbers => "told-after",
         Told::Beforehand => "told-beforehand",
     }

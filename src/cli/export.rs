@@ -1,6 +1,11 @@
 //! `clipscope export`: figures to files.
 
-use std::{collections::BTreeMap, fs, io, path::PathBuf, str::FromStr};
+use std::{
+    collections::BTreeMap,
+    fs, io,
+    path::{Path, PathBuf},
+    str::FromStr,
+};
 
 use clap::{
     ValueEnum,
@@ -9,7 +14,7 @@ use clap::{
 
 use crate::{
     app::{App, Page, Places, Settings},
-    export::{Content, Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, run},
+    export::{Content, Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, loops, run},
     lesson::Course,
     paint::{Headless, ThemeKind},
     text::{Diagnostic, Lang, Message},
@@ -18,7 +23,7 @@ use crate::{
 use super::{
     Outcome, Progress, lang_parser,
     lessons::{Chosen, choose, is_error},
-    say,
+    say, slides,
     usage::Expected,
 };
 
@@ -29,6 +34,8 @@ Examples:
   clipscope export --out figuras --lang pt-BR --steps all
   clipscope export scene.toml --out figures
   clipscope export 03-outcodes --out handout --questions --alt
+  clipscope export 03-outcodes --out site --format apng --size 1280x720
+  clipscope export 03-outcodes --out talk --slides --theme projector
   clipscope export 03-outcodes --out slides --link=https://example.org/clipscope/
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
@@ -72,12 +79,17 @@ pub(super) struct Args {
     /// What is asked instead of what is answered: the step before, and what might come
     #[arg(long, conflicts_with = "window")]
     pub questions: bool,
+    /// One page for each lesson, to be paged through: where a step asks, its question first, its answer on the next press
+    #[arg(long, conflicts_with_all = ["window", "questions", "format", "link", "alt"])]
+    pub slides: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(super) enum Format {
     /// Pixels
     Png,
+    /// The whole run of each figure as a loop of pictures: an animated PNG
+    Apng,
 }
 
 fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
@@ -129,21 +141,22 @@ pub(super) fn export(args: &Args) -> Outcome {
         steps: args.steps,
         asks: args.questions,
     };
-    let jobs = match drawn_once(&chosen, options.steps) {
+    let jobs = match all_jobs(&chosen, args) {
         Ok(jobs) => jobs,
         Err(message) => {
             say(args.lang, &message);
             return Outcome::Unusable;
         }
     };
-    if let Err(error) = fs::create_dir_all(&args.out) {
-        // What is there already is something else.
-        let error = match error.kind() {
-            io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
-            _ => error,
-        };
-        say(args.lang, &failed(args.out.display().to_string(), error));
+    if let Err(message) = made(&args.out) {
+        say(args.lang, &message);
         return Outcome::Unusable;
+    }
+    if args.slides {
+        let (n_written, failures) = slides::write(&chosen, options, &args.out);
+        let failures = failures.into_iter();
+        let failures = failures.map(|(path, error)| failed(path, error)).collect();
+        return told(args, ("cli-exported-slides", n_written), failures, read);
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
@@ -151,8 +164,10 @@ pub(super) fn export(args: &Args) -> Outcome {
     let mut progress = Progress::new(jobs.len() as u64);
     let draw = |job: &Job<'_>, studio: &mut Studio| Content {
         alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
-        png: if args.window {
+        picture: if args.window {
             window_png(job, &course, studio.table(), args)
+        } else if job.is_loop {
+            job.animation(studio, options, args.link.as_deref())
         } else {
             job.png(studio, options, args.link.as_deref())
         },
@@ -161,18 +176,57 @@ pub(super) fn export(args: &Args) -> Outcome {
     let failures = run(&jobs, options.theme, &args.out, draw, done);
     drop(progress);
     let n_drawn = jobs.len() - failures.len();
-    for Failure { path, error } in failures {
-        say(args.lang, &failed(path, error));
+    let failures = failures.into_iter();
+    let failures = failures.map(|Failure { path, error }| failed(path, error));
+    told(args, ("cli-exported", n_drawn), failures.collect(), read)
+}
+
+/// The folder, where it was not there.
+fn made(out: &Path) -> Result<(), Message> {
+    fs::create_dir_all(out).map_err(|error| {
+        // What is there already is something else.
+        let error = match error.kind() {
+            io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
+            _ => error,
+        };
+        failed(out.display().to_string(), error)
+    })
+}
+
+/// How many files there are now, and why there are no others.
+fn told(
+    args: &Args,
+    (key, n_written): (&'static str, usize),
+    failures: Vec<Message>,
+    read: Outcome,
+) -> Outcome {
+    for failure in &failures {
+        say(args.lang, failure);
     }
-    let sum = Message::new("cli-exported")
-        .with("count", n_drawn)
+    let sum = Message::new(key)
+        .with("count", n_written)
         .with("path", args.out.display().to_string());
     say(args.lang, &sum);
-    match (n_drawn == jobs.len(), n_drawn) {
+    match (failures.is_empty(), n_written) {
         (true, _) => read,
         (false, 0) => Outcome::Unusable,
         (false, _) => Outcome::Refused,
     }
+}
+
+/// What is drawn in each format. Loops are of figures: whole windows and questions stand still.
+fn all_jobs<'a>(chosen: &'a Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message> {
+    let mut all = Vec::new();
+    if args.format.contains(&Format::Png) {
+        all = drawn_once(chosen, args.steps)?;
+    }
+    if args.format.contains(&Format::Apng) {
+        if args.window || args.questions {
+            return Err(Message::new("export-no-loop"));
+        }
+        all.extend(loops(drawn_once(chosen, Steps::Figures)?));
+    }
+    Ok(all)
 }
 
 /// All figures. Two that would be one file are refused before anything is drawn.

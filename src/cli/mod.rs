@@ -10,6 +10,7 @@ mod list;
 mod pack;
 mod progress;
 mod say;
+mod slides;
 mod source;
 mod trace;
 mod usage;

@@ -22,6 +22,7 @@ use crate::{
 };
 
 use super::{
+    animation::animated,
     figure::{Options, Picture, Steps, Studio},
     files::write_whole,
 };
@@ -39,6 +40,8 @@ pub struct Job<'a> {
     moment: Moment,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.
     pub path: String,
+    /// All steps of the run, one after the other, in place of one.
+    pub is_loop: bool,
 }
 
 impl<'a> Source<'a> {
@@ -71,6 +74,7 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
         position,
         moment,
         path,
+        is_loop: false,
     };
     match steps {
         Steps::Figures => {
@@ -91,6 +95,16 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
             (0..=n_steps).filter_map(at_step).collect()
         }
     }
+}
+
+/// Each picture as the loop of its whole run: `03-outcodes/nine-regions.apng`.
+pub fn loops(mut jobs: Vec<Job<'_>>) -> Vec<Job<'_>> {
+    for job in &mut jobs {
+        let path = Path::new(&job.path).with_extension("apng");
+        job.path = path.to_string_lossy().into_owned();
+        job.is_loop = true;
+    }
+    jobs
 }
 
 impl Job<'_> {
@@ -151,6 +165,26 @@ impl Job<'_> {
         studio.draw(&picture).to_linked_png(link.as_deref())
     }
 
+    /// Its run as a loop, with the link to what the step's own picture shows.
+    pub fn animation(&self, studio: &mut Studio, options: Options, page: Option<&str>) -> Vec<u8> {
+        let options = Options {
+            steps: Steps::All,
+            ..options
+        };
+        let link = self.link(options);
+        let link = link.map(|link| page.unwrap_or_default().to_owned() + &link);
+        let runs = self.source.scene().document().record();
+        let n_steps = runs.first().map_or(0, |run| run.n_steps());
+        let pictures = (0..=n_steps).map(|step| {
+            studio.draw(&Picture {
+                step,
+                foot: link.as_deref().filter(|_| page.is_some()),
+                ..self.picture(options)
+            })
+        });
+        animated(n_steps + 1, pictures, link.as_deref())
+    }
+
     fn write(&self, content: &Content, out: &Path) -> io::Result<()> {
         let path = out.join(&self.path);
         if let Some(folder) = path.parent() {
@@ -159,14 +193,15 @@ impl Job<'_> {
         if let Some(alternative) = &content.alternative {
             write_whole(&path.with_extension("txt"), alternative.as_bytes())?;
         }
-        write_whole(&path, &content.png)
+        write_whole(&path, &content.picture)
     }
 }
 
 /// What is written of a job.
 #[derive(Debug)]
 pub struct Content {
-    pub png: Vec<u8>,
+    /// The file's bytes.
+    pub picture: Vec<u8>,
     /// In words, beside it.
     pub alternative: Option<String>,
 }

@@ -229,6 +229,10 @@ pub struct Image {
 }
 
 impl Image {
+    pub fn pixels(&self) -> &[[u8; 4]] {
+        self.rgba.as_chunks::<4>().0
+    }
+
     /// # Panics
     /// If `rgba` does not hold four bytes for every pixel of `size`, or there is no pixel.
     pub fn to_png(&self) -> Vec<u8> {
@@ -240,8 +244,9 @@ impl Image {
     /// # Panics
     /// As [`Image::to_png`].
     pub fn to_linked_png(&self, link: Option<&str>) -> Vec<u8> {
-        let pixels = self.rgba.as_chunks::<4>().0.iter();
-        let rgb: Vec<u8> = pixels.flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+        let rgb: Vec<u8> = (self.pixels().iter())
+            .flat_map(|&[r, g, b, _]| [r, g, b])
+            .collect();
         let mut bytes = Vec::new();
         encode(&mut bytes, self.size, &rgb, link)
             .expect("an image with all its pixels, and memory takes every write");

@@ -7,6 +7,11 @@ cli-exported =
         [one] { $count } figure exported to { $path }
        *[other] { $count } figures exported to { $path }
     }
+cli-exported-slides =
+    { $count ->
+        [one] { $count } page of slides written to { $path }
+       *[other] { $count } pages of slides written to { $path }
+    }
 cli-checked =
     { $count ->
         [one] { $count } lesson without errors
@@ -29,6 +34,7 @@ cli-untranslated =
     }
 cli-unreadable = { $path } could not be read: { $reason }
 export-same-name = { $first } and { $second } would both be { $path }: nothing has been drawn.
+export-no-loop = A loop shows figures: --format apng goes with neither --window nor --questions. Nothing has been drawn.
 
 ## Wrong usage
 

@@ -7,6 +7,11 @@ cli-exported =
         [one] { $count } figura exportada en { $path }
        *[other] { $count } figuras exportadas en { $path }
     }
+cli-exported-slides =
+    { $count ->
+        [one] { $count } página de diapositivas escrita en { $path }
+       *[other] { $count } páginas de diapositivas escritas en { $path }
+    }
 cli-checked =
     { $count ->
         [one] { $count } lección sin errores
@@ -29,6 +34,7 @@ cli-untranslated =
     }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
+export-no-loop = Un bucle muestra figuras: --format apng no va con --window ni con --questions. No se ha dibujado nada.
 
 ## Wrong usage
 

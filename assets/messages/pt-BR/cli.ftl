@@ -7,6 +7,11 @@ cli-exported =
         [1] { $count } figura exportada para { $path }
        *[other] { $count } figuras exportadas para { $path }
     }
+cli-exported-slides =
+    { $count ->
+        [1] { $count } página de slides escrita em { $path }
+       *[other] { $count } páginas de slides escritas em { $path }
+    }
 cli-checked =
     { $count ->
         [1] { $count } lição sem erros
@@ -29,6 +34,7 @@ cli-untranslated =
     }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
+export-no-loop = Um laço mostra figuras: --format apng não vai com --window nem com --questions. Nada foi desenhado.
 
 ## Wrong usage
 

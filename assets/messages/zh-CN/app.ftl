@@ -275,6 +275,7 @@ practice-stands = 这一步的问题：{ $told }。
 told-beforehand = 事先答对
 told-after = 看过数字后答对
 told-open = 未答
+told-missed = 未答对
 told-seen = 看过
 told-unseen = 还没看过
 progress-title = 学习进度

@@ -3,12 +3,14 @@
 ## Results
 
 cli-exported = 已将 { $count } 幅图导出到 { $path }
+cli-exported-slides = 已将 { $count } 份幻灯片写入 { $path }
 cli-checked = { $count } 节课检查通过
 cli-checked-scenes = { $count } 个场景文件检查通过
 cli-refused = 有 { $count } 项输入不被接受
 cli-untranslated = 提示：{ $count } 课以英文代替 { $languages }；这些语言可有可无
 cli-unreadable = 无法读取 { $path }：{ $reason }
 export-same-name = { $first } 和 { $second } 都会成为 { $path }：什么也没有绘制。
+export-no-loop = 循环动画只显示插图：--format apng 不能与 --window 或 --questions 同用。什么也没有绘制。
 
 ## Wrong usage
 
