@@ -92,8 +92,10 @@ fn encode(
     let mut encoder = Encoder::new(bytes, width, height);
     encoder.set_color(ColorType::Rgba);
     encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Balanced);
-    encoder.set_filter(Filter::Adaptive);
+    // Measured on a run of Liang–Barsky at 1280 × 720: a quarter fewer bytes than with the best filter of each row, for most of what is
+    // written is empty.
+    encoder.set_compression(Compression::High);
+    encoder.set_filter(Filter::NoFilter);
     encoder.set_animated(n_pictures as u32, 0)?;
     encoder.set_frame_delay(FIRST_MS, 1000)?;
     encoder.set_dispose_op(DisposeOp::None)?;
