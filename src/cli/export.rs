@@ -40,6 +40,10 @@ Examples:
 
 The same input gives the same bytes on every machine. A file is written whole or not at all.";
 
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag, given or not whatever the others are"
+)]
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -155,8 +159,8 @@ pub(super) fn export(args: &Args) -> Outcome {
     if args.slides {
         let (n_written, failures) = slides::write(&chosen, options, &args.out);
         let failures = failures.into_iter();
-        let failures = failures.map(|(path, error)| failed(path, error)).collect();
-        return told(args, ("cli-exported-slides", n_written), failures, read);
+        let failures: Vec<Message> = failures.map(|(path, error)| failed(path, error)).collect();
+        return told(args, ("cli-exported-slides", n_written), &failures, read);
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
@@ -178,7 +182,8 @@ pub(super) fn export(args: &Args) -> Outcome {
     let n_drawn = jobs.len() - failures.len();
     let failures = failures.into_iter();
     let failures = failures.map(|Failure { path, error }| failed(path, error));
-    told(args, ("cli-exported", n_drawn), failures.collect(), read)
+    let failures: Vec<Message> = failures.collect();
+    told(args, ("cli-exported", n_drawn), &failures, read)
 }
 
 /// The folder, where it was not there.
@@ -197,10 +202,10 @@ fn made(out: &Path) -> Result<(), Message> {
 fn told(
     args: &Args,
     (key, n_written): (&'static str, usize),
-    failures: Vec<Message>,
+    failures: &[Message],
     read: Outcome,
 ) -> Outcome {
-    for failure in &failures {
+    for failure in failures {
         say(args.lang, failure);
     }
     let sum = Message::new(key)

@@ -3,7 +3,7 @@
 ## Results
 
 cli-exported = 已将 { $count } 幅图导出到 { $path }
-cli-exported-slides = 已将 { $count } 份幻灯片写入 { $path }
+cli-exported-slides = 已将 { $count } 个演示页面写入 { $path }
 cli-checked = { $count } 节课检查通过
 cli-checked-scenes = { $count } 个场景文件检查通过
 cli-refused = 有 { $count } 项输入不被接受
