@@ -144,8 +144,8 @@ fn line(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
 /// That something is asked, and how to answer.
 fn sign(ui: &mut Ui, look: Look<'_>) {
     let (rect, _) = ui.allocate_exact_size(vec2(22.0, 22.0), egui::Sense::hover());
-    Icon::Question.draw(ui.painter(), rect, look.theme.asks);
-    let stroke = look.theme.stroke(1.5, look.theme.asks);
+    Icon::Question.draw(ui.painter(), rect, look.theme.asks());
+    let stroke = look.theme.stroke(1.5, look.theme.asks());
     ui.painter().circle_stroke(rect.center(), 10.0, stroke);
     let asked = look.say("practice-question");
     let asked = words(ui, look, (&asked, theme::strong()), f32::INFINITY);

@@ -320,7 +320,7 @@ impl Column<'_> {
         let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
-        let mut shown = Canvas {
+        let shown = Canvas {
             id,
             viewport,
             name: format!("{panel}: {method}"),
@@ -343,9 +343,6 @@ impl Column<'_> {
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| spot_id(id, spot.index));
         state.handle_ids.extend(ids);
-        // What is lit is what a press takes.
-        let near = shown.near.and_then(|i| self.handles.get(i));
-        shown.pointed = near.and_then(|handle| handle.link()).or(shown.pointed);
         let is_as_given = app.bookmark.step().is_some() && app.is_untouched();
         self.over_the_drawing(ui, state, &viewport, (rect, shown.is_lost && !is_as_given));
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);

@@ -84,7 +84,7 @@ pub(super) struct Args {
     #[arg(long, conflicts_with = "window")]
     pub questions: bool,
     /// One page for each lesson, to be paged through: where a step asks, its question first, its answer on the next press
-    #[arg(long, conflicts_with_all = ["window", "questions", "format", "link", "alt"])]
+    #[arg(long, conflicts_with_all = ["window", "questions", "format", "link", "alt", "steps"])]
     pub slides: bool,
 }
 
@@ -157,10 +157,9 @@ pub(super) fn export(args: &Args) -> Outcome {
         return Outcome::Unusable;
     }
     if args.slides {
-        let (n_written, failures) = slides::write(&chosen, options, &args.out);
-        let failures = failures.into_iter();
-        let failures: Vec<Message> = failures.map(|(path, error)| failed(path, error)).collect();
-        return told(args, ("cli-exported-slides", n_written), &failures, read);
+        let decks: Vec<&[Job<'_>]> = jobs.chunk_by(Job::is_beside).collect();
+        let failures = slides::write(&decks, options, &args.out);
+        return told(args, ("cli-exported-slides", decks.len()), failures, read);
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
@@ -179,11 +178,7 @@ pub(super) fn export(args: &Args) -> Outcome {
     let done = || progress.advance(1);
     let failures = run(&jobs, options.theme, &args.out, draw, done);
     drop(progress);
-    let n_drawn = jobs.len() - failures.len();
-    let failures = failures.into_iter();
-    let failures = failures.map(|Failure { path, error }| failed(path, error));
-    let failures: Vec<Message> = failures.collect();
-    told(args, ("cli-exported", n_drawn), &failures, read)
+    told(args, ("cli-exported", jobs.len()), failures, read)
 }
 
 /// The folder, where it was not there.
@@ -198,21 +193,23 @@ fn made(out: &Path) -> Result<(), Message> {
     })
 }
 
-/// How many files there are now, and why there are no others.
+/// Says why files were not written, and how many were.
 fn told(
     args: &Args,
-    (key, n_written): (&'static str, usize),
-    failures: &[Message],
+    (key, n_files): (&'static str, usize),
+    failures: Vec<Failure>,
     read: Outcome,
 ) -> Outcome {
-    for failure in failures {
-        say(args.lang, failure);
+    let is_whole = failures.is_empty();
+    let n_written = n_files - failures.len();
+    for Failure { path, error } in failures {
+        say(args.lang, &failed(path, error));
     }
     let sum = Message::new(key)
         .with("count", n_written)
         .with("path", args.out.display().to_string());
     say(args.lang, &sum);
-    match (failures.is_empty(), n_written) {
+    match (is_whole, n_written) {
         (true, _) => read,
         (false, 0) => Outcome::Unusable,
         (false, _) => Outcome::Refused,

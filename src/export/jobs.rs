@@ -154,10 +154,22 @@ impl Job<'_> {
         Link { lang, ..link }.fitting()
     }
 
+    fn link_on(&self, page: Option<&str>, options: Options) -> Option<String> {
+        let link = self.link(options)?;
+        Some(page.unwrap_or_default().to_owned() + &link)
+    }
+
+    /// Are both pictures of one lesson?
+    pub fn is_beside(&self, other: &Self) -> bool {
+        match (self.source, other.source) {
+            (Source::Step(a, _), Source::Step(b, _)) => a.id == b.id,
+            _ => false,
+        }
+    }
+
     /// With its link, behind the address of a page where there is one: then it is printed in the picture's foot, too.
     pub fn png(&self, studio: &mut Studio, options: Options, page: Option<&str>) -> Vec<u8> {
-        let link = self.link(options);
-        let link = link.map(|link| page.unwrap_or_default().to_owned() + &link);
+        let link = self.link_on(page, options);
         let picture = Picture {
             foot: link.as_deref().filter(|_| page.is_some()),
             ..self.picture(options)
@@ -171,8 +183,7 @@ impl Job<'_> {
             steps: Steps::All,
             ..options
         };
-        let link = self.link(options);
-        let link = link.map(|link| page.unwrap_or_default().to_owned() + &link);
+        let link = self.link_on(page, options);
         let runs = self.source.scene().document().record();
         let n_steps = runs.first().map_or(0, |run| run.n_steps());
         let pictures = (0..=n_steps).map(|step| {
@@ -217,13 +228,9 @@ const MOST_IN_LOT: usize = 16;
 
 /// What threads take from the jobs: those that follow each other in a lesson.
 fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
-    let is_alike = |a: &Job<'_>, b: &Job<'_>| match (a.source, b.source) {
-        (Source::Step(a, _), Source::Step(b, _)) => a.id == b.id,
-        _ => false,
-    };
     let mut lots = Vec::new();
     let mut first = 0;
-    for alike in jobs.chunk_by(is_alike) {
+    for alike in jobs.chunk_by(Job::is_beside) {
         for lot in alike.chunks(MOST_IN_LOT) {
             lots.push(first..first + lot.len());
             first += lot.len();

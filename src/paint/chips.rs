@@ -21,7 +21,7 @@ impl Chip {
         let round = CORNER * scale(theme);
         let (fill, ink) = match self.fate {
             ChipFate::Open if is_lit => (theme.accent_wash, theme.accent),
-            ChipFate::Open => (theme.background, theme.asks),
+            ChipFate::Open => (theme.background, theme.asks()),
             ChipFate::Wrong => (theme.background, theme.ink),
             ChipFate::Right => (theme.accent, theme.background),
         };
@@ -31,7 +31,7 @@ impl Chip {
                 let (width, colour) = if is_lit {
                     (2.0, theme.accent)
                 } else {
-                    (1.0, theme.asks)
+                    (1.0, theme.asks())
                 };
                 let rim = Stroke::new(width, colour);
                 painter.rect_stroke(rect, round, rim, StrokeKind::Inside);

@@ -63,8 +63,6 @@ pub struct Theme {
     pub accent_wash: Color32,
     pub signal: Color32,
     pub signal_text: Color32,
-    /// A question's own words and chips.
-    pub asks: Color32,
     /// What has been accepted: darker than Okabe and Ito's green, which is as light as the grey of what is discarded.
     pub accepted: Color32,
     pub discarded: Color32,
@@ -115,7 +113,6 @@ const LIGHT: Theme = Theme {
     accent_wash: rgb(0xE6_F1F8),
     signal: rgb(0xD5_5E00),
     signal_text: rgb(0xAE_4B00),
-    asks: rgb(0xAE_4B00),
     accepted: rgb(0x00_795A),
     discarded: rgb(0x7B_848E),
     stroke_scale: 1.0,
@@ -137,7 +134,6 @@ const DARK: Theme = Theme {
     accent_wash: rgb(0x1E_3140),
     signal: rgb(0xF0_8A3C),
     signal_text: rgb(0xF0_8A3C),
-    asks: rgb(0xF0_8A3C),
     accepted: rgb(0x2B_C79A),
     discarded: rgb(0x77_818C),
     ..LIGHT
@@ -190,6 +186,11 @@ impl Theme {
     /// The same without the signal's colour: while something is asked, nothing but the question has it, for it would point.
     pub fn hushed(kind: ThemeKind, text: f32) -> &'static Self {
         &Self::of_size(kind, text)[1]
+    }
+
+    /// A question's own colour, in a hushed theme as well.
+    pub fn asks(&self) -> Color32 {
+        Self::of(self.kind).signal_text
     }
 
     fn of_size(kind: ThemeKind, text: f32) -> &'static [Self; 2] {

@@ -50,6 +50,7 @@ pub fn spots(
             place: reach.place(scene, handle)?,
             locked: Lock::any_holds(locks, handle),
             asked: reach.asked.iter().any(|kind| kind == handle.kind().id),
+            link: handle.link(),
             snap: if handle.kind().is_whole {
                 Snap::Offset
             } else {

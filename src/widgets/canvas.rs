@@ -81,8 +81,6 @@ pub struct CanvasShown {
     pub released: bool,
     pub clicked: Option<StageClick>,
     pub pointed: Option<Link>,
-    /// The handle that a press takes for being near, whatever else is there.
-    pub near: Option<usize>,
     /// The handle that was taken last lies out of sight.
     pub is_lost: bool,
     /// Where in a camera's picture that stands on the stage: x and y from −1 to 1, y up.
@@ -122,6 +120,8 @@ impl Canvas<'_> {
         let near = hover.and_then(|at| handles.free_near(ui, at));
         let is_named = |at| (before.iter()).any(|it| it.link.is_some() && it.rect.contains(at));
         let near = near.filter(|_| !hover.is_some_and(is_named));
+        // A press takes what is near, whatever else is drawn there.
+        let near = near.and_then(|i| handles.spot(i)?.link);
         let is_lost = handles.is_lost(ui);
         let (moved, view) = if pinch.is_on {
             handles.let_go(ui);
@@ -145,8 +145,7 @@ impl Canvas<'_> {
             moved,
             released: holds_handle && (pinch.is_on || response.drag_stopped()),
             clicked: click(ui, &response, &handles).filter(|_| !pinch.is_on),
-            pointed: pointed.0,
-            near,
+            pointed: near.or(pointed.0),
             is_lost,
             focused,
             response,

@@ -32,6 +32,8 @@ pub struct Spot {
     pub locked: bool,
     /// Does the lesson ask for it? It is shown then without the pointer, by its name.
     pub asked: bool,
+    /// What it is a handle of.
+    pub link: Option<Link>,
     pub snap: Snap,
     /// Has a mark of its own on the stage: nothing is drawn for it until it is touched.
     pub marked: bool,

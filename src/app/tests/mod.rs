@@ -280,12 +280,12 @@ impl Bench {
         texts.join("\n")
     }
 
-    /// Where a world point lies on the (first) stage.
     fn handle_at(&self, nth: usize) -> Pos2 {
         let response = self.ctx.read_response(self.app.stage.handle_ids[nth]);
         response.expect("it is drawn").rect.center()
     }
 
+    /// Where a world point lies on the (first) stage.
     fn on_screen(&self, world: [f64; 2]) -> Pos2 {
         self.app.on_screen(world).expect("a frame has been drawn")
     }
