@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use clipscope::{
-    export::{Options, Steps, Studio, jobs},
+    export::{Options, Steps, Studio, Way, jobs},
     lesson::Course,
     paint::ThemeKind,
     text::Lang,
@@ -32,7 +32,7 @@ fn every_figure_is_as_accepted() {
     let mut studio = Studio::new(OPTIONS.theme);
     let mut pictures = Pictures::of("figures");
     for job in jobs(&course.lessons, OPTIONS.steps) {
-        pictures.check(&job.path, &job.png(&mut studio, OPTIONS, None));
+        pictures.check(&job.path, &job.bytes(&mut studio, Way::of(OPTIONS)));
     }
     pictures.finish();
 }
@@ -42,7 +42,7 @@ fn a_figure_is_the_same_whatever_was_drawn_before() {
     let course = Course::embedded();
     let jobs = jobs(&course.lessons, Steps::Figures);
     let (first, last) = (&jobs[0], &jobs[jobs.len() - 1]);
-    let fresh = last.png(&mut Studio::new(OPTIONS.theme), OPTIONS, None);
+    let fresh = last.bytes(&mut Studio::new(OPTIONS.theme), Way::of(OPTIONS));
     let mut studio = Studio::new(ThemeKind::Dark);
     for theme in ThemeKind::ALL {
         for lang in Lang::ALL {
@@ -51,11 +51,11 @@ fn a_figure_is_the_same_whatever_was_drawn_before() {
                 lang,
                 ..OPTIONS
             };
-            assert!(!first.png(&mut studio, options, None).is_empty());
+            assert!(!first.bytes(&mut studio, Way::of(options)).is_empty());
         }
     }
     assert!(
-        last.png(&mut studio, OPTIONS, None) == fresh,
+        last.bytes(&mut studio, Way::of(OPTIONS)) == fresh,
         "{} depends on what was drawn before it",
         last.path
     );

@@ -46,5 +46,7 @@ mod hostile;
 mod labels;
 #[cfg(feature = "gui")]
 mod painting;
+#[cfg(all(feature = "gui", not(target_arch = "wasm32")))]
+mod vector;
 #[cfg(feature = "gui")]
 mod window;

@@ -3,20 +3,12 @@
 
 use egui::{Frame, Panel};
 
-use crate::{lesson::Block, widgets::lesson_text};
+use crate::widgets::lesson_text;
 
 use super::{App, Command, prelude::*};
 
 /// Of the window's height.
 const MOST: f32 = 0.34;
-
-/// From the paragraph that asks to the answer.
-pub fn asked(body: &[Block]) -> Option<&[Block]> {
-    let answer = body.iter().position(|it| matches!(it, Block::Answer(_)))?;
-    let asks = |block: &Block| matches!(block, Block::Paragraph(_));
-    let question = body[..answer].iter().rposition(asks)?;
-    Some(&body[question..=answer])
-}
 
 pub fn show(app: &App, ui: &mut Ui) {
     let (look, [lesson_idx, step_idx]) = (app.look(), app.bookmark.at);
@@ -24,7 +16,7 @@ pub fn show(app: &App, ui: &mut Ui) {
     let Some(step) = lesson.and_then(|it| it.step_text(step_idx, app.settings.lang)) else {
         return;
     };
-    let Some(asked) = asked(&step.body).filter(|_| app.is_untouched()) else {
+    let Some(asked) = step.question().filter(|_| app.is_untouched()) else {
         return;
     };
     let frame = Frame::new().fill(look.theme.panel);

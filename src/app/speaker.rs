@@ -9,7 +9,6 @@ use super::{
     App, Command,
     keys::{self, Focus},
     prelude::*,
-    question::asked,
 };
 
 const SIZE: [f32; 2] = [520.0, 600.0];
@@ -71,7 +70,7 @@ fn notes(app: &App, ui: &mut Ui, minutes: Option<u64>) {
         ui.label(soft(look, "speaker-no-note"));
     }
     lesson_text(ui, look, id, &text.note, TextTold::answered());
-    if let Some(asked) = asked(&text.body) {
+    if let Some(asked) = text.question() {
         rule(ui, look);
         lesson_text(ui, look, id.with("asked"), asked, TextTold::answered());
     }

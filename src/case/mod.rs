@@ -62,7 +62,7 @@ pub use raw::Id;
 pub use read::{Case, Heading, Refused, heading, read};
 pub(crate) use refusal::short;
 pub use refusal::{Code, Path, Refusal};
-pub use report::Refusing;
+pub use report::{Refusing, Worksheet, worksheet};
 pub use solve::{Reading, Solve, Verdict};
 pub use solver::{Solvable, Solver, Solvers};
 pub use stream::{Tally, TraceError, trace};

@@ -1,30 +1,27 @@
 //! `clipscope export`: figures to files.
 
-use std::{
-    collections::BTreeMap,
-    fs, io,
-    path::{Path, PathBuf},
-    str::FromStr,
-};
+use std::{collections::BTreeMap, path::PathBuf, str::FromStr};
 
-use clap::{
-    ValueEnum,
-    builder::{PossibleValuesParser, TypedValueParser},
-};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::{
     app::{App, Page, Places, Settings},
-    export::{Content, Failure, Job, Options, Source, Steps, Studio, jobs, jobs_of, loops, run},
+    export::{
+        Content, Format, Job, Letters, Options, Source, Steps, Studio, Way, between, in_format,
+        jobs, jobs_of, run,
+    },
+    figure::Moment,
     lesson::Course,
     paint::{Headless, ThemeKind},
-    text::{Diagnostic, Lang, Message},
+    text::{Lang, Message},
 };
 
 use super::{
     Outcome, Progress, lang_parser,
-    lessons::{Chosen, choose, is_error},
+    lessons::{self, choose, is_error},
     say, slides,
     usage::Expected,
+    written::{made, told},
 };
 
 const EXAMPLES: &str = "\
@@ -34,7 +31,9 @@ Examples:
   clipscope export --out figuras --lang pt-BR --steps all
   clipscope export scene.toml --out figures
   clipscope export 03-outcodes --out handout --questions --alt
-  clipscope export 03-outcodes --out site --format apng --size 1280x720
+  clipscope export 05-intervals --out book --format svg,pdf
+  clipscope export 03-outcodes --out site --format apng,gif --size 1280x720
+  clipscope export 05-intervals --out film --format frames --steps start..edge=top
   clipscope export 03-outcodes --out talk --slides --theme projector
   clipscope export 03-outcodes --out slides --link=https://example.org/clipscope/
 
@@ -68,15 +67,18 @@ pub(super) struct Args {
     /// Language of labels and captions
     #[arg(long, value_name = "LANG", default_value_t = Lang::En, value_parser = lang_parser())]
     pub lang: Lang,
-    /// The figures that lessons name, or every step of every run
-    #[arg(long, value_enum, default_value_t = Steps::Figures)]
-    pub steps: Steps,
+    /// The figures that lessons name, every step of every run (all), or those from one moment to another, as lesson files write them (FROM..TO)
+    #[arg(long, value_name = "STEPS", default_value = "figures")]
+    pub steps: Chosen,
     /// The whole window of the app instead of the stage alone
     #[arg(long)]
     pub window: bool,
     /// Beside each picture a text file of its name: title and sentence, for who cannot see it
     #[arg(long)]
     pub alt: bool,
+    /// In SVG files letters as shapes: for programs that take no fonts from a file
+    #[arg(long)]
+    pub outlines: bool,
     /// Prints in each figure's foot the link that opens it, behind the address of a page where one is given
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = "", conflicts_with = "window")]
     pub link: Option<String>,
@@ -88,12 +90,38 @@ pub(super) struct Args {
     pub slides: bool,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub(super) enum Format {
-    /// Pixels
-    Png,
-    /// The whole run of each figure as a loop of pictures: an animated PNG
-    Apng,
+/// Which steps are drawn.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Chosen {
+    Figures,
+    All,
+    Between([Moment; 2]),
+}
+
+impl Chosen {
+    const fn steps(&self) -> Steps {
+        match self {
+            Self::Figures => Steps::Figures,
+            Self::All | Self::Between(_) => Steps::All,
+        }
+    }
+}
+
+impl FromStr for Chosen {
+    type Err = Expected;
+
+    fn from_str(text: &str) -> Result<Self, Expected> {
+        let expected = || Expected(Message::new("usage-expected-steps"));
+        match text {
+            "figures" => Ok(Self::Figures),
+            "all" => Ok(Self::All),
+            _ => {
+                let (from, to) = text.split_once("..").ok_or_else(expected)?;
+                let moment = |text: &str| text.parse().map_err(|_| expected());
+                Ok(Self::Between([moment(from)?, moment(to)?]))
+            }
+        }
+    }
 }
 
 fn theme_parser() -> impl TypedValueParser<Value = ThemeKind> {
@@ -142,7 +170,7 @@ pub(super) fn export(args: &Args) -> Outcome {
         size_px: args.size.0.map(|side| (side as f32 * args.scale) as u32),
         theme: args.theme,
         lang: args.lang,
-        steps: args.steps,
+        steps: args.steps.steps(),
         asks: args.questions,
     };
     let jobs = match all_jobs(&chosen, args) {
@@ -159,80 +187,80 @@ pub(super) fn export(args: &Args) -> Outcome {
     if args.slides {
         let decks: Vec<&[Job<'_>]> = jobs.chunk_by(Job::is_beside).collect();
         let failures = slides::write(&decks, options, &args.out);
-        return told(args, ("cli-exported-slides", decks.len()), failures, read);
+        return told(
+            args.lang,
+            &args.out,
+            ("cli-exported-slides", decks.len()),
+            failures,
+            read,
+        );
     }
     let course = Course {
         lessons: chosen.lessons.clone(),
+    };
+    let way = Way {
+        letters: if args.outlines {
+            Letters::Outlines
+        } else {
+            Letters::Fonts
+        },
+        page: args.link.as_deref(),
+        ..Way::of(options)
     };
     let mut progress = Progress::new(jobs.len() as u64);
     let draw = |job: &Job<'_>, studio: &mut Studio| Content {
         alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
         picture: if args.window {
             window_png(job, &course, studio.table(), args)
-        } else if job.is_loop {
-            job.animation(studio, options, args.link.as_deref())
         } else {
-            job.png(studio, options, args.link.as_deref())
+            job.bytes(studio, way)
         },
     };
     let done = || progress.advance(1);
     let failures = run(&jobs, options.theme, &args.out, draw, done);
     drop(progress);
-    told(args, ("cli-exported", jobs.len()), failures, read)
+    told(
+        args.lang,
+        &args.out,
+        ("cli-exported", jobs.len()),
+        failures,
+        read,
+    )
 }
 
-/// The folder, where it was not there.
-fn made(out: &Path) -> Result<(), Message> {
-    fs::create_dir_all(out).map_err(|error| {
-        // What is there already is something else.
-        let error = match error.kind() {
-            io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
-            _ => error,
-        };
-        failed(out.display().to_string(), error)
-    })
-}
-
-/// Says why files were not written, and how many were.
-fn told(
-    args: &Args,
-    (key, n_files): (&'static str, usize),
-    failures: Vec<Failure>,
-    read: Outcome,
-) -> Outcome {
-    let is_whole = failures.is_empty();
-    let n_written = n_files - failures.len();
-    for Failure { path, error } in failures {
-        say(args.lang, &failed(path, error));
-    }
-    let sum = Message::new(key)
-        .with("count", n_written)
-        .with("path", args.out.display().to_string());
-    say(args.lang, &sum);
-    match (is_whole, n_written) {
-        (true, _) => read,
-        (false, 0) => Outcome::Unusable,
-        (false, _) => Outcome::Refused,
-    }
-}
-
-/// What is drawn in each format. Loops are of figures: whole windows and questions stand still.
-fn all_jobs<'a>(chosen: &'a Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message> {
+/// What is drawn in each format. Whole windows are pixels; questions and windows stand still.
+fn all_jobs<'a>(chosen: &'a lessons::Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message> {
     let mut all = Vec::new();
-    if args.format.contains(&Format::Png) {
-        all = drawn_once(chosen, args.steps)?;
-    }
-    if args.format.contains(&Format::Apng) {
-        if args.window || args.questions {
-            return Err(Message::new("export-no-loop"));
+    for &format in &args.format {
+        if format.is_loop() && (args.window || args.questions) {
+            return Err(
+                Message::new("export-no-loop").with("format", format.extension().to_owned())
+            );
         }
-        all.extend(loops(drawn_once(chosen, Steps::Figures)?));
+        if format != Format::Png && args.window {
+            let message = Message::new("export-window-is-pixels");
+            return Err(message.with("format", format.extension().to_owned()));
+        }
+        let steps = match format {
+            Format::Frames => Steps::All,
+            _ if format.is_loop() => Steps::Figures,
+            _ => args.steps.steps(),
+        };
+        let jobs = in_format(drawn_once(chosen, steps)?, format);
+        all.extend(match &args.steps {
+            Chosen::Between(moments) => between(jobs, moments).map_err(|missing| {
+                let message = Message::new("export-no-moment");
+                let message = message.with("moment", missing.moment.to_string());
+                message.with("path", missing.path)
+            })?,
+            Chosen::Figures | Chosen::All => jobs,
+        });
     }
     Ok(all)
 }
 
 /// All figures. Two that would be one file are refused before anything is drawn.
-fn drawn_once(chosen: &Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
+fn drawn_once(chosen: &lessons::Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
     let lessons = chosen.lessons.iter().map(|lesson| jobs([lesson], steps));
     let scenes = chosen.scenes.iter();
     let scenes = scenes.map(|(name, scene)| jobs_of(Source::File(scene), name, steps));
@@ -250,12 +278,6 @@ fn drawn_once(chosen: &Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
         }
     }
     Ok(all)
-}
-
-fn failed(path: String, error: io::Error) -> Message {
-    let reason = Message::new("error-at").with("place", path);
-    let reason = reason.with("problem", Diagnostic::from(error));
-    Message::new("status-export-failed").with("reason", reason)
 }
 
 fn window_png(job: &Job<'_>, course: &Course, table: &mut Headless, args: &Args) -> Vec<u8> {

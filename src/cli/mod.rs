@@ -5,6 +5,7 @@
 
 mod export;
 mod grade;
+mod handout;
 mod lessons;
 mod list;
 mod pack;
@@ -14,6 +15,7 @@ mod slides;
 mod source;
 mod trace;
 mod usage;
+mod written;
 
 use std::{
     env,
@@ -57,6 +59,7 @@ Examples:
   clipscope                                open the app
   clipscope trace cases.ndjson             every step of every case
   clipscope export --out figures           every figure of the course
+  clipscope handout 05-intervals --out .   a lesson on paper
 
 Exit status: 0 done, 1 some of the input was refused, 2 wrong usage or nothing could be read.";
 
@@ -73,6 +76,8 @@ enum Command {
     },
     /// Draw figures to files: needs no display and no GPU
     Export(export::Args),
+    /// Print lessons on paper: text, figures, questions and a run to work out, as PDF files
+    Handout(handout::Args),
     /// Run algorithms on cases, one JSON object a line, and print every step
     Trace(trace::Args),
     /// Compare a program's answers with the true ones
@@ -99,6 +104,7 @@ pub fn run() -> ExitCode {
         None => open_app(None),
         Some(Command::Open { path }) => open_app(Some(path)),
         Some(Command::Export(args)) => export::export(&args).into(),
+        Some(Command::Handout(args)) => handout::handout(&args).into(),
         Some(Command::Trace(args)) => trace::trace(&args).into(),
         Some(Command::Grade(args)) => grade::grade(&args),
         Some(Command::Check(args)) => lessons::check(&args).into(),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::export::{Failure, Job, Options, Slide, Source, Studio, slides, write_whole};
+use crate::export::{Failure, Job, Options, Slide, Source, Studio, Way, slides, write_whole};
 
 use super::Progress;
 
@@ -37,7 +37,7 @@ fn page<'a>(deck: &'a [Job<'_>], studio: &mut Studio, options: Options) -> (&'a 
             let options = Options { asks, ..options };
             all.push(Slide {
                 alternative: studio.alternative(&job.picture(options)),
-                png: job.png(studio, options, None),
+                png: job.bytes(studio, Way::of(options)),
             });
         }
     }

@@ -1,24 +1,28 @@
 //! One figure: the step's title, what the stage shows, and the run's sentence under it.
 
 mod halves;
+mod page;
+mod picture;
 #[cfg(test)]
 mod tests;
 
-use egui::{FontId, Rect, Ui, Vec2, vec2};
+use egui::{Ui, Vec2};
 
 use crate::{
-    figure::{Body, ColumnLayout, Layout, Mark, Need, Spacing, ViewId, notation},
-    labs::{Difference, Scene},
-    lesson::{Lesson, Stop},
-    paint::{Around, Headless, Image, Look, Theme, ThemeKind, Viewport},
-    text::{Catalog, Lang, Message, Notation},
-    widgets::{
-        Album, Bars, Column, Composition, Cost, Medium, covered, height_for_all, most_of_a_kind,
-        place_inset, rect_of, space, view,
-    },
+    figure::{Layout, ViewId},
+    paint::{Headless, Image, ThemeKind},
+    text::{Catalog, Message},
+    widgets::{Album, Column, Medium},
 };
 
-use halves::{Half, halves, headings};
+#[cfg(not(target_arch = "wasm32"))]
+use super::vector::{VectorPage, read};
+
+use halves::{halves, headings};
+#[cfg(not(target_arch = "wasm32"))]
+pub use page::PAGE_MARGINS;
+use page::{Page, lost};
+pub use picture::{Options, Picture, Steps};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and then enlarged to its size in
 /// pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26 high, the text 17, the caption 19, the margin 64.
@@ -27,80 +31,6 @@ const PAGE_PTS: [f32; 2] = [960.0, 540.0];
 /// becomes smaller, but where text is large on purpose.
 const ENLARGED_BY: f32 = 0.1;
 const MOST_ENLARGED: f32 = 1.4;
-const MARGIN_PTS: f32 = 24.0;
-const FOOT_PTS: f32 = 9.0;
-/// A sentence has room for two lines, in all themes: the body of the page is equally high.
-const CAPTION_PTS: f32 = 62.0;
-const SPACING: Spacing = Spacing {
-    margin: 48.0,
-    gutter: 40.0,
-    inset: 0.0,
-    titled: 46.0,
-    name: 36.0,
-    over_caption: 8.0,
-    keeps: 0.75,
-    is_fixed: false,
-    is_tall: false,
-};
-/// Of what was and what is, the views that differ are larger than the drawing needs them.
-const BESIDE_BEFORE: Spacing = Spacing {
-    keeps: 0.2,
-    ..SPACING
-};
-const OVER_COST_PTS: f32 = 8.0;
-
-/// Which steps of the runs become pictures. The words are those of the command line's help.
-#[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Steps {
-    /// Those that lessons name
-    #[default]
-    Figures,
-    /// Every one
-    All,
-}
-
-/// How pictures are drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    pub size_px: [u32; 2],
-    pub theme: ThemeKind,
-    pub lang: Lang,
-    /// Which steps are drawn, so that a picture leaves room for what the others say.
-    pub steps: Steps,
-    /// What is asked is drawn, and what might come, in place of what comes.
-    pub asks: bool,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct Picture<'a> {
-    /// The idea in words, over everything.
-    pub title: Option<&'a str>,
-    pub scene: &'a Scene,
-    /// The lesson that the scene is of: its figures are drawn alike.
-    pub lesson: Option<&'a Lesson>,
-    /// Events folded so far.
-    pub step: usize,
-    /// How it was: what is shown beside the scene.
-    pub before: Option<&'a Stop>,
-    /// What stands in its foot: a link, say, where it is printed.
-    pub foot: Option<&'a str>,
-    pub options: Options,
-}
-
-impl Picture<'_> {
-    /// How it was, if that is shown, and how it is.
-    fn stops(&self) -> Vec<(&Scene, usize)> {
-        let was = self.before;
-        let was = was.and_then(|stop| Some((&*stop.scene, stop.position()?)));
-        was.into_iter().chain([(self.scene, self.step)]).collect()
-    }
-
-    /// The language in which it is asked what comes, if it is.
-    fn asked_in(&self) -> Option<Lang> {
-        self.options.asks.then_some(self.options.lang)
-    }
-}
 
 /// Draws figures. One that has drawn others draws faster, and records the runs of a lesson once, however many of its steps
 /// it draws; the bytes are the same.
@@ -156,7 +86,21 @@ impl Studio {
     /// The figure, and the views that have no room even on the largest page.
     fn drawn(&mut self, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
         let Self { table, last } = self;
-        drawn(table, album(last, picture), picture)
+        let album = album(last, picture);
+        drawn(table, album, picture, |table, size, pixels, show| {
+            table.draw(size, pixels, show)
+        })
+    }
+
+    /// The same as shapes.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn vector(&mut self, picture: &Picture<'_>) -> VectorPage {
+        let Self { table, last } = self;
+        let album = album(last, picture);
+        let write = |table: &mut Headless, size, pixels, show: &mut dyn FnMut(&mut Ui)| {
+            table.write(size, pixels, show, read)
+        };
+        drawn(table, album, picture, write).0
     }
 }
 
@@ -166,7 +110,13 @@ fn album<'a>(last: &'a mut Option<Album>, picture: &Picture<'_>) -> &'a Album {
     last.get_or_insert_with(|| Album::new(picture.scene, picture.lesson, Medium::Page))
 }
 
-fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
+/// What `draw` makes of it on a page of a size in points and so many pixels per point, and the views that have no room.
+fn drawn<R>(
+    table: &mut Headless,
+    album: &Album,
+    picture: &Picture<'_>,
+    draw: impl Fn(&mut Headless, Vec2, f32, &mut dyn FnMut(&mut Ui)) -> R,
+) -> (R, Vec<ViewId>) {
     table.set_theme(picture.options.theme);
     let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
@@ -175,226 +125,13 @@ fn drawn(table: &mut Headless, album: &Album, picture: &Picture<'_>) -> (Image, 
     loop {
         let pixels_per_point = pixels_per_point / page_scale;
         let mut layout = Layout::default();
-        let image = table.draw(size / pixels_per_point, pixels_per_point, |ui| {
-            layout = page.show(ui);
-        });
+        let mut show = |ui: &mut Ui| layout = page.show(ui);
+        let drawn = draw(table, size / pixels_per_point, pixels_per_point, &mut show);
         let may_grow = page.needs.len() == 1 && !page.look.theme.has_large_text();
         let lost = lost(&page.needs, &layout);
         if lost.is_empty() || page_scale >= MOST_ENLARGED || !may_grow {
-            return (image, lost);
+            return (drawn, lost);
         }
         page_scale += ENLARGED_BY;
     }
-}
-
-/// The views there is no room for.
-fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
-    let lost = |(needs, places): (&Vec<Need>, &ColumnLayout)| {
-        let ids = needs.iter().map(|need| need.id);
-        ids.filter(|&id| places.slot(id).is_none())
-            .collect::<Vec<_>>()
-    };
-    needs.iter().zip(&layout.columns).flat_map(lost).collect()
-}
-
-struct Page<'a> {
-    picture: &'a Picture<'a>,
-    look: Look<'static>,
-    album: &'a Album,
-    halves: Vec<Half<'a>>,
-    needs: Vec<Vec<Need>>,
-}
-
-/// What is drawn in a column: whose it is, and which of its methods.
-type Drawn<'a> = (&'a Half<'a>, usize, &'a Column);
-
-impl<'a> Page<'a> {
-    /// With what is drawn on it, as the eyes that are found for it see it.
-    fn of(album: &'a Album, picture: &'a Picture<'a>) -> Self {
-        let mut halves = halves(album, &picture.stops(), picture.asked_in());
-        let of_all = picture.options.steps == Steps::All;
-        for Half {
-            recorded,
-            columns,
-            eyes,
-        } in &mut halves
-        {
-            *eyes = recorded.turned(columns, of_all, album.eyes());
-            *columns = recorded.drawn(std::mem::take(columns));
-        }
-        let needs = match &halves[..] {
-            [was, now] => was.recorded.needs_beside(now.recorded),
-            _ => {
-                let needs = |half: &Half<'_>| half.recorded.needs_at(&half.columns);
-                halves.iter().flat_map(needs).collect()
-            }
-        };
-        let own = halves.iter().map(|half| half.recorded.notation);
-        let own = own.fold(Notation::Own, Notation::max);
-        let columns = halves.iter().flat_map(|half| &half.columns);
-        let notation = notation(own, columns.map(|column| &column.frame));
-        let look = Look::new(
-            Theme::of(picture.options.theme),
-            Catalog::of(picture.options.lang).alike(notation),
-        );
-        Page {
-            picture,
-            look,
-            album,
-            halves,
-            needs,
-        }
-    }
-
-    fn columns(&self) -> impl Iterator<Item = Drawn<'_>> {
-        self.halves.iter().flat_map(|half| {
-            let columns = half.columns.iter().enumerate();
-            columns.map(move |(nth, column)| (half, nth, column))
-        })
-    }
-
-    /// Draws it, and says where everything stands.
-    fn show(&self, ui: &mut Ui) -> Layout {
-        let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
-        let headings = headings(&self.halves, self.look.catalog, self.picture.options.asks);
-        let composition = Composition {
-            look: self.look,
-            spacing: match self.halves[..] {
-                [_, _] => &BESIDE_BEFORE,
-                _ => &SPACING,
-            },
-            headings: &headings,
-            difference: self.difference(),
-        };
-        let width = composition.column_width(area);
-        let costs = self.costs();
-        let bars: Vec<_> = costs
-            .iter()
-            .map(|cost| Bars::new(ui.painter(), self.look, cost, width))
-            .collect();
-        let (mut layout, has_bars) = self.lay_out(ui, area, &composition, bars.first());
-        for ((half, _, column), places) in self.columns().zip(&mut layout.columns) {
-            place_inset(ui, self.look, places, &column.frame.views, &half.eyes);
-        }
-        for (i, (drawn, places)) in self.columns().zip(&layout.columns).enumerate() {
-            let (_, _, column) = drawn;
-            self.drawing(ui, drawn, places);
-            let moment = column.moment(self.look.catalog);
-            let words = (&column.frame.caption, moment.as_deref());
-            composition.beside_the_drawing(ui, (i, places), &column.frame.views, words, None);
-            if let Some(bars) = bars.get(i).filter(|_| has_bars && column.has_run) {
-                let mut rect = rect_of(places.cost);
-                rect.min.y += OVER_COST_PTS;
-                bars.paint(ui.painter(), rect);
-            }
-        }
-        self.print_foot(ui);
-        layout
-    }
-
-    /// In the margin, at the right.
-    fn print_foot(&self, ui: &Ui) {
-        let Some(foot) = self.picture.foot else {
-            return;
-        };
-        let font = FontId::monospace(FOOT_PTS * self.look.theme.text_scale);
-        let at = ui.max_rect().right_bottom() - vec2(SPACING.margin, 0.25 * MARGIN_PTS);
-        let soft = self.look.theme.soft;
-        let galley = ui.painter().layout_no_wrap(foot.to_owned(), font, soft);
-        ui.painter().galley(at - galley.size(), galley, soft);
-    }
-
-    /// Where all stands, and whether the bars of the costs do: of what was and what is only where what differs has no room.
-    fn lay_out(
-        &self,
-        ui: &Ui,
-        area: Rect,
-        composition: &Composition<'_>,
-        bars: Option<&Bars<'_>>,
-    ) -> (Layout, bool) {
-        let width = composition.column_width(area);
-        let caption = self.caption_height(ui, width).max(CAPTION_PTS);
-        let lay_out = |cost| {
-            let heights = [caption, cost];
-            composition.lay_out(
-                ui,
-                area,
-                self.picture.title,
-                heights,
-                &self.needs,
-                [1.0, 0.0],
-            )
-        };
-        if let [_, _] = self.halves[..] {
-            let layout = lay_out(0.0);
-            if lost(&self.needs, &layout).is_empty() {
-                return (layout, false);
-            }
-        }
-        let cost = bars.map_or(0.0, |bars| bars.height() + OVER_COST_PTS);
-        (lay_out(cost), true)
-    }
-
-    /// Of two methods of which one is wrong on purpose.
-    fn difference(&self) -> Option<Difference> {
-        self.halves.iter().find_map(|half| half.recorded.difference)
-    }
-
-    /// Of the highest sentence of the lesson's runs, so that pictures that follow each other stay where they are. Two columns
-    /// leave no room for sentences that are not shown.
-    fn caption_height(&self, ui: &Ui, width: f32) -> f32 {
-        let shown = self.columns().map(|(_, _, it)| it.frame.caption.clone());
-        let shown = height_for_all(ui.painter(), self.look, shown, width);
-        if self.picture.options.steps == Steps::Figures && self.columns().nth(1).is_some() {
-            return shown;
-        }
-        let highest = self.album.caption_height(ui.painter(), self.look, width);
-        highest.max(shown)
-    }
-
-    /// What each column has done, where two are compared and do not do the same; what a mistake costs is not what is to be seen.
-    fn costs(&self) -> Vec<Cost<'static>> {
-        let counts: Vec<_> = self.columns().map(|(_, _, it)| it.frame.counts).collect();
-        let is_equal = counts.iter().all(|count| *count == counts[0]);
-        if is_equal || self.difference().is_some() {
-            return Vec::new();
-        }
-        let most = most_of_a_kind(&counts);
-        let cost = |&now: &_| Cost {
-            now,
-            compared: None,
-            most,
-        };
-        counts.iter().map(cost).collect()
-    }
-
-    fn drawing(&self, ui: &Ui, drawn: Drawn<'_>, places: &ColumnLayout) {
-        let (_, _, column) = drawn;
-        let Some(first) = column.frame.views.first() else {
-            return;
-        };
-        let Some(slot) = places.slot(first.id) else {
-            return;
-        };
-        let rect = rect_of(slot);
-        if let Body::Space(shown) = &first.body {
-            let covered = covered(places, first.id, self.look);
-            space(ui, self.look, rect, (first.id, shown), &covered, None);
-        } else if first.id == ViewId::PLANE {
-            let viewport = Viewport::fit(rect, drawn.0.recorded.bounds);
-            let painter = ui.painter().with_clip_rect(rect);
-            let (marks, around) = (plane_marks(drawn), Around::default());
-            (self.look).stage(&painter, &viewport, &marks, None, around);
-        } else {
-            view(ui, self.look, rect, first, None);
-        }
-    }
-}
-
-/// What a column draws of the plane, with what stands there before its method begins.
-fn plane_marks((half, nth, column): Drawn<'_>) -> Vec<Mark> {
-    let scene = half.recorded.scene.document();
-    let mut marks = scene.backdrop(nth, column.at_end());
-    marks.extend(column.frame.marks().iter().cloned());
-    marks
 }

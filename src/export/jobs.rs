@@ -1,30 +1,20 @@
-//! All figures of a course, drawn on all cores.
+//! The figures of lessons and scenes: what is drawn of each, and to which file.
 
-use std::{
-    io,
-    num::NonZero,
-    ops::Range,
-    path::Path,
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-        mpsc,
-    },
-    thread,
-};
+use std::path::Path;
 
 use crate::{
     figure::Moment,
     labs::Scene,
     lesson::{Lesson, LessonStep, Link, SceneFile, SceneFormats, Stand},
-    paint::ThemeKind,
+    paint::Theme,
     text::Lang,
 };
 
 use super::{
-    animation::animated,
+    animation::Reel,
     figure::{Options, Picture, Steps, Studio},
-    files::write_whole,
+    format::Format,
+    vector::{About, Letters, pdf_of_one, svg},
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +30,9 @@ pub struct Job<'a> {
     moment: Moment,
     /// Path below the output folder: `03-outcodes/nine-regions.png`.
     pub path: String,
-    /// All steps of the run, one after the other, in place of one.
-    pub is_loop: bool,
+    pub format: Format,
+    /// Of a loop the first step and the last one, where that is not its whole run.
+    span: Option<[usize; 2]>,
 }
 
 impl<'a> Source<'a> {
@@ -74,7 +65,8 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
         position,
         moment,
         path,
-        is_loop: false,
+        format: Format::Png,
+        span: None,
     };
     match steps {
         Steps::Figures => {
@@ -97,14 +89,73 @@ pub fn jobs_of<'a>(source: Source<'a>, stem: &str, steps: Steps) -> Vec<Job<'a>>
     }
 }
 
-/// Each picture as the loop of its whole run: `03-outcodes/nine-regions.apng`.
-pub fn loops(mut jobs: Vec<Job<'_>>) -> Vec<Job<'_>> {
+/// Each picture in another format: `03-outcodes/nine-regions.svg`.
+pub fn in_format(mut jobs: Vec<Job<'_>>, format: Format) -> Vec<Job<'_>> {
     for job in &mut jobs {
-        let path = Path::new(&job.path).with_extension("apng");
+        let path = Path::new(&job.path).with_extension(format.extension());
         job.path = path.to_string_lossy().into_owned();
-        job.is_loop = true;
+        job.format = format;
     }
     jobs
+}
+
+/// How files are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<'a> {
+    pub options: Options,
+    pub letters: Letters,
+    /// The address of a page that links are opened on: then they are printed in the pictures' feet, too.
+    pub page: Option<&'a str>,
+}
+
+/// What a run of a figure has no moment for.
+#[derive(Debug)]
+pub struct Missing {
+    pub path: String,
+    pub moment: Moment,
+}
+
+/// Of all steps of runs, those from one moment to another; of loops these alone.
+pub fn between<'a>(jobs: Vec<Job<'a>>, [from, to]: &[Moment; 2]) -> Result<Vec<Job<'a>>, Missing> {
+    let mut within = Vec::new();
+    let mut known: Option<(*const Scene, [usize; 2])> = None;
+    for mut job in jobs {
+        let scene = job.source.scene();
+        let span = match known {
+            Some((last, span)) if std::ptr::eq(last, scene) => span,
+            _ => {
+                let runs = scene.document().record();
+                let find = |moment: &Moment| {
+                    let found = runs.first().and_then(|run| run.find(moment));
+                    found.ok_or_else(|| Missing {
+                        path: job.path.clone(),
+                        moment: moment.clone(),
+                    })
+                };
+                let [first, last] = [find(from)?, find(to)?];
+                [first.min(last), first.max(last)]
+            }
+        };
+        known = Some((scene, span));
+        if job.format.is_loop() {
+            job.span = Some(span);
+            within.push(job);
+        } else if (span[0]..=span[1]).contains(&job.position) {
+            within.push(job);
+        }
+    }
+    Ok(within)
+}
+
+impl Way<'_> {
+    /// With text as text, for whoever has the program.
+    pub const fn of(options: Options) -> Self {
+        Self {
+            options,
+            letters: Letters::Fonts,
+            page: None,
+        }
+    }
 }
 
 impl Job<'_> {
@@ -154,9 +205,9 @@ impl Job<'_> {
         Link { lang, ..link }.fitting()
     }
 
-    fn link_on(&self, page: Option<&str>, options: Options) -> Option<String> {
-        let link = self.link(options)?;
-        Some(page.unwrap_or_default().to_owned() + &link)
+    fn link_on(&self, way: Way<'_>) -> Option<String> {
+        let link = self.link(way.options)?;
+        Some(way.page.unwrap_or_default().to_owned() + &link)
     }
 
     /// Are both pictures of one lesson?
@@ -167,121 +218,66 @@ impl Job<'_> {
         }
     }
 
-    /// With its link, behind the address of a page where there is one: then it is printed in the picture's foot, too.
-    pub fn png(&self, studio: &mut Studio, options: Options, page: Option<&str>) -> Vec<u8> {
-        let link = self.link_on(page, options);
+    /// The file's bytes, with the link to what it shows.
+    pub fn bytes(&self, studio: &mut Studio, way: Way<'_>) -> Vec<u8> {
+        let link = self.link_on(way);
+        let foot = link.as_deref().filter(|_| way.page.is_some());
         let picture = Picture {
-            foot: link.as_deref().filter(|_| page.is_some()),
-            ..self.picture(options)
+            foot,
+            ..self.picture(way.options)
         };
-        studio.draw(&picture).to_linked_png(link.as_deref())
+        match self.format {
+            Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link.as_deref()),
+            Format::Svg => {
+                let alternative = studio.alternative(&picture);
+                let drawing = studio.vector(&picture);
+                let about = about(&picture, &alternative, link.as_deref());
+                svg(&drawing, way.letters, about).into_bytes()
+            }
+            Format::Pdf => {
+                let alternative = studio.alternative(&picture);
+                let drawing = studio.vector(&picture);
+                pdf_of_one(&drawing, about(&picture, &alternative, link.as_deref()))
+            }
+            Format::Apng | Format::Gif => self.animation(studio, &picture, link.as_deref()),
+        }
     }
 
-    /// Its run as a loop, with the link to what the step's own picture shows.
-    pub fn animation(&self, studio: &mut Studio, options: Options, page: Option<&str>) -> Vec<u8> {
+    /// Its run as a loop.
+    fn animation(&self, studio: &mut Studio, picture: &Picture<'_>, link: Option<&str>) -> Vec<u8> {
         let options = Options {
             steps: Steps::All,
-            ..options
+            ..picture.options
         };
-        let link = self.link_on(page, options);
         let runs = self.source.scene().document().record();
         let n_steps = runs.first().map_or(0, |run| run.n_steps());
-        let pictures = (0..=n_steps).map(|step| {
+        let [first, last] = self.span.unwrap_or([0, n_steps]);
+        let pictures = (first..=last).map(|step| {
             studio.draw(&Picture {
                 step,
-                foot: link.as_deref().filter(|_| page.is_some()),
+                foot: picture.foot,
                 ..self.picture(options)
             })
         });
-        animated(n_steps + 1, pictures, link.as_deref())
-    }
-
-    fn write(&self, content: &Content, out: &Path) -> io::Result<()> {
-        let path = out.join(&self.path);
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder)?;
-        }
-        if let Some(alternative) = &content.alternative {
-            write_whole(&path.with_extension("txt"), alternative.as_bytes())?;
-        }
-        write_whole(&path, &content.picture)
-    }
-}
-
-/// What is written of a job.
-#[derive(Debug)]
-pub struct Content {
-    /// The file's bytes.
-    pub picture: Vec<u8>,
-    /// In words, beside it.
-    pub alternative: Option<String>,
-}
-
-#[derive(Debug)]
-pub struct Failure {
-    pub path: String,
-    pub error: io::Error,
-}
-
-/// Figures of a lesson that one thread draws, as its runs are recorded once for all of them.
-const MOST_IN_LOT: usize = 16;
-
-/// What threads take from the jobs: those that follow each other in a lesson.
-fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
-    let mut lots = Vec::new();
-    let mut first = 0;
-    for alike in jobs.chunk_by(Job::is_beside) {
-        for lot in alike.chunks(MOST_IN_LOT) {
-            lots.push(first..first + lot.len());
-            first += lot.len();
+        let reel = Reel {
+            n_pictures: last - first + 1,
+            pictures,
+            theme: Theme::of(options.theme),
+            link,
+        };
+        if self.format == Format::Gif {
+            reel.gif()
+        } else {
+            reel.apng()
         }
     }
-    lots
 }
 
-/// Draws with `draw` and writes all pictures on all cores; `done` hears of each on the calling thread. The
-/// failures come in the order of the jobs.
-pub fn run(
-    jobs: &[Job<'_>],
-    theme: ThemeKind,
-    out: &Path,
-    draw: impl Fn(&Job<'_>, &mut Studio) -> Content + Sync,
-    mut done: impl FnMut(),
-) -> Vec<Failure> {
-    let lots = lots(jobs);
-    let next = AtomicUsize::new(0);
-    let failures = Mutex::new(Vec::new());
-    let n_threads = thread::available_parallelism()
-        .map_or(1, NonZero::get)
-        .min(lots.len());
-    thread::scope(|scope| {
-        let (finished, each_finished) = mpsc::channel();
-        for _ in 0..n_threads {
-            let finished = finished.clone();
-            let (next, lots, failures, draw) = (&next, &lots, &failures, &draw);
-            scope.spawn(move || {
-                let mut studio = Studio::new(theme);
-                let take = || lots.get(next.fetch_add(1, Ordering::Relaxed));
-                let lots = std::iter::from_fn(take);
-                for (i, job) in lots.flat_map(|lot| lot.clone().zip(&jobs[lot.clone()])) {
-                    if let Err(error) = job.write(&draw(job, &mut studio), out) {
-                        let path = out.join(&job.path).display().to_string();
-                        if let Ok(mut failures) = failures.lock() {
-                            failures.push((i, Failure { path, error }));
-                        }
-                    }
-                    if finished.send(()).is_err() {
-                        return;
-                    }
-                }
-            });
-        }
-        drop(finished);
-        for () in each_finished {
-            done();
-        }
-    });
-    let mut failures = failures.into_inner().unwrap_or_default();
-    failures.sort_by_key(|(i, _)| *i);
-    failures.into_iter().map(|(_, failure)| failure).collect()
+fn about<'a>(picture: &Picture<'a>, alternative: &'a str, link: Option<&'a str>) -> About<'a> {
+    About {
+        title: picture.title.unwrap_or_default(),
+        alternative,
+        lang: picture.options.lang.id(),
+        link,
+    }
 }

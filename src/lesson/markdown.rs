@@ -61,6 +61,17 @@ pub struct StepText {
     pub note: Vec<Block>,
 }
 
+impl StepText {
+    /// From the paragraph that asks to the answer.
+    pub fn question(&self) -> Option<&[Block]> {
+        let is_answer = |block: &Block| matches!(block, Block::Answer(_));
+        let answer = self.body.iter().position(is_answer)?;
+        let asks = |block: &Block| matches!(block, Block::Paragraph(_));
+        let question = self.body[..answer].iter().rposition(asks)?;
+        Some(&self.body[question..=answer])
+    }
+}
+
 pub(super) enum TextPart {
     /// `# …` is level 1, `## …` level 2.
     Heading {

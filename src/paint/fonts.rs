@@ -96,6 +96,18 @@ pub fn semibold() -> FontFamily {
     FontFamily::Name("semibold".into())
 }
 
+/// The fonts of a family by name and bytes: a character is the first one's that has it.
+pub fn of_family(family: &FontFamily) -> Vec<(&'static str, &'static [u8])> {
+    let names: &[&str] = match family {
+        FontFamily::Proportional => &PROPORTIONAL,
+        FontFamily::Monospace => &MONOSPACE,
+        FontFamily::Name(_) => &SEMIBOLD,
+    };
+    let here = || FILES.iter().chain(chinese::files());
+    let file = |name: &&str| here().find(|(known, _)| known == name).copied();
+    names.iter().filter_map(file).collect()
+}
+
 /// No font is scaled or shifted: their capitals are alike (0.727 to 0.733 of the size), on one baseline.
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();

@@ -1,11 +1,12 @@
 //! An interface drawn with no window: export, tests, the command line.
 
+use egui::epaint::ClippedShape;
 use egui::os::OperatingSystem;
-use egui::{Memory, Pos2, RawInput, Rect, Ui, Vec2, ViewportId};
+use egui::{Color32, Memory, Pos2, RawInput, Rect, Ui, Vec2, ViewportId};
 
 use super::cpu::{CpuPainter, Image};
-use super::fonts;
 use super::theme::{self, Theme, ThemeKind};
+use super::{fonts, notes};
 
 /// Passes at least for one picture: what takes the focus shows it one pass later, unasked.
 const MIN_PASSES: usize = 2;
@@ -64,30 +65,61 @@ impl Headless {
         pixels_per_point: f32,
         mut ui: impl FnMut(&mut Ui),
     ) -> Image {
-        let within = |value: f32, least: f32, most: f32| {
-            // `f32::max` also turns what is not a number into the least.
-            value.max(least).min(most)
-        };
-        let pixels_per_point = within(pixels_per_point, 0.125, 16.0);
-        let side = |points: f32| within((points * pixels_per_point).round(), 1.0, MAX_SIDE_PX);
-        let size_px = [side(size_pts.x), side(size_pts.y)];
-        let size_pts = Vec2::from(size_px) / pixels_per_point;
+        let sheet = Sheet::new(size_pts, pixels_per_point);
+        let (shapes, is_settled) = self.shapes(&sheet, false, &mut ui);
+        let primitives = self.ctx.tessellate(shapes, sheet.pixels_per_point);
+        let (ground, painter) = (self.theme().background, &self.painter);
+        let image = painter.paint(&primitives, sheet.pixels_per_point, sheet.size_px, ground);
+        self.settle(is_settled);
+        image
+    }
 
+    /// The same as shapes, which `write` is given: their pixels are there for as long.
+    pub fn write<R>(
+        &mut self,
+        size_pts: Vec2,
+        pixels_per_point: f32,
+        mut ui: impl FnMut(&mut Ui),
+        write: impl FnOnce(&Drawing<'_>) -> R,
+    ) -> R {
+        let sheet = Sheet::new(size_pts, pixels_per_point);
+        let (shapes, is_settled) = self.shapes(&sheet, true, &mut ui);
+        let written = write(&Drawing {
+            shapes: &shapes,
+            size_pts: sheet.size_pts,
+            pixels_per_point: sheet.pixels_per_point,
+            theme: self.theme(),
+            table: self,
+            size_px: sheet.size_px,
+        });
+        self.settle(is_settled);
+        written
+    }
+
+    /// What is drawn, and whether another pass would draw the same.
+    fn shapes(
+        &mut self,
+        sheet: &Sheet,
+        is_written: bool,
+        ui: &mut dyn FnMut(&mut Ui),
+    ) -> (Vec<ClippedShape>, bool) {
         // egui compares widgets with those of the pass before: that one is to be empty, too.
-        self.run(size_pts, pixels_per_point, &mut |_| {});
+        self.run(sheet.size_pts, sheet.pixels_per_point, &mut |_| {});
         self.ctx
             .memory_mut(|memory| *memory = self.pristine.clone());
         self.ctx.clear_animations();
-        let (output, is_settled) = self.run(size_pts, pixels_per_point, &mut ui);
-        let primitives = self.ctx.tessellate(output.shapes, pixels_per_point);
-        let size_px = size_px.map(|side| side as usize);
-        let (ground, painter) = (self.theme().background, &self.painter);
-        let image = painter.paint(&primitives, pixels_per_point, size_px, ground);
+        if is_written {
+            notes::listen(&self.ctx);
+        }
+        let (output, is_settled) = self.run(sheet.size_pts, sheet.pixels_per_point, ui);
+        (output.shapes, is_settled)
+    }
+
+    fn settle(&mut self, is_settled: bool) {
         if !is_settled {
             // The pending repaints would give the next picture passes of its own.
             *self = Self::new(self.kind);
         }
-        image
     }
 
     fn install(&mut self, kind: ThemeKind) {
@@ -121,6 +153,54 @@ impl Headless {
                 return (output, !wants_another);
             }
         }
+    }
+}
+
+/// A sheet to draw on, of whole pixels.
+struct Sheet {
+    size_px: [usize; 2],
+    size_pts: Vec2,
+    pixels_per_point: f32,
+}
+
+impl Sheet {
+    fn new(size_pts: Vec2, pixels_per_point: f32) -> Self {
+        let within = |value: f32, least: f32, most: f32| {
+            // `f32::max` also turns what is not a number into the least.
+            value.max(least).min(most)
+        };
+        let pixels_per_point = within(pixels_per_point, 0.125, 16.0);
+        let side = |points: f32| within((points * pixels_per_point).round(), 1.0, MAX_SIDE_PX);
+        let size_px = [side(size_pts.x), side(size_pts.y)];
+        Self {
+            size_px: size_px.map(|side| side as usize),
+            size_pts: Vec2::from(size_px) / pixels_per_point,
+            pixels_per_point,
+        }
+    }
+}
+
+/// What is drawn on a sheet: shapes in points, lowest first, with what the drawing says of itself among them.
+pub struct Drawing<'a> {
+    pub shapes: &'a [ClippedShape],
+    pub size_pts: Vec2,
+    pub pixels_per_point: f32,
+    pub theme: &'static Theme,
+    table: &'a Headless,
+    size_px: [usize; 2],
+}
+
+impl Drawing<'_> {
+    /// Some of the shapes on a sheet of glass, as large as the whole. Each pixel is multiplied by its alpha.
+    pub fn on_glass(&self, shapes: Vec<ClippedShape>) -> Image {
+        let Headless { ctx, painter, .. } = self.table;
+        let primitives = ctx.tessellate(shapes, self.pixels_per_point);
+        painter.paint(
+            &primitives,
+            self.pixels_per_point,
+            self.size_px,
+            Color32::TRANSPARENT,
+        )
     }
 }
 

@@ -27,6 +27,23 @@ pub enum Layer {
     Marker,
 }
 
+impl Layer {
+    /// That of a group in a drawing that is written down.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Wash => "half-planes",
+            Self::Construction => "construction",
+            Self::Area => "areas",
+            Self::Extension => "extensions",
+            Self::Casing => "casings",
+            Self::Glow => "glow",
+            Self::Stroke => "strokes",
+            Self::Head => "arrows",
+            Self::Marker => "markers",
+        }
+    }
+}
+
 #[derive(Clone, Debug)]
 pub struct LayeredPart<'a> {
     pub layer: Layer,

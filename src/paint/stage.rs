@@ -11,6 +11,7 @@ use super::{
     labels::{Around, Labels, Obstacle, Placed},
     layers::{Layer, LayeredPart, pieces},
     line::{Line, crowd},
+    notes,
     overlap::leave_out_covered,
     parts::{HEAD, Marker, Part},
     pen::{Pen, radius},
@@ -41,24 +42,14 @@ impl Look<'_> {
             lit,
         };
         let pieces = drawn(viewport, theme, marks, lit);
-        for piece in &pieces {
-            match piece.layer {
-                Layer::Glow => stage.glow(piece),
-                Layer::Casing => stage.casing(piece),
-                Layer::Wash
-                | Layer::Construction
-                | Layer::Area
-                | Layer::Extension
-                | Layer::Stroke
-                | Layer::Head
-                | Layer::Marker => stage.part(piece),
-            }
+        for layer in pieces.chunk_by(|a, b| a.layer == b.layer) {
+            notes::group(painter, layer[0].layer.name(), || stage.layer(layer));
         }
         if around.fades {
             fade(painter, theme, viewport.rect);
         }
         let labels = Labels::new(painter, viewport, self, (marks, &pieces), around);
-        labels.draw(painter, self, lit);
+        notes::group(painter, "labels", || labels.draw(painter, self, lit));
         labels.placed
     }
 
@@ -122,6 +113,22 @@ struct Stage<'a> {
 }
 
 impl Stage<'_> {
+    fn layer(&self, pieces: &[LayeredPart<'_>]) {
+        for piece in pieces {
+            match piece.layer {
+                Layer::Glow => self.glow(piece),
+                Layer::Casing => self.casing(piece),
+                Layer::Wash
+                | Layer::Construction
+                | Layer::Area
+                | Layer::Extension
+                | Layer::Stroke
+                | Layer::Head
+                | Layer::Marker => self.part(piece),
+            }
+        }
+    }
+
     fn part(&self, LayeredPart { mark, part, .. }: &LayeredPart<'_>) {
         let pen = Pen::of(self.theme, mark);
         let ctx = self.painter.ctx();
@@ -163,11 +170,15 @@ impl Stage<'_> {
     }
 
     fn fill(&self, outlines: &[Vec<[f64; 2]>], colour: Color32) -> Egui {
+        let on_screen = || -> Vec<_> {
+            let outlines = outlines.iter();
+            outlines.map(|it| self.viewport.all_to_screen(it)).collect()
+        };
+        notes::area(self.painter, on_screen, colour);
         if outlines.iter().map(Vec::len).sum::<usize>() >= LARGE {
             return filled_large(self.painter.ctx(), self.viewport, outlines, colour);
         }
-        let on_screen = outlines.iter().map(|it| self.viewport.all_to_screen(it));
-        filled(&on_screen.collect::<Vec<_>>(), colour)
+        filled(&on_screen(), colour)
     }
 
     fn head(&self, [from, tip]: [Pos2; 2], colour: Color32) -> Egui {

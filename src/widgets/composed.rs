@@ -3,7 +3,7 @@
 use crate::{
     figure::{Caption, ColumnLayout, Layout, Need, Sheet, Slot, Spacing, View},
     labs::Difference,
-    paint::fonts::semibold,
+    paint::{fonts::semibold, notes},
 };
 
 use super::{caption, headings::column_title, prelude::*, views::view};
@@ -67,7 +67,10 @@ impl Composition<'_> {
         let layout = sheet.lay_out(needs);
         if let Some(title) = title {
             let at = rect_of(layout.title).min + spacing.inset * vec2(1.0, 0.5);
-            title.paint(ui.painter(), at, Align2::LEFT_TOP);
+            let painter = ui.painter();
+            notes::group(painter, "title", || {
+                title.paint(painter, at, Align2::LEFT_TOP)
+            });
         }
         layout
     }
@@ -91,19 +94,26 @@ impl Composition<'_> {
             let at = (strip.left_top(), Align2::LEFT_TOP);
             let notes = [moment, note.as_deref()];
             let painter = ui.painter_at(strip);
-            column_title(&painter, look, at, strip.width(), name, notes);
+            notes::group(&painter, "method", || {
+                column_title(&painter, look, at, strip.width(), name, notes);
+            });
         }
         let mut pointed = None;
         for shown in views.iter().skip(1) {
             if let Some(slot) = places.slot(shown.id) {
-                pointed = view(ui, look, rect_of(slot), shown, lit).or(pointed);
+                let painter = ui.painter().clone();
+                let view = || view(ui, look, rect_of(slot), shown, lit);
+                pointed = notes::group(&painter, "view", view).or(pointed);
             }
         }
         let rest = rect_of(places.caption);
         let hairline = Stroke::new(1.0, look.theme.hairline);
         let painter = ui.painter();
         painter.hline(rest.x_range(), rest.top() + 0.5, hairline);
-        caption(ui, look, inside(places.caption), said);
+        let painter = painter.clone();
+        notes::group(&painter, "sentence", || {
+            caption(ui, look, inside(places.caption), said);
+        });
         pointed
     }
 }

@@ -7,6 +7,11 @@ cli-exported =
         [one] { $count } figure exported to { $path }
        *[other] { $count } figures exported to { $path }
     }
+cli-handouts =
+    { $count ->
+        [one] { $count } handout written to { $path }
+       *[other] { $count } handouts written to { $path }
+    }
 cli-exported-slides =
     { $count ->
         [one] { $count } page of slides written to { $path }
@@ -34,7 +39,9 @@ cli-untranslated =
     }
 cli-unreadable = { $path } could not be read: { $reason }
 export-same-name = { $first } and { $second } would both be { $path }: nothing has been drawn.
-export-no-loop = A loop shows figures: --format apng goes with neither --window nor --questions. Nothing has been drawn.
+export-no-moment = In { $path } the moment “{ $moment }” never comes. Nothing has been drawn.
+export-no-loop = A loop shows figures: --format { $format } goes with neither --window nor --questions. Nothing has been drawn.
+export-window-is-pixels = A whole window is pixels: --window goes with --format png alone, not with { $format }. Nothing has been drawn.
 
 ## Wrong usage
 
@@ -46,6 +53,7 @@ usage-argument-missing = { $name } is missing.
 usage-conflict = { $name } cannot be used with { $other }.
 usage-expected = Possible values: { $expected }.
 usage-expected-size = Expected WIDTHxHEIGHT, from 64x64 to { $most }, such as 1920x1080.
+usage-expected-steps = Expected figures, all, or two moments such as start..end.
 usage-expected-scale = Expected a number from 0.25 to 8.
 usage-see-help = --help shows the commands and options, with examples.
 

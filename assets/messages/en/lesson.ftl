@@ -223,3 +223,7 @@ goal-words-count =
     }
 problem-goal-text = Step “{ $name }” has { $count } goal lines, and { $limit } conditions in lesson.toml.
 expect-goal-text = Expected: one line “- [ ] …” for each condition.
+
+handout-work-out = To work out
+handout-open = This step opens with { $link }
+handout-kept = What to keep

@@ -7,6 +7,11 @@ cli-exported =
         [one] { $count } figura exportada en { $path }
        *[other] { $count } figuras exportadas en { $path }
     }
+cli-handouts =
+    { $count ->
+        [one] { $count } hoja escrita en { $path }
+       *[other] { $count } hojas escritas en { $path }
+    }
 cli-exported-slides =
     { $count ->
         [one] { $count } página de diapositivas escrita en { $path }
@@ -34,7 +39,9 @@ cli-untranslated =
     }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
-export-no-loop = Un bucle muestra figuras: --format apng no va con --window ni con --questions. No se ha dibujado nada.
+export-no-moment = En { $path } nunca llega el momento “{ $moment }”. No se ha dibujado nada.
+export-no-loop = Un bucle muestra figuras: --format { $format } no va con --window ni con --questions. No se ha dibujado nada.
+export-window-is-pixels = Una ventana entera son píxeles: --window solo va con --format png, no con { $format }. No se ha dibujado nada.
 
 ## Wrong usage
 
@@ -46,6 +53,7 @@ usage-argument-missing = Falta { $name }.
 usage-conflict = { $name } no se puede usar con { $other }.
 usage-expected = Valores posibles: { $expected }.
 usage-expected-size = Se esperaba ANCHOxALTO, de 64x64 a { $most }, como 1920x1080.
+usage-expected-steps = Se esperaba figures, all o dos momentos como start..end.
 usage-expected-scale = Se esperaba un número de 0.25 a 8.
 usage-see-help = --help muestra las órdenes y opciones, con ejemplos.
 

@@ -223,3 +223,7 @@ goal-words-count =
     }
 problem-goal-text = El paso «{ $name }» tiene { $count } líneas de objetivo, y lesson.toml { $limit } condiciones.
 expect-goal-text = Se esperaba: una línea «- [ ] …» por cada condición.
+
+handout-work-out = Para resolver
+handout-open = Este paso se abre con { $link }
+handout-kept = Para recordar

@@ -7,6 +7,11 @@ cli-exported =
         [1] { $count } figura exportada para { $path }
        *[other] { $count } figuras exportadas para { $path }
     }
+cli-handouts =
+    { $count ->
+        [1] { $count } apostila escrita em { $path }
+       *[other] { $count } apostilas escritas em { $path }
+    }
 cli-exported-slides =
     { $count ->
         [1] { $count } página de slides escrita em { $path }
@@ -34,7 +39,9 @@ cli-untranslated =
     }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
-export-no-loop = Um laço mostra figuras: --format apng não vai com --window nem com --questions. Nada foi desenhado.
+export-no-moment = Em { $path } o momento “{ $moment }” nunca chega. Nada foi desenhado.
+export-no-loop = Um laço mostra figuras: --format { $format } não vai com --window nem com --questions. Nada foi desenhado.
+export-window-is-pixels = Uma janela inteira é feita de pixels: --window só vai com --format png, não com { $format }. Nada foi desenhado.
 
 ## Wrong usage
 
@@ -46,6 +53,7 @@ usage-argument-missing = Falta { $name }.
 usage-conflict = { $name } não pode ser usado com { $other }.
 usage-expected = Valores possíveis: { $expected }.
 usage-expected-size = Esperava-se LARGURAxALTURA, de 64x64 a { $most }, como 1920x1080.
+usage-expected-steps = Esperado: figures, all ou dois momentos como start..end.
 usage-expected-scale = Esperava-se um número de 0.25 a 8.
 usage-see-help = --help mostra os comandos e opções, com exemplos.
 

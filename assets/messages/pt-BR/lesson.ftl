@@ -223,3 +223,7 @@ goal-words-count =
     }
 problem-goal-text = O passo “{ $name }” tem { $count } linhas de meta, e lesson.toml { $limit } condições.
 expect-goal-text = Esperado: uma linha “- [ ] …” para cada condição.
+
+handout-work-out = Para resolver
+handout-open = Este passo abre com { $link }
+handout-kept = Para guardar

@@ -3,6 +3,7 @@
 ## Results
 
 cli-exported = 已将 { $count } 幅图导出到 { $path }
+cli-handouts = 已将 { $count } 份讲义写入 { $path }
 cli-exported-slides = 已将 { $count } 个演示页面写入 { $path }
 cli-checked = { $count } 节课检查通过
 cli-checked-scenes = { $count } 个场景文件检查通过
@@ -10,7 +11,9 @@ cli-refused = 有 { $count } 项输入不被接受
 cli-untranslated = 提示：{ $count } 课以英文代替 { $languages }；这些语言可有可无
 cli-unreadable = 无法读取 { $path }：{ $reason }
 export-same-name = { $first } 和 { $second } 都会成为 { $path }：什么也没有绘制。
-export-no-loop = 循环动画只显示插图：--format apng 不能与 --window 或 --questions 同用。什么也没有绘制。
+export-no-moment = 在 { $path } 中，时刻“{ $moment }”从未出现。什么也没有绘制。
+export-no-loop = 循环动画只显示插图：--format { $format } 不能与 --window 或 --questions 同用。什么也没有绘制。
+export-window-is-pixels = 整个窗口由像素组成：--window 只能与 --format png 同用，不能与 { $format } 同用。什么也没有绘制。
 
 ## Wrong usage
 
@@ -22,6 +25,7 @@ usage-argument-missing = 缺少 { $name }。
 usage-conflict = { $name } 不能与 { $other } 同时使用。
 usage-expected = 可用：{ $expected }。
 usage-expected-size = 应为 宽 x 高，从 64x64 到 { $most }，例如 1920x1080。
+usage-expected-steps = 应为 figures、all，或两个时刻，例如 start..end。
 usage-expected-scale = 应为 0.25 到 8 之间的数。
 usage-see-help = --help 列出全部命令和选项，并附示例。
 

@@ -204,3 +204,7 @@ goal-words-event = 第 { $nth } 个“{ $event }”中，“{ $name }”为“{ 
 goal-words-count = 运行中有 { $count } 个“{ $name }”步骤
 problem-goal-text = 步骤“{ $name }”有 { $count } 行目标，而 lesson.toml 中有 { $limit } 个条件。
 expect-goal-text = 应为：每个条件一行“- [ ] …”。
+
+handout-work-out = 动手计算
+handout-open = 打开此步：{ $link }
+handout-kept = 要点

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{
-    export::{Options, Steps, Studio, jobs},
+    export::{Options, Steps, Studio, Way, jobs},
     lesson::{Opens, link_in},
 };
 
@@ -146,7 +146,7 @@ fn an_exported_figure_opens_what_it_shows() {
         asks: false,
     };
     let jobs = jobs(lessons, options.steps);
-    let bytes = jobs[0].png(&mut Studio::new(options.theme), options, None);
+    let bytes = jobs[0].bytes(&mut Studio::new(options.theme), Way::of(options));
     let link = link_in(&bytes).expect("a picture of ours carries its link");
     assert!(link.ends_with("&lang=es"), "{link}");
     let mut bench = Bench::course(SIZE);

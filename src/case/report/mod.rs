@@ -8,12 +8,13 @@ mod steps;
 mod text;
 
 use crate::{
+    figure::Run,
     input::Given,
     text::{Alike, Catalog, Message, Said},
     trace::Counts,
 };
 
-use super::{Case, Detail, Id, Refused, refusal::short};
+use super::{Case, Detail, Id, Numbers, Refused, refusal::short};
 
 use columns::Cell;
 use sheet::BLANK;
@@ -43,6 +44,31 @@ const STEP_HEAD: [&str; 4] = [
     "report-formula",
     "report-changed",
 ];
+
+/// A run to be worked out on paper.
+pub struct Worksheet {
+    /// Over its columns.
+    pub head: [String; 4],
+    /// Number, decision, formulas and changes of each step, or room for them: paragraphs of each.
+    pub rows: Vec<[Vec<String>; 4]>,
+}
+
+/// With the answers, or with blanks in their place.
+pub fn worksheet(run: &dyn Run, is_answered: bool, catalog: &Catalog) -> Worksheet {
+    let numbers = Numbers::OrInfinite;
+    let mut alike = Alike::default();
+    steps::see(run, numbers, &mut alike);
+    let catalog = catalog.alike(alike.notation());
+    let sheet = if is_answered {
+        Sheet::Answers
+    } else {
+        Sheet::Questions
+    };
+    Worksheet {
+        head: STEP_HEAD.map(|key| catalog.term(key)),
+        rows: steps::rows(run, numbers, sheet, catalog),
+    }
+}
 
 impl Report {
     /// `number` is how many cases came before it, and one.

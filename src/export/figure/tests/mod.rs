@@ -2,14 +2,21 @@
 
 mod labels;
 
+use egui::Rect;
+
 use crate::{
     export::jobs,
-    figure::{Lens, Seer, judged},
+    figure::{Body, Lens, Seer, judged},
     lesson::Course,
-    widgets::{picture_viewport, under_title},
+    paint::{Around, Look, Viewport},
+    text::Lang,
+    widgets::{covered, picture_viewport, rect_of, under_title},
 };
 
-use super::*;
+use super::{
+    page::{Drawn, plane_marks},
+    *,
+};
 
 /// The figures of the course, in pictures that are quickly drawn.
 const fn small(theme: ThemeKind, lang: Lang) -> Options {

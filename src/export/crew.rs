@@ -1,0 +1,107 @@
+//! All figures of a course, drawn and written on all cores.
+
+use std::{
+    io,
+    num::NonZero,
+    ops::Range,
+    path::Path,
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+        mpsc,
+    },
+    thread,
+};
+
+use crate::paint::ThemeKind;
+
+use super::{figure::Studio, files::write_whole, jobs::Job};
+
+/// What is written of a job.
+#[derive(Debug)]
+pub struct Content {
+    /// The file's bytes.
+    pub picture: Vec<u8>,
+    /// In words, beside it.
+    pub alternative: Option<String>,
+}
+
+fn write(job: &Job<'_>, content: &Content, out: &Path) -> io::Result<()> {
+    let path = out.join(&job.path);
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    if let Some(alternative) = &content.alternative {
+        write_whole(&path.with_extension("txt"), alternative.as_bytes())?;
+    }
+    write_whole(&path, &content.picture)
+}
+
+#[derive(Debug)]
+pub struct Failure {
+    pub path: String,
+    pub error: io::Error,
+}
+
+/// Figures of a lesson that one thread draws, as its runs are recorded once for all of them.
+const MOST_IN_LOT: usize = 16;
+
+/// What threads take from the jobs: those that follow each other in a lesson.
+fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
+    let mut lots = Vec::new();
+    let mut first = 0;
+    for alike in jobs.chunk_by(Job::is_beside) {
+        for lot in alike.chunks(MOST_IN_LOT) {
+            lots.push(first..first + lot.len());
+            first += lot.len();
+        }
+    }
+    lots
+}
+
+/// Draws with `draw` and writes all pictures on all cores; `done` hears of each on the calling thread. The
+/// failures come in the order of the jobs.
+pub fn run(
+    jobs: &[Job<'_>],
+    theme: ThemeKind,
+    out: &Path,
+    draw: impl Fn(&Job<'_>, &mut Studio) -> Content + Sync,
+    mut done: impl FnMut(),
+) -> Vec<Failure> {
+    let lots = lots(jobs);
+    let next = AtomicUsize::new(0);
+    let failures = Mutex::new(Vec::new());
+    let n_threads = thread::available_parallelism()
+        .map_or(1, NonZero::get)
+        .min(lots.len());
+    thread::scope(|scope| {
+        let (finished, each_finished) = mpsc::channel();
+        for _ in 0..n_threads {
+            let finished = finished.clone();
+            let (next, lots, failures, draw) = (&next, &lots, &failures, &draw);
+            scope.spawn(move || {
+                let mut studio = Studio::new(theme);
+                let take = || lots.get(next.fetch_add(1, Ordering::Relaxed));
+                let lots = std::iter::from_fn(take);
+                for (i, job) in lots.flat_map(|lot| lot.clone().zip(&jobs[lot.clone()])) {
+                    if let Err(error) = write(job, &draw(job, &mut studio), out) {
+                        let path = out.join(&job.path).display().to_string();
+                        if let Ok(mut failures) = failures.lock() {
+                            failures.push((i, Failure { path, error }));
+                        }
+                    }
+                    if finished.send(()).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(finished);
+        for () in each_finished {
+            done();
+        }
+    });
+    let mut failures = failures.into_inner().unwrap_or_default();
+    failures.sort_by_key(|(i, _)| *i);
+    failures.into_iter().map(|(_, failure)| failure).collect()
+}

@@ -1,0 +1,117 @@
+//! Paths: neighbours that are drawn alike are one element.
+
+use std::fmt::Write;
+
+use crate::{
+    export::vector::{
+        ink::Ink,
+        page::{Form, Path, Run},
+    },
+    paint::Theme,
+};
+
+use super::attributes::{ink_class, number};
+
+/// May both be one element? Where they overlap, the colour must not count twice, nor a second outline make a hole.
+pub fn may_join(theme: &Theme, a: &Path, b: &Path) -> bool {
+    let is_opaque = |colour| Ink::of(theme, colour).is_opaque();
+    let are_lines = |path: &Path| matches!(path.form, Form::Lines(_)) && path.fill.is_none();
+    let are_boxes = |path: &Path| {
+        matches!(path.form, Form::Rect(_, radius) if radius == 0.0) && path.stroke.is_none()
+    };
+    let are_alike = a.fill == b.fill && a.stroke == b.stroke;
+    let colours = [a.fill, a.stroke.map(|(_, colour)| colour)];
+    are_alike
+        && colours.into_iter().flatten().all(is_opaque)
+        && ((are_lines(a) && are_lines(b)) || (are_boxes(a) && are_boxes(b)))
+}
+
+pub fn write(out: &mut String, theme: &Theme, paths: &[&Path]) {
+    let Some(first) = paths.first() else { return };
+    let style = style(theme, first);
+    match (&first.form, paths) {
+        (Form::Circle(middle, radius), _) => {
+            let [x, y, radius] = [middle.x, middle.y, *radius].map(number);
+            let _ = writeln!(out, "<circle{style} cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>");
+        }
+        (Form::Rect(rect, radius), [_]) => {
+            let [x, y, width, height] =
+                [rect.min.x, rect.min.y, rect.width(), rect.height()].map(number);
+            let round = if *radius > 0.0 {
+                format!(" rx=\"{}\"", number(*radius))
+            } else {
+                String::new()
+            };
+            let _ = writeln!(
+                out,
+                "<rect{style} x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"{round}/>"
+            );
+        }
+        (Form::Lines(_) | Form::Rect(..), _) => {
+            let mut data = String::new();
+            for path in paths {
+                match &path.form {
+                    Form::Lines(runs) => runs.iter().for_each(|run| line(&mut data, run)),
+                    Form::Rect(rect, _) => {
+                        let [x, y, width, height] =
+                            [rect.min.x, rect.min.y, rect.width(), rect.height()].map(number);
+                        let _ = write!(data, "M{x} {y}h{width}v{height}H{x}z");
+                    }
+                    Form::Circle(..) => {}
+                }
+            }
+            let rule = if first.fill.is_some()
+                && matches!(first.form, Form::Lines(_))
+                && is_own_outline(first)
+            {
+                " fill-rule=\"evenodd\""
+            } else {
+                ""
+            };
+            let _ = writeln!(out, "<path{style}{rule} d=\"{data}\"/>");
+        }
+    }
+}
+
+/// Triangles that stand for an area all turn the same way, and may touch: those are filled wherever one of them is.
+fn is_own_outline(path: &Path) -> bool {
+    match &path.form {
+        Form::Lines(runs) => runs.len() == 1 || runs.iter().any(|run| run.points.len() != 3),
+        Form::Circle(..) | Form::Rect(..) => false,
+    }
+}
+
+fn line(data: &mut String, run: &Run) {
+    for (i, at) in run.points.iter().enumerate() {
+        let letter = match i {
+            0 => "M",
+            1 => "L",
+            _ => " ",
+        };
+        let _ = write!(data, "{letter}{} {}", number(at.x), number(at.y));
+    }
+    if run.is_closed {
+        data.push('z');
+    }
+}
+
+fn style(theme: &Theme, path: &Path) -> String {
+    let mut classes = Vec::new();
+    let mut attributes = String::new();
+    if let Some(colour) = path.fill {
+        let (class, own) = ink_class(Ink::of(theme, colour), "", "fill");
+        classes.extend(class);
+        attributes.push_str(&own);
+    } else {
+        attributes.push_str(" fill=\"none\"");
+    }
+    if let Some((width, colour)) = path.stroke {
+        let (class, own) = ink_class(Ink::of(theme, colour), "s-", "stroke");
+        classes.extend(class);
+        let _ = write!(attributes, "{own} stroke-width=\"{}\"", number(width));
+    }
+    if !classes.is_empty() {
+        attributes = format!(" class=\"{}\"{attributes}", classes.join(" "));
+    }
+    attributes
+}
