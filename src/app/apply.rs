@@ -314,7 +314,7 @@ impl App {
         if self.give_meshes_up(ctx.input(|input| input.time)) {
             return;
         }
-        if self.exporting.take().is_some()
+        if self.end_export()
             || self.stage.typing.take().is_some()
             || self.shown.dialog.take().is_some()
             || self.stage.sketch.take().is_some()

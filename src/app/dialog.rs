@@ -140,7 +140,7 @@ impl App {
             Dialog::Open(_) => ("open-title", true, &["toml", "obj"]),
             Dialog::Save(_) => ("save-title", false, &["toml"]),
             Dialog::Lesson(_) => ("lesson-save-title", false, &[]),
-            Dialog::Export(..) => ("export-title", false, &["png"]),
+            Dialog::Export(..) => ("export-title", false, self.platform.formats()),
             Dialog::HandIn(_) => ("hand-in-title", false, &["json"]),
             Dialog::TakeUp(_) => ("take-up-title", true, &["json"]),
             Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_) => return,

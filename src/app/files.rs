@@ -1,45 +1,19 @@
-//! Files: those that are dropped or opened, where the scene is saved, and its figures, which are exported one a frame.
+//! Files: those that are dropped or opened, and where the scene is saved.
 
 use std::path::Path;
 
-use egui::ColorImage;
-
-use crate::{lesson::is_png, paint::Image};
+use crate::lesson::is_picture;
 
 use super::{
     App, Dialog,
-    dialog::{Figures, Target, meant},
+    dialog::{Target, meant},
+    exports::path_of,
     mesh_loading::{is_mesh, is_of_a_mesh},
-    platform::StageFigure,
     prelude::*,
 };
 
 /// So many files are remembered.
 const MOST_RECENT: usize = 8;
-
-/// Figures on their way into files.
-pub struct Export {
-    path: String,
-    figures: Figures,
-    title: Option<String>,
-    scene: Scene,
-    lesson: Option<String>,
-    /// The step that is drawn next, and the last one.
-    next: usize,
-    last: usize,
-}
-
-/// The file of a step: of many, each has its number before the ending.
-fn path_of(path: &str, figures: Figures, step: usize) -> String {
-    if !figures.all {
-        return path.to_owned();
-    }
-    let (stem, ending) = match path.rsplit_once('.') {
-        Some((stem, ending)) if !ending.contains(['/', '\\']) => (stem, ending),
-        _ => (path, "png"),
-    };
-    format!("{stem}-{step:03}.{ending}")
-}
 
 impl App {
     /// What is dropped on the window or pasted into it.
@@ -105,7 +79,7 @@ impl App {
     /// Shows the scene in these bytes, in the free scene of its lab, or what a figure in them was drawn of; what is wrong with them is
     /// shown, and all left as it was.
     pub fn open_bytes(&mut self, name: &str, bytes: &[u8]) {
-        if is_png(bytes) {
+        if is_picture(bytes) {
             self.open_picture(name, bytes);
             return;
         }
@@ -215,8 +189,7 @@ impl App {
             Some(Dialog::TakeUp(target)) => self.take_up(target, now),
             Some(Dialog::Export(target, figures)) => {
                 self.settings.figures = Some(figures);
-                self.exporting = Some(self.export_of(target.path, figures));
-                self.export_next(ctx, now);
+                self.export(target.path, figures, ctx, now);
             }
             Some(Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_)) | None => {}
         }
@@ -249,105 +222,6 @@ impl App {
             Err(_) => self.shown.dialog = Some(Dialog::Save(target)),
         }
         self.report(&path, written, ["status-saved", "status-save-failed"], now);
-    }
-
-    /// The first and the last step that become figures.
-    const fn exported(&self, figures: Figures) -> [usize; 2] {
-        let transport = &self.playback.transport;
-        if figures.all {
-            [0, transport.n_steps()]
-        } else {
-            [transport.position(); 2]
-        }
-    }
-
-    fn export_of(&self, path: String, figures: Figures) -> Export {
-        let is_shown = self.is_open() && !figures.all;
-        let title = self.bookmark.title(figures.lang, is_shown);
-        let [next, last] = self.exported(figures);
-        Export {
-            path,
-            figures,
-            title: title.filter(|_| self.is_untouched()).map(str::to_owned),
-            scene: self.scene().clone(),
-            lesson: self.bookmark.lesson().map(|lesson| lesson.id.clone()),
-            next,
-            last,
-        }
-    }
-
-    /// Draws the next figure of an export, one a frame: the window stays awake, and Escape ends it.
-    pub(super) fn export_next(&mut self, ctx: &Context, now: f64) {
-        let Some(mut export) = self.exporting.take() else {
-            return;
-        };
-        let path = path_of(&export.path, export.figures, export.next);
-        let drawn = self.drawn(&export, ctx);
-        let link = self.link_of(&export);
-        let bytes = drawn.map(|image| image.to_linked_png(link.as_deref()));
-        let written = bytes.and_then(|bytes| self.platform.write(&path, &bytes));
-        self.notices.clear();
-        if written.is_ok() && export.next < export.last {
-            export.next += 1;
-            let message = Message::new("status-exporting")
-                .with("count", export.next)
-                .with("total", export.last + 1);
-            self.exporting = Some(export);
-            ctx.request_repaint();
-            self.tell(&message, now);
-            return;
-        }
-        if written.is_err() {
-            let dialog = Dialog::Export(Target::new(export.path), export.figures);
-            self.shown.dialog = Some(dialog);
-        }
-        let keys = ["status-exported", "status-export-failed"];
-        self.report(&path, written, keys, now);
-    }
-
-    /// To the next figure of an export, unless the scene has been changed since.
-    fn link_of(&self, export: &Export) -> Option<String> {
-        let is_shown = self.pending.is_none() && export.scene == *self.history.now();
-        let moment = is_shown.then(|| self.playback.main().moment(export.next))?;
-        self.link_at(export.next, &moment).fitting()
-    }
-
-    /// The next figure of an export.
-    fn drawn(&mut self, export: &Export, ctx: &Context) -> Result<Image, Diagnostic> {
-        let id = export.lesson.as_ref();
-        let figure = StageFigure {
-            title: export.title.as_deref(),
-            scene: &export.scene,
-            lesson: id.and_then(|id| self.bookmark.course.lesson(id)),
-            position: export.next,
-            figures: export.figures,
-        };
-        self.platform.draw(figure, ctx)
-    }
-
-    /// Puts what an export would write of this step on the system's clipboard.
-    pub(super) fn copy_figure(&mut self, ctx: &Context, now: f64) {
-        let slide = self.slide();
-        let last = self.settings.figures.unwrap_or(slide);
-        let export = self.export_of(
-            String::new(),
-            Figures {
-                size_px: last.size_px,
-                ..slide
-            },
-        );
-        match self.drawn(&export, ctx) {
-            Ok(Image { size, rgba }) => {
-                ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, &rgba));
-                let [width, height] = size;
-                let message = Message::new("status-copied").with("width", width.to_string());
-                self.tell(&message.with("height", height.to_string()), now);
-            }
-            Err(reason) => {
-                let message = Message::new("status-copy-failed").with("reason", reason);
-                self.complain(self.catalog().message(&message));
-            }
-        }
     }
 
     /// Says what came of a file.

@@ -26,6 +26,7 @@ mod course_steps;
 mod desk;
 mod dialog;
 mod errand;
+mod exports;
 mod fetched;
 mod files;
 mod found;
@@ -131,7 +132,7 @@ pub struct App {
     /// What panels have asked for in this frame.
     commands: RefCell<Vec<Command>>,
     asked: Option<Dialog>,
-    exporting: Option<files::Export>,
+    exports: exports::Exports,
     #[cfg(not(target_arch = "wasm32"))]
     reload: Option<reload::Reload>,
     loading: Vec<mesh_loading::MeshLoading>,
@@ -188,7 +189,7 @@ impl App {
             platform: Box::new(NoFiles),
             commands: RefCell::default(),
             asked: None,
-            exporting: None,
+            exports: exports::Exports::default(),
             #[cfg(not(target_arch = "wasm32"))]
             reload: None,
             loading: Vec::new(),
@@ -362,6 +363,7 @@ impl App {
 
     fn pass_time(&mut self, ctx: &Context, now: f64) {
         self.export_next(ctx, now);
+        self.weigh_export(ctx);
         if let Some(wait) = self.playback.advance(now) {
             ctx.request_repaint_after_secs(wait.max(0.0));
         }

@@ -4,7 +4,10 @@ use egui::{Frame, Grid, KeyboardShortcut, Modal, TextEdit};
 
 use crate::widgets::{select, theme_key};
 
-use super::{App, BINDINGS, Command, Dialog, Figures, desk::SceneAct, prelude::*, progress_page};
+use super::{
+    App, BINDINGS, Command, Dialog, Figures, desk::SceneAct, exports::ending_of, prelude::*,
+    progress_page,
+};
 
 const WIDTH: f32 = 528.0;
 /// Of its width the keys take so much.
@@ -172,7 +175,7 @@ fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {
         heading(app, ui, key);
         ui.add_space(8.0);
         if let Some(figures) = figures {
-            choices(ui, look, figures);
+            choices(app, ui, figures, &mut target.path);
         }
         let entered = text_field(ui, look, "save-path", &mut target.path);
         if target.replaces {
@@ -274,7 +277,15 @@ fn select_name(ctx: &Context, field: Id, path: &str) {
     select(ctx, field, start..end);
 }
 
-fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
+/// What figures look like, and how large the file becomes, of which the ending says the format.
+fn choices(app: &App, ui: &mut Ui, figures: &mut Figures, path: &mut String) {
+    let look = app.look();
+    let formats = app.platform.formats();
+    let mut format = ending_of(path).to_lowercase();
+    let names = formats
+        .iter()
+        .map(|it| ((*it).to_owned(), it.to_uppercase()));
+    let weight = app.weight(*figures);
     let sizes = Figures::SIZES.map(|size| (size, format!("{} × {}", size[0], size[1])));
     let themes = ThemeKind::ALL.map(|kind| (kind, look.say(theme_key(kind))));
     let langs = Lang::ALL.map(|lang| (lang, lang.native_name().to_owned()));
@@ -284,19 +295,49 @@ fn choices(ui: &mut Ui, look: Look<'_>, figures: &mut Figures) {
         .num_columns(2)
         .spacing(vec2(16.0, 4.0))
         .show(ui, |ui| {
-            choice(ui, look, "export-size", (&mut figures.size_px, sizes));
-            choice(ui, look, "settings-theme", (&mut figures.theme, themes));
-            choice(ui, look, "export-language", (&mut figures.lang, langs));
-            choice(ui, look, "export-steps", (&mut figures.all, steps));
+            if formats.len() > 1 {
+                choice(ui, look, "export-format", (&mut format, names.collect()));
+            }
+            choice(
+                ui,
+                look,
+                "export-size",
+                (&mut figures.size_px, sizes.into()),
+            );
+            choice(
+                ui,
+                look,
+                "settings-theme",
+                (&mut figures.theme, themes.into()),
+            );
+            choice(
+                ui,
+                look,
+                "export-language",
+                (&mut figures.lang, langs.into()),
+            );
+            choice(ui, look, "export-steps", (&mut figures.all, steps.into()));
+            if let Some((n_bytes, n_files)) = weight {
+                ui.label(soft(look, "export-weight"));
+                let message = Message::new("export-weight-of").with("size", n_bytes.div_ceil(1000));
+                let message = message.with("count", n_files);
+                ui.label(look.catalog.message(&message));
+                ui.end_row();
+            }
         });
+    if formats.contains(&&*format) && format != ending_of(path).to_lowercase() {
+        let stem = path.len() - ending_of(path).len();
+        path.truncate(stem);
+        path.push_str(&format);
+    }
 }
 
 /// A row of the grid: a name, and what there is to choose of.
-fn choice<T: PartialEq, const N: usize>(
+fn choice<T: PartialEq>(
     ui: &mut Ui,
     look: Look<'_>,
     key: &str,
-    (chosen, all): (&mut T, [(T, String); N]),
+    (chosen, all): (&mut T, Vec<(T, String)>),
 ) {
     ui.label(soft(look, key));
     ui.horizontal_wrapped(|ui| {

@@ -34,14 +34,18 @@ pub type Reader = Box<dyn Fn(&Path, &dyn Fn() -> bool) -> Result<Vec<u8>, FileEr
 
 /// Draws in a studio, which is kept for the next figure.
 pub fn drawn(studio: &mut Option<export::Studio>, picture: StageFigure<'_>) -> Image {
+    let studio = studio.get_or_insert_with(|| export::Studio::new(picture.figures.theme));
+    studio.draw(&as_exported(picture))
+}
+
+fn as_exported(picture: StageFigure<'_>) -> export::Picture<'_> {
     let Figures {
         size_px,
         theme,
         lang,
         all,
     } = picture.figures;
-    let studio = studio.get_or_insert_with(|| export::Studio::new(theme));
-    studio.draw(&export::Picture {
+    export::Picture {
         title: picture.title,
         scene: picture.scene,
         lesson: picture.lesson,
@@ -59,7 +63,7 @@ pub fn drawn(studio: &mut Option<export::Studio>, picture: StageFigure<'_>) -> I
             },
             asks: false,
         },
-    })
+    }
 }
 
 /// A place that has no files answers as it stands here.
@@ -164,6 +168,25 @@ pub trait Platform {
     fn draw(&mut self, _picture: StageFigure<'_>, _ctx: &Context) -> Result<Image, Diagnostic> {
         Err(NO_FILES.into())
     }
+
+    /// The formats of figures, by the endings of their files.
+    fn formats(&self) -> &'static [&'static str] {
+        &["png"]
+    }
+
+    /// A figure's file, in the format of this ending; in pixels where there is none such. It carries the link.
+    ///
+    /// # Errors
+    /// Why it could not be drawn.
+    fn figure_file(
+        &mut self,
+        picture: StageFigure<'_>,
+        _ending: &str,
+        link: Option<&str>,
+        ctx: &Context,
+    ) -> Result<Vec<u8>, Diagnostic> {
+        Ok(self.draw(picture, ctx)?.to_linked_png(link))
+    }
 }
 
 /// A place without files: a headless table.
@@ -237,5 +260,26 @@ impl Platform for Desktop {
 
     fn draw(&mut self, picture: StageFigure<'_>, _: &Context) -> Result<Image, Diagnostic> {
         Ok(drawn(&mut self.studio, picture))
+    }
+
+    fn formats(&self) -> &'static [&'static str] {
+        &["png", "svg", "pdf"]
+    }
+
+    fn figure_file(
+        &mut self,
+        picture: StageFigure<'_>,
+        ending: &str,
+        link: Option<&str>,
+        ctx: &Context,
+    ) -> Result<Vec<u8>, Diagnostic> {
+        let shapes = match ending {
+            "svg" => export::Shapes::Svg(export::Letters::default()),
+            "pdf" => export::Shapes::Pdf,
+            _ => return Ok(self.draw(picture, ctx)?.to_linked_png(link)),
+        };
+        let new = || export::Studio::new(picture.figures.theme);
+        let studio = self.studio.get_or_insert_with(new);
+        Ok(export::shapes(studio, &as_exported(picture), shapes, link).bytes)
     }
 }

@@ -7,8 +7,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::{
     app::{App, Page, Places, Settings},
     export::{
-        Content, Format, Job, Letters, Options, Source, Steps, Studio, Way, between, in_format,
-        jobs, jobs_of, run,
+        Content, Format, Job, Letters, Made, Options, Source, Steps, Studio, Way, between,
+        in_format, jobs, jobs_of, run,
     },
     figure::Moment,
     lesson::Course,
@@ -210,10 +210,13 @@ pub(super) fn export(args: &Args) -> Outcome {
     let mut progress = Progress::new(jobs.len() as u64);
     let draw = |job: &Job<'_>, studio: &mut Studio| Content {
         alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
-        picture: if args.window {
-            window_png(job, &course, studio.table(), args)
+        made: if args.window {
+            Made {
+                bytes: window_png(job, &course, studio.table(), args),
+                beside: Vec::new(),
+            }
         } else {
-            job.bytes(studio, way)
+            job.made(studio, way)
         },
     };
     let done = || progress.advance(1);

@@ -31,7 +31,7 @@ use clap::{
 use crate::{
     app::{Opening, Settings, is_mesh, run_native},
     lesson::{
-        Course, Folder, Link, MAX_SCENE_BYTES, Problem, SceneFormats, ask, is_png, link_in,
+        Course, Folder, Link, MAX_SCENE_BYTES, Problem, SceneFormats, ask, is_picture, link_in,
         read_file, said,
     },
     text::{Catalog, Diagnostic, Lang, Message},
@@ -158,7 +158,7 @@ fn opening(path: &Path, catalog: &Catalog) -> Result<Opening, String> {
         });
     }
     let bytes = read_file(path, MAX_SCENE_BYTES).map_err(|error| unread(error.into()))?;
-    if is_png(&bytes) {
+    if is_picture(&bytes) {
         let without = || unread(Message::new("problem-picture-without-link").into());
         return linked(link_in(&bytes).ok_or_else(without)?, catalog);
     }

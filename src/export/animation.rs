@@ -13,12 +13,10 @@ use crate::{
     paint::{Image, Theme},
 };
 
-use change::Change;
+use change::{Change, LEAST_MS, MORE_MS};
 use palette::{CLEAR, Palette, Plane};
 
-/// What everyone has seen, and what takes time to read, in milliseconds: a picture that is new from edge to edge stands for both.
-const LEAST_MS: u16 = 800;
-const MORE_MS: f64 = 1_600.0;
+/// The first picture is new from edge to edge.
 const FIRST_MS: u16 = LEAST_MS + MORE_MS as u16;
 /// The end of a run is looked at, then it begins anew.
 const LAST_MS: u16 = 3_000;

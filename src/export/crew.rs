@@ -15,13 +15,11 @@ use std::{
 
 use crate::paint::ThemeKind;
 
-use super::{figure::Studio, files::write_whole, jobs::Job};
+use super::{figure::Studio, files::write_whole, jobs::Job, shapes::Made};
 
 /// What is written of a job.
-#[derive(Debug)]
 pub struct Content {
-    /// The file's bytes.
-    pub picture: Vec<u8>,
+    pub made: Made,
     /// In words, beside it.
     pub alternative: Option<String>,
 }
@@ -34,7 +32,11 @@ fn write(job: &Job<'_>, content: &Content, out: &Path) -> io::Result<()> {
     if let Some(alternative) = &content.alternative {
         write_whole(&path.with_extension("txt"), alternative.as_bytes())?;
     }
-    write_whole(&path, &content.picture)
+    for (suffix, bytes) in &content.made.beside {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        write_whole(&path.with_file_name(name.into_owned() + suffix), bytes)?;
+    }
+    write_whole(&path, &content.made.bytes)
 }
 
 #[derive(Debug)]

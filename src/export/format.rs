@@ -9,6 +9,8 @@ pub enum Format {
     Svg,
     /// The same for printers and LaTeX: a page for each figure
     Pdf,
+    /// The same for LaTeX alone, with labels that TeX sets
+    Tikz,
     /// The whole run of each figure as a loop of pictures: an animated PNG
     Apng,
     /// The same as a GIF, for programs that play nothing else
@@ -23,6 +25,7 @@ impl Format {
             Self::Png => "png",
             Self::Svg => "svg",
             Self::Pdf => "pdf",
+            Self::Tikz => "tikz",
             Self::Apng => "apng",
             Self::Gif => "gif",
             Self::Frames => "png",
@@ -33,7 +36,7 @@ impl Format {
     pub const fn is_loop(self) -> bool {
         match self {
             Self::Apng | Self::Gif => true,
-            Self::Png | Self::Svg | Self::Pdf | Self::Frames => false,
+            Self::Png | Self::Svg | Self::Pdf | Self::Tikz | Self::Frames => false,
         }
     }
 }

@@ -14,7 +14,8 @@ use super::{
     animation::Reel,
     figure::{Options, Picture, Steps, Studio},
     format::Format,
-    vector::{About, Letters, pdf_of_one, svg},
+    shapes::{Made, Shapes, shapes},
+    vector::Letters,
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -220,26 +221,31 @@ impl Job<'_> {
 
     /// The file's bytes, with the link to what it shows.
     pub fn bytes(&self, studio: &mut Studio, way: Way<'_>) -> Vec<u8> {
+        self.made(studio, way).bytes
+    }
+
+    /// The same, with the files that belong to it.
+    pub fn made(&self, studio: &mut Studio, way: Way<'_>) -> Made {
         let link = self.link_on(way);
-        let foot = link.as_deref().filter(|_| way.page.is_some());
+        let link = link.as_deref();
         let picture = Picture {
-            foot,
+            foot: link.filter(|_| way.page.is_some()),
             ..self.picture(way.options)
         };
-        match self.format {
-            Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link.as_deref()),
-            Format::Svg => {
-                let alternative = studio.alternative(&picture);
-                let drawing = studio.vector(&picture);
-                let about = about(&picture, &alternative, link.as_deref());
-                svg(&drawing, way.letters, about).into_bytes()
+        let bytes = match self.format {
+            Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link),
+            Format::Apng | Format::Gif => self.animation(studio, &picture, link),
+            Format::Svg => return shapes(studio, &picture, Shapes::Svg(way.letters), link),
+            Format::Pdf => return shapes(studio, &picture, Shapes::Pdf, link),
+            Format::Tikz => {
+                let name = Path::new(&self.path).file_stem().unwrap_or_default();
+                let shapes = Shapes::Tikz(&name.to_string_lossy());
+                return self::shapes(studio, &picture, shapes, link);
             }
-            Format::Pdf => {
-                let alternative = studio.alternative(&picture);
-                let drawing = studio.vector(&picture);
-                pdf_of_one(&drawing, about(&picture, &alternative, link.as_deref()))
-            }
-            Format::Apng | Format::Gif => self.animation(studio, &picture, link.as_deref()),
+        };
+        Made {
+            bytes,
+            beside: Vec::new(),
         }
     }
 
@@ -270,14 +276,5 @@ impl Job<'_> {
         } else {
             reel.apng()
         }
-    }
-}
-
-fn about<'a>(picture: &Picture<'a>, alternative: &'a str, link: Option<&'a str>) -> About<'a> {
-    About {
-        title: picture.title.unwrap_or_default(),
-        alternative,
-        lang: picture.options.lang.id(),
-        link,
     }
 }

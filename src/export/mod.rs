@@ -17,6 +17,8 @@ mod handout;
 #[cfg(not(target_arch = "wasm32"))]
 mod jobs;
 #[cfg(not(target_arch = "wasm32"))]
+mod shapes;
+#[cfg(not(target_arch = "wasm32"))]
 mod slides;
 #[cfg(not(target_arch = "wasm32"))]
 mod vector;
@@ -34,6 +36,8 @@ pub use graded::{Drawn, draw_graded};
 pub use handout::{Handout, Paper};
 #[cfg(not(target_arch = "wasm32"))]
 pub use jobs::{Job, Missing, Source, Way, between, in_format, jobs, jobs_of};
+#[cfg(not(target_arch = "wasm32"))]
+pub use shapes::{Made, Shapes, shapes};
 #[cfg(not(target_arch = "wasm32"))]
 pub use slides::{Slide, slides};
 #[cfg(not(target_arch = "wasm32"))]

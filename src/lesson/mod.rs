@@ -58,8 +58,8 @@ pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS, MAX_SCE
 pub use folder::Folder;
 pub use glossary::{Glossary, Term, Word, glossary};
 pub use link::{
-    LONG_LINK, Link, LinkError, MOST_LINK, Opened, Opens, Stand, StepName, is_png, link_in, said,
-    with_link,
+    LONG_LINK, Link, LinkError, MOST_LINK, Opened, Opens, Stand, StepName, is_picture,
+    link_element, link_in, said, with_link,
 };
 pub use load::Loaded;
 pub use markdown::{Block, BlockMarker, Inline, StepText};

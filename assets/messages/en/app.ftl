@@ -191,6 +191,13 @@ cost-compared-with = compared with { $method }
 open-title = Open a scene
 save-title = Save the scene
 export-title = Export this figure
+export-format = Format
+export-weight = File
+export-weight-of =
+    { $count ->
+        [one] { $size } kB
+       *[other] { $count } files of about { $size } kB
+    }
 export-size = Size
 export-language = Language
 export-steps = Steps

@@ -191,6 +191,13 @@ cost-compared-with = en comparación con { $method }
 open-title = Abrir una escena
 save-title = Guardar la escena
 export-title = Exportar esta figura
+export-format = Formato
+export-weight = Archivo
+export-weight-of =
+    { $count ->
+        [one] { $size } kB
+       *[other] { $count } archivos de unos { $size } kB
+    }
 export-size = Tamaño
 export-language = Idioma
 export-steps = Pasos

@@ -191,6 +191,13 @@ cost-compared-with = em comparação com { $method }
 open-title = Abrir uma cena
 save-title = Salvar a cena
 export-title = Exportar esta figura
+export-format = Formato
+export-weight = Arquivo
+export-weight-of =
+    { $count ->
+        [1] { $size } kB
+       *[other] { $count } arquivos de cerca de { $size } kB
+    }
 export-size = Tamanho
 export-language = Idioma
 export-steps = Passos

@@ -183,6 +183,13 @@ cost-compared-with = 比较对象：{ $method }
 open-title = 打开场景
 save-title = 保存场景
 export-title = 导出此图
+export-format = 格式
+export-weight = 文件
+export-weight-of =
+    { $count ->
+        [1] { $size } kB
+       *[other] { $count } 个文件，各约 { $size } kB
+    }
 export-size = 大小
 export-language = 语言
 export-steps = 步骤

@@ -110,7 +110,7 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
     for _ in 0..n_steps {
         bench.frame(0.1, Vec::new());
     }
-    assert!(bench.app.exporting.is_none());
+    assert!(!bench.app.end_export());
     for step in [0, n_steps] {
         let written = fs::read(folder.path().join(format!("cut-{step:03}.png")));
         let picture = Picture {
@@ -139,6 +139,32 @@ fn an_export_is_what_was_chosen_and_the_choice_is_remembered() {
     assert_eq!(n_written, n_steps + 1);
     let again = App::new(Course::default(), bench.app.settings());
     assert_eq!(again.settings().figures, Some(figures));
+}
+
+#[test]
+fn the_ending_of_an_export_says_its_format_and_the_dialog_how_large_it_becomes() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (ending, begins) in [("svg", "<svg "), ("pdf", "%PDF-"), ("png", "\u{89}PNG")] {
+        let mut bench = Bench::on_a_desktop();
+        bench.press(Key::E, ctrl());
+        let Some(Dialog::Export(mut target, figures)) = bench.app.shown.dialog.clone() else {
+            panic!("it asks");
+        };
+        let path = folder.path().join(format!("cut.{ending}"));
+        target.path = path.display().to_string();
+        bench.apply(Command::Show(Some(Dialog::Export(target, figures))));
+        bench.frame(0.1, Vec::new());
+        let weight = bench.app.weight(figures);
+        bench.apply(Command::Confirm);
+        let written = fs::read(&path).expect("it is there");
+        let text = String::from_utf8_lossy(&written);
+        let begins = begins.trim_start_matches('\u{89}');
+        assert!(
+            text.trim_start_matches('\u{FFFD}').starts_with(begins),
+            "{ending}"
+        );
+        assert_eq!(weight, Some((written.len(), 1)), "{ending}");
+    }
 }
 
 #[test]

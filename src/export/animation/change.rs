@@ -1,9 +1,10 @@
 //! What differs between two pictures: a rectangle, and how much of it.
 
-use super::{
-    LEAST_MS, MORE_MS,
-    palette::{CLEAR, Plane},
-};
+use super::palette::{CLEAR, Plane};
+
+/// What everyone has seen, and what takes time to read, in milliseconds: a picture that is new from edge to edge stands for both.
+pub const LEAST_MS: u16 = 800;
+pub const MORE_MS: f64 = 1_600.0;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Change {

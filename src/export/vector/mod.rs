@@ -3,10 +3,12 @@
 mod about;
 mod face;
 mod ink;
+mod number;
 mod page;
 mod pdf;
 mod read;
 mod svg;
+mod tikz;
 mod web_font;
 
 pub use about::About;
@@ -14,3 +16,4 @@ pub use page::VectorPage;
 pub use pdf::{PdfPage, PdfPart, Tag, pdf, pdf_of_one};
 pub use read::read;
 pub use svg::{Letters, svg};
+pub use tikz::tikz;

@@ -59,6 +59,8 @@ pub struct Text {
     pub plain: String,
     pub turn: Turn,
     pub letters: Vec<Letter>,
+    /// Lines of quotients, and what else is drawn with letters.
+    pub bars: Vec<Path>,
 }
 
 /// Round this point.
@@ -87,6 +89,29 @@ pub struct Picture {
     pub image: Image,
 }
 
+impl Item {
+    pub const fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Drawn(Drawn {
+                what: What::Path(path),
+                ..
+            }) => Some(path),
+            _ => None,
+        }
+    }
+
+    /// Are both paths that may be one?
+    pub fn joins(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Drawn(a), Self::Drawn(b)) if a.clip == b.clip => {
+                let paths = self.path().zip(other.path());
+                paths.is_some_and(|(a, b)| a.joins(b))
+            }
+            _ => false,
+        }
+    }
+}
+
 impl Turn {
     pub fn place(self, at: Pos2) -> Pos2 {
         self.around + Rot2::from_angle(self.radians) * (at - self.around)
@@ -107,6 +132,19 @@ impl Text {
 }
 
 impl Path {
+    /// May both be one element? Where they overlap, the colour must not count twice, nor a second outline make a hole.
+    pub fn joins(&self, other: &Self) -> bool {
+        let is_line = |path: &Self| matches!(path.form, Form::Lines(_)) && path.fill.is_none();
+        let is_box = |path: &Self| matches!(path.form, Form::Rect(_, 0.0)) && path.stroke.is_none();
+        let colours = [self.fill, self.stroke.map(|(_, colour)| colour)];
+        (self.fill, self.stroke) == (other.fill, other.stroke)
+            && colours
+                .into_iter()
+                .flatten()
+                .all(|colour| colour.is_opaque())
+            && ((is_line(self) && is_line(other)) || (is_box(self) && is_box(other)))
+    }
+
     pub fn bounds(&self) -> Rect {
         let around = self.stroke.map_or(0.0, |(width, _)| 0.5 * width);
         let rect = match &self.form {

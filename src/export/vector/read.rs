@@ -54,7 +54,9 @@ impl Reader<'_> {
             Shape::Vec(shapes) => shapes.iter().for_each(|shape| self.shape(clip, shape)),
             Shape::Callback(_) => self.note(shape),
             Shape::Circle(circle) => {
-                let form = Form::Circle(circle.center, circle.radius);
+                // egui's line goes round it.
+                let radius = circle.radius + 0.5 * circle.stroke.width;
+                let form = Form::Circle(circle.center, radius);
                 self.path(clip, form, circle.fill, circle.stroke);
             }
             Shape::LineSegment { points, stroke } => self.segment(clip, *points, *stroke),

@@ -8,14 +8,17 @@ use std::fmt::Write;
 
 use base64::{Engine, engine::general_purpose::STANDARD as BASE64};
 
+use crate::lesson::link_element;
+
 use super::{
     about::About,
     ink::{Ink, roles},
+    number::number,
     page::{Drawn, Item, VectorPage, What},
     web_font::web_font,
 };
 
-use attributes::{escaped, number};
+use attributes::escaped;
 pub use words::Letters;
 use words::Words;
 
@@ -63,11 +66,7 @@ fn head(file: &mut String, page: &VectorPage, about: About<'_>) {
     let words = escaped(about.alternative.trim_end());
     let _ = writeln!(file, "<desc id=\"desc\">{words}</desc>");
     if let Some(link) = about.link {
-        let link = escaped(link);
-        let _ = writeln!(
-            file,
-            "<metadata><clipscope xmlns=\"https://clipscope.example/link\">{link}</clipscope></metadata>"
-        );
+        let _ = writeln!(file, "<metadata>{}</metadata>", link_element(link));
     }
 }
 
@@ -156,7 +155,7 @@ impl Writer<'_> {
                 What::Path(path) => {
                     let mut paths = vec![path];
                     while let Some(What::Path(other)) = next {
-                        if !shapes::may_join(self.page.theme, path, other) {
+                        if !path.joins(other) {
                             break;
                         }
                         paths.push(other);
@@ -164,7 +163,12 @@ impl Writer<'_> {
                     }
                     shapes::write(&mut self.out, self.page.theme, &paths);
                 }
-                What::Text(text) => self.words.write(&mut self.out, self.page.theme, text),
+                What::Text(text) => {
+                    self.words.write(&mut self.out, self.page.theme, text);
+                    for bar in &text.bars {
+                        shapes::write(&mut self.out, self.page.theme, &[bar]);
+                    }
+                }
                 What::Picture(picture) => {
                     let [min, size] = [picture.rect.min.to_vec2(), picture.rect.size()];
                     // Exact: it stands on whole pixels.

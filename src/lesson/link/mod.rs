@@ -14,7 +14,7 @@ mod stand;
 
 pub use address::{LONG_LINK, Link, MOST_LINK, Opens, StepName};
 pub use error::LinkError;
-pub use picture::{is_png, link_in, with_link};
+pub use picture::{is_picture, link_element, link_in, with_link};
 pub use stand::{Opened, Stand, said};
 
 #[cfg(test)]

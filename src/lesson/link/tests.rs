@@ -108,8 +108,14 @@ fn a_picture_carries_its_link() {
     let mut writer = encoder.write_header().expect("a header");
     writer.write_image_data(&[0]).expect("one pixel");
     writer.finish().expect("an end");
-    assert!(is_png(&bytes));
+    assert!(is_picture(&bytes));
     assert_eq!(link_in(&bytes).as_deref(), Some("#05-intervals/entering"));
     assert_eq!(link_in(&bytes[..20]), None);
     assert_eq!(link_in(b"\x89PNG\r\n\x1a\n"), None);
+    let link = "#v1=a&at=x<1";
+    let svg = format!("<svg ><metadata>{}</metadata></svg>", link_element(link));
+    assert!(is_picture(svg.as_bytes()));
+    assert_eq!(link_in(svg.as_bytes()).as_deref(), Some(link));
+    assert_eq!(link_in(&svg.as_bytes()[..svg.len() / 2]), None);
+    assert_eq!(link_in(b"<svg ></svg>"), None);
 }

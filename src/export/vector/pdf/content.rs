@@ -248,6 +248,7 @@ impl<'a> Contents<'a> {
         }
         self.content.end_text();
         self.content.end_marked_content();
+        text.bars.iter().for_each(|bar| self.path(bar));
     }
 
     fn letters(&mut self, text: &Text, letters: &[Letter]) {

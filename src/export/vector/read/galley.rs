@@ -1,11 +1,15 @@
 //! Text as egui has laid it out: each letter with its font, its colour and its place.
 
 use egui::{
-    Color32, Pos2, Rect, Stroke, TextFormat, emath::GuiRounding, epaint::TextShape,
-    epaint::text::Glyph, epaint::text::Row, vec2,
+    Color32, Pos2, Rect, TextFormat,
+    emath::GuiRounding,
+    epaint::text::Glyph,
+    epaint::text::Row,
+    epaint::{TextShape, Vertex},
+    vec2,
 };
 
-use crate::export::vector::page::{Form, Letter, Text, Turn, What};
+use crate::export::vector::page::{Form, Letter, Path, Text, Turn, What};
 
 use super::Reader;
 
@@ -18,7 +22,7 @@ impl Reader<'_> {
             let part = galley.job.text.get(range).unwrap_or_default();
             part.chars().filter(|c| *c != '\n').map(|_| &section.format)
         });
-        let mut letters = Vec::new();
+        let (mut letters, mut bars) = (Vec::new(), Vec::new());
         for (row, placed) in galley.rows.iter().enumerate() {
             let origin = at + placed.pos.to_vec2();
             for glyph in &placed.row.glyphs {
@@ -26,7 +30,7 @@ impl Reader<'_> {
                 let pen = Pen { text, origin, row };
                 letters.extend(pen.letter(&placed.row, glyph, format));
             }
-            self.bars(clip, text, &placed.row, origin);
+            bars.extend(bars_of(text, &placed.row, origin));
         }
         let what = What::Text(Text {
             plain: galley.job.text.clone(),
@@ -35,26 +39,29 @@ impl Reader<'_> {
                 radians: text.angle,
             },
             letters,
+            bars,
         });
         if text.opacity_factor > 0.0 && !galley.job.text.trim().is_empty() {
             let bounds = text.visual_bounding_rect();
             self.drawn(clip, bounds, what);
         }
     }
+}
 
-    /// Lines of quotients, and what else a row has beside letters.
-    fn bars(&mut self, clip: Rect, text: &TextShape, row: &Row, origin: Pos2) {
-        let visuals = &row.visuals;
-        let vertices = visuals.mesh.vertices.iter().enumerate();
-        let others = vertices.filter(|(i, _)| !visuals.glyph_vertex_range.contains(i));
-        let others: Vec<_> = others.map(|(_, vertex)| vertex).collect();
-        for corners in others.chunks_exact(4) {
-            let rect = Rect::from_points(&[corners[0].pos, corners[3].pos]);
-            let rect = rect.translate(origin.to_vec2());
-            let colour = shown(text, corners[0].color);
-            self.path(clip, Form::Rect(rect, 0.0), colour, Stroke::NONE);
+fn bars_of(text: &TextShape, row: &Row, origin: Pos2) -> Vec<Path> {
+    let visuals = &row.visuals;
+    let vertices = visuals.mesh.vertices.iter().enumerate();
+    let others = vertices.filter(|(i, _)| !visuals.glyph_vertex_range.contains(i));
+    let others: Vec<_> = others.map(|(_, vertex)| vertex).collect();
+    let bar = |corners: &[&Vertex]| {
+        let rect = Rect::from_points(&[corners[0].pos, corners[3].pos]);
+        Path {
+            form: Form::Rect(rect.translate(origin.to_vec2()), 0.0),
+            fill: Some(shown(text, corners[0].color)),
+            stroke: None,
         }
-    }
+    };
+    others.chunks_exact(4).map(bar).collect()
 }
 
 struct Pen<'a> {

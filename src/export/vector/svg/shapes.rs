@@ -5,26 +5,13 @@ use std::fmt::Write;
 use crate::{
     export::vector::{
         ink::Ink,
+        number::number,
         page::{Form, Path, Run},
     },
     paint::Theme,
 };
 
-use super::attributes::{ink_class, number};
-
-/// May both be one element? Where they overlap, the colour must not count twice, nor a second outline make a hole.
-pub fn may_join(theme: &Theme, a: &Path, b: &Path) -> bool {
-    let is_opaque = |colour| Ink::of(theme, colour).is_opaque();
-    let are_lines = |path: &Path| matches!(path.form, Form::Lines(_)) && path.fill.is_none();
-    let are_boxes = |path: &Path| {
-        matches!(path.form, Form::Rect(_, radius) if radius == 0.0) && path.stroke.is_none()
-    };
-    let are_alike = a.fill == b.fill && a.stroke == b.stroke;
-    let colours = [a.fill, a.stroke.map(|(_, colour)| colour)];
-    are_alike
-        && colours.into_iter().flatten().all(is_opaque)
-        && ((are_lines(a) && are_lines(b)) || (are_boxes(a) && are_boxes(b)))
-}
+use super::attributes::ink_class;
 
 pub fn write(out: &mut String, theme: &Theme, paths: &[&Path]) {
     let Some(first) = paths.first() else { return };

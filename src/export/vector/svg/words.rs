@@ -12,12 +12,13 @@ use crate::{
     export::vector::{
         face::Face,
         ink::Ink,
+        number::number,
         page::{Letter, Text},
     },
     paint::Theme,
 };
 
-use super::attributes::{escaped, ink_class, number};
+use super::attributes::{escaped, ink_class};
 
 /// How far egui slants what has no italics of its own.
 const SLANT_DEGREES: f32 = 14.0;
