@@ -7,7 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::{
     app::{App, Page, Places, Settings},
     export::{
-        Content, Format, Job, Letters, Made, Options, Source, Steps, Studio, Way, between,
+        Content, Failure, Format, Job, Letters, Made, Options, Source, Steps, Studio, Way, between,
         in_format, jobs, jobs_of, run,
     },
     figure::Moment,
@@ -184,20 +184,22 @@ pub(super) fn export(args: &Args) -> Outcome {
         say(args.lang, &message);
         return Outcome::Unusable;
     }
-    if args.slides {
+    let (sum, failures) = if args.slides {
         let decks: Vec<&[Job<'_>]> = jobs.chunk_by(Job::is_beside).collect();
         let failures = slides::write(&decks, options, &args.out);
-        return told(
-            args.lang,
-            &args.out,
-            ("cli-exported-slides", decks.len()),
-            failures,
-            read,
-        );
-    }
-    let course = Course {
-        lessons: chosen.lessons.clone(),
+        (("cli-exported-slides", decks.len()), failures)
+    } else {
+        let course = Course {
+            lessons: chosen.lessons.clone(),
+        };
+        let failures = drawn(args, options, &course, &jobs);
+        (("cli-exported", jobs.len()), failures)
     };
+    told(args.lang, &args.out, sum, failures, read)
+}
+
+/// Draws and writes them all; those that could not be written.
+fn drawn(args: &Args, options: Options, course: &Course, jobs: &[Job<'_>]) -> Vec<Failure> {
     let way = Way {
         letters: if args.outlines {
             Letters::Outlines
@@ -212,23 +214,14 @@ pub(super) fn export(args: &Args) -> Outcome {
         alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
         made: if args.window {
             Made {
-                bytes: window_png(job, &course, studio.table(), args),
+                bytes: window_png(job, course, studio.table(), args),
                 beside: Vec::new(),
             }
         } else {
             job.made(studio, way)
         },
     };
-    let done = || progress.advance(1);
-    let failures = run(&jobs, options.theme, &args.out, draw, done);
-    drop(progress);
-    told(
-        args.lang,
-        &args.out,
-        ("cli-exported", jobs.len()),
-        failures,
-        read,
-    )
+    run(jobs, options.theme, &args.out, draw, || progress.advance(1))
 }
 
 /// What is drawn in each format. Whole windows are pixels; questions and windows stand still.

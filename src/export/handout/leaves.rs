@@ -104,20 +104,17 @@ impl<'a> Press<'a> {
     }
 
     pub fn title(&mut self, title: &str) -> Leaf {
-        let ink = self.look.theme.ink;
-        let leaf = self.leaf(Tag::Title, 0.0, |ui| {
-            set(ui, title, FontId::new(TITLE_PTS, semibold()), ink);
-        });
-        Leaf {
-            keeps: true,
-            ..leaf
-        }
+        self.headline(title, Tag::Title, (TITLE_PTS, 0.0))
     }
 
     pub fn heading(&mut self, title: &str) -> Leaf {
+        self.headline(title, Tag::Heading, (HEADING_PTS, 18.0))
+    }
+
+    fn headline(&mut self, words: &str, tag: Tag, (points, above): (f32, f32)) -> Leaf {
         let ink = self.look.theme.ink;
-        let leaf = self.leaf(Tag::Heading, 18.0, |ui| {
-            set(ui, title, FontId::new(HEADING_PTS, semibold()), ink);
+        let leaf = self.leaf(tag, above, |ui| {
+            set(ui, words, FontId::new(points, semibold()), ink);
         });
         Leaf {
             keeps: true,

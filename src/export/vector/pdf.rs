@@ -8,8 +8,13 @@ mod parts;
 mod pictures;
 mod tags;
 
+use std::collections::BTreeSet;
+
 use egui::{Pos2, Rect};
-use pdf_writer::{Finish, Name, Pdf, Ref, Str, TextStr, types::ActionType};
+use pdf_writer::{
+    Filter, Finish, Name, Pdf, Ref, Str, TextStr,
+    types::{ActionType, AnnotationType, TabOrder},
+};
 
 use super::{
     about::About,
@@ -56,38 +61,18 @@ pub fn pdf(pages: &[PdfPage<'_>], about: About<'_>) -> Vec<u8> {
     let alphas = content::alphas(drawings());
     let mut tags = Tags::new(pages.len(), &mut ids);
     let page_ids: Vec<Ref> = pages.iter().map(|_| ids.next()).collect();
-    let mut n_pictures = 0;
+    let mut whole = Whole {
+        pdf: &mut pdf,
+        ids: &mut ids,
+        tags: &mut tags,
+        tree,
+        fonts: &fonts,
+        pictures: &pictures,
+        alphas: &alphas,
+        n_pictures: 0,
+    };
     for (nth, (page, &id)) in pages.iter().zip(&page_ids).enumerate() {
-        let mut contents = Contents::new(page.size, &fonts, n_pictures);
-        let mut links = Vec::new();
-        for part in &page.parts {
-            let marked = tags.part(nth, id, &part.tag, &mut ids);
-            contents.part(part, marked);
-            if let Some(link) = &part.link {
-                let annotation = ids.next();
-                links.push((annotation, part.rect(), link, tags.link(annotation)));
-            }
-        }
-        let used = n_pictures..contents.n_pictures();
-        n_pictures = used.end;
-        let content_id = ids.next();
-        pdf.stream(content_id, &deflated(&contents.finish()))
-            .filter(pdf_writer::Filter::FlateDecode);
-        for (annotation, rect, link, key) in &links {
-            annotate(&mut pdf, *annotation, (page, *rect), link, *key);
-        }
-        let mut written = pdf.page(id);
-        written.parent(tree).contents(content_id);
-        written.media_box(pdf_writer::Rect::new(0.0, 0.0, page.size.x, page.size.y));
-        written.struct_parents(nth as i32);
-        if !links.is_empty() {
-            written.annotations(links.iter().map(|(annotation, ..)| *annotation));
-            written.tab_order(pdf_writer::types::TabOrder::StructureOrder);
-        }
-        let mut resources = written.resources();
-        fonts.name(&mut resources);
-        pictures.name(&mut resources, used);
-        content::name_alphas(&mut resources, &alphas);
+        whole.page(nth, id, page);
     }
     fonts.write(&mut pdf);
     pictures.write(&mut pdf);
@@ -95,14 +80,7 @@ pub fn pdf(pages: &[PdfPage<'_>], about: About<'_>) -> Vec<u8> {
     pdf.pages(tree)
         .kids(page_ids.iter().copied())
         .count(page_ids.len() as i32);
-    let mut written = pdf.document_info(info);
-    written
-        .title(TextStr(about.title))
-        .creator(TextStr("Clipscope"));
-    if let Some(link) = about.link {
-        written.subject(TextStr(link));
-    }
-    written.finish();
+    inform(&mut pdf, info, about);
     let mut written = pdf.catalog(catalog);
     written.pages(tree).lang(TextStr(about.lang));
     written.viewer_preferences().display_doc_title(true);
@@ -110,6 +88,65 @@ pub fn pdf(pages: &[PdfPage<'_>], about: About<'_>) -> Vec<u8> {
     written.pair(Name(b"StructTreeRoot"), root);
     written.finish();
     pdf.finish()
+}
+
+fn inform(pdf: &mut Pdf, id: Ref, about: About<'_>) {
+    let mut written = pdf.document_info(id);
+    written
+        .title(TextStr(about.title))
+        .creator(TextStr("Clipscope"));
+    if let Some(link) = about.link {
+        written.subject(TextStr(link));
+    }
+}
+
+/// What all pages have in common.
+struct Whole<'a> {
+    pdf: &'a mut Pdf,
+    ids: &'a mut Ids,
+    tags: &'a mut Tags,
+    tree: Ref,
+    fonts: &'a Fonts,
+    pictures: &'a Pictures<'a>,
+    alphas: &'a BTreeSet<u8>,
+    /// Those of the pages before.
+    n_pictures: usize,
+}
+
+impl Whole<'_> {
+    fn page(&mut self, nth: usize, id: Ref, page: &PdfPage<'_>) {
+        let mut contents = Contents::new(page.size, self.fonts, self.n_pictures);
+        let mut links = Vec::new();
+        for part in &page.parts {
+            let marked = self.tags.part(nth, id, &part.tag, self.ids);
+            contents.part(part, marked);
+            if let Some(link) = &part.link {
+                let annotation = self.ids.next();
+                let key = self.tags.link(annotation);
+                annotate(self.pdf, annotation, (page, part.rect()), link, key);
+                links.push(annotation);
+            }
+        }
+        let used = self.n_pictures..contents.n_pictures();
+        self.n_pictures = used.end;
+        let content_id = self.ids.next();
+        let content = deflated(&contents.finish());
+        let mut stream = self.pdf.stream(content_id, &content);
+        stream.filter(Filter::FlateDecode);
+        stream.finish();
+        let mut written = self.pdf.page(id);
+        written.parent(self.tree).contents(content_id);
+        written.media_box(pdf_writer::Rect::new(0.0, 0.0, page.size.x, page.size.y));
+        written.struct_parents(nth as i32);
+        if !links.is_empty() {
+            written.annotations(links);
+            written.tab_order(TabOrder::StructureOrder);
+        }
+        let mut resources = written.resources();
+        self.fonts.name(&mut resources);
+        self.pictures.name(&mut resources, used);
+        content::name_alphas(&mut resources, self.alphas);
+    }
 }
 
 fn pictures_of(drawing: &VectorPage) -> impl Iterator<Item = &crate::paint::Image> {
@@ -124,7 +161,7 @@ fn pictures_of(drawing: &VectorPage) -> impl Iterator<Item = &crate::paint::Imag
 
 fn annotate(pdf: &mut Pdf, id: Ref, (page, rect): (&PdfPage<'_>, Rect), link: &str, key: i32) {
     let mut written = pdf.annotation(id);
-    written.subtype(pdf_writer::types::AnnotationType::Link);
+    written.subtype(AnnotationType::Link);
     let height = page.size.y;
     let [top, bottom] = [rect.min.y, rect.max.y].map(|y| height - y);
     written.rect(pdf_writer::Rect::new(rect.min.x, bottom, rect.max.x, top));
