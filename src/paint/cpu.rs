@@ -260,10 +260,13 @@ impl Image {
         if self.pixels().iter().all(|[.., a]| *a == 255) {
             return self.to_png();
         }
-        let plain = |&[r, g, b, a]: &[u8; 4]| {
-            Color32::from_rgba_premultiplied(r, g, b, a).to_srgba_unmultiplied()
-        };
-        let rgba: Vec<u8> = self.pixels().iter().flat_map(plain).collect();
+        let mut rgba = self.rgba.clone();
+        for pixel in rgba.as_chunks_mut::<4>().0 {
+            let [r, g, b, a] = *pixel;
+            if a != 0 && a != 255 {
+                *pixel = Color32::from_rgba_premultiplied(r, g, b, a).to_srgba_unmultiplied();
+            }
+        }
         let mut bytes = Vec::new();
         encode(&mut bytes, self.size, (png::ColorType::Rgba, &rgba), None)
             .expect("an image with all its pixels, and memory takes every write");

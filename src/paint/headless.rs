@@ -191,16 +191,32 @@ pub struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    /// Some of the shapes on a sheet of glass, as large as the whole. Each pixel is multiplied by its alpha.
-    pub fn on_glass(&self, shapes: Vec<ClippedShape>) -> Image {
+    /// Some of the shapes on a piece of glass that is as large as they are, and where it lies, in pixels. Each pixel is multiplied by its
+    /// alpha. Nothing of what is not on the sheet.
+    pub fn on_glass(&self, mut shapes: Vec<ClippedShape>) -> Option<([usize; 2], Image)> {
+        let sheet = Rect::from_min_size(Pos2::ZERO, self.size_pts);
+        let seen = shapes.iter().map(|it| {
+            let bounds = it.shape.visual_bounding_rect();
+            bounds.intersect(it.clip_rect).intersect(sheet)
+        });
+        let seen = seen.filter(Rect::is_positive);
+        let seen = seen.reduce(Rect::union)?;
+        let px = |at: f32| at * self.pixels_per_point;
+        let [width, height] = self.size_px;
+        let min = [px(seen.min.x), px(seen.min.y)].map(|at| at.floor() as usize);
+        let max = [(px(seen.max.x), width), (px(seen.max.y), height)];
+        let max = max.map(|(at, most)| (at.ceil() as usize).min(most));
+        let size = [max[0] - min[0], max[1] - min[1]];
+        let by = -Vec2::from(min.map(|at| at as f32)) / self.pixels_per_point;
+        for it in &mut shapes {
+            it.shape.translate(by);
+            it.clip_rect = it.clip_rect.translate(by);
+        }
         let Headless { ctx, painter, .. } = self.table;
         let primitives = ctx.tessellate(shapes, self.pixels_per_point);
-        painter.paint(
-            &primitives,
-            self.pixels_per_point,
-            self.size_px,
-            Color32::TRANSPARENT,
-        )
+        let ground = Color32::TRANSPARENT;
+        let image = painter.paint(&primitives, self.pixels_per_point, size, ground);
+        Some((min, image))
     }
 }
 

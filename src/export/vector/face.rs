@@ -23,38 +23,43 @@ pub struct Face {
     pub units: f32,
 }
 
-/// Every character of text is of one of these.
-static FACES: LazyLock<BTreeMap<&'static str, Face>> = LazyLock::new(|| {
+/// Of each family its fonts.
+static FAMILIES: LazyLock<[Vec<Face>; 3]> = LazyLock::new(|| {
     let families = [
         FontFamily::Proportional,
         FontFamily::Monospace,
         fonts::semibold(),
     ];
-    let files = families.iter().flat_map(fonts::of_family);
     let face = |(name, bytes)| {
         let font = FontRef::new(bytes).ok()?;
-        let units = f32::from(
-            font.metrics(Size::unscaled(), LocationRef::default())
-                .units_per_em,
-        );
-        let face = Face {
+        let metrics = font.metrics(Size::unscaled(), LocationRef::default());
+        let units = f32::from(metrics.units_per_em);
+        Some(Face {
             name,
             bytes,
             font,
             units,
-        };
-        Some((name, face))
+        })
     };
-    files.filter_map(face).collect()
+    families.map(|family| {
+        fonts::of_family(&family)
+            .into_iter()
+            .filter_map(face)
+            .collect()
+    })
 });
 
 impl Face {
     /// The first of the family's that has the character, else its first.
     pub fn of(family: &FontFamily, c: char) -> Option<&'static Self> {
-        let files = fonts::of_family(family);
-        let mut faces = files.iter().filter_map(|(name, _)| FACES.get(name));
+        let [proportional, monospace, semibold] = &*FAMILIES;
+        let faces = match family {
+            FontFamily::Proportional => proportional,
+            FontFamily::Monospace => monospace,
+            FontFamily::Name(_) => semibold,
+        };
         let has = |face: &&Self| face.glyph(c).is_some();
-        faces.clone().find(has).or_else(|| faces.next())
+        faces.iter().find(has).or_else(|| faces.first())
     }
 
     pub fn glyph(&self, c: char) -> Option<GlyphId> {

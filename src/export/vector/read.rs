@@ -8,7 +8,7 @@ use egui::{
     epaint::{ClippedShape, ColorMode, PathShape, PathStroke, RectShape, WHITE_UV},
 };
 
-use crate::paint::{Drawing, Image, notes::Note};
+use crate::paint::{Drawing, notes::Note};
 
 use super::page::{Drawn, Form, Item, Path, Picture, Run, VectorPage, What};
 
@@ -223,8 +223,8 @@ impl Reader<'_> {
         if self.pixels.is_empty() {
             return;
         }
-        let image = self.drawing.on_glass(std::mem::take(&mut self.pixels));
-        let Some((min, image)) = cropped(&image) else {
+        let pixels = std::mem::take(&mut self.pixels);
+        let Some((min, image)) = self.drawing.on_glass(pixels) else {
             return;
         };
         let pts =
@@ -246,26 +246,4 @@ fn one_colour(mesh: &egui::Mesh) -> Option<Color32> {
     let is_alike = |vertex: &egui::epaint::Vertex| vertex.color == first && vertex.uv == WHITE_UV;
     let is_bare = mesh.texture_id == TextureId::default();
     (is_bare && mesh.vertices.iter().all(is_alike)).then_some(first)
-}
-
-/// The part that is not empty, and where it begins.
-fn cropped(image: &Image) -> Option<([usize; 2], Image)> {
-    let [width, _] = image.size;
-    let (mut min, mut max) = ([usize::MAX; 2], [0; 2]);
-    let is_drawn = |(_, pixel): &(usize, &[u8; 4])| **pixel != [0; 4];
-    for (i, _) in image.pixels().iter().enumerate().filter(is_drawn) {
-        let at = [i % width, i / width];
-        for axis in 0..2 {
-            min[axis] = min[axis].min(at[axis]);
-            max[axis] = max[axis].max(at[axis] + 1);
-        }
-    }
-    if max == [0; 2] {
-        return None;
-    }
-    let rows = min[1]..max[1];
-    let row = |y: usize| &image.pixels()[y * width + min[0]..y * width + max[0]];
-    let rgba = rows.flat_map(|y| row(y).as_flattened().to_vec()).collect();
-    let size = [max[0] - min[0], max[1] - min[1]];
-    Some((min, Image { size, rgba }))
 }
