@@ -108,7 +108,7 @@ impl<P: Iterator<Item = Image>> Reel<'_, P> {
                 encoder.set_color(ColorType::Indexed);
                 encoder.set_depth(BitDepth::Eight);
                 encoder.set_palette(palette.bytes());
-                encoder.set_trns(palette.alphas());
+                encoder.set_trns(Palette::alphas());
                 // Most of what is written is empty: filters would only hide that.
                 encoder.set_compression(Compression::High);
                 encoder.set_filter(Filter::NoFilter);

@@ -61,7 +61,7 @@ impl Handout<'_> {
         let title = lesson.title(self.lang);
         let mut press = Press::new(studio, THEME, self.lang, self.paper.size());
         let mut leaves = vec![press.title(title)];
-        let mut worked = self.to_work_out(lesson);
+        let mut worked = to_work_out(lesson);
         for step_idx in 0..lesson.steps.len() {
             leaves.extend(self.step(&mut press, lesson, step_idx));
             if worked.take_if(|nth| *nth == step_idx).is_some() {
@@ -80,19 +80,6 @@ impl Handout<'_> {
         let feet = paged(&mut press, leaves, title);
         let pages: Vec<_> = feet.iter().map(|sheet| sheet.page()).collect();
         pdf(&pages, about)
-    }
-
-    /// The step of which a run of few steps is worked out: the first that asks for all of it, else the first that asks.
-    fn to_work_out(self, lesson: &Lesson) -> Option<usize> {
-        let is_short = |step: &LessonStep| {
-            let run = step.scene.document().record().into_iter().next();
-            run.is_some_and(|run| run.n_steps() <= MOST_ROWS)
-        };
-        let first = |is_meant: &dyn Fn(&LessonStep) -> bool| {
-            (lesson.steps.iter()).position(|step| is_meant(step) && is_short(step))
-        };
-        first(&|step| matches!(step.asks, Some(Asks::Run)))
-            .or_else(|| first(&|step| step.asks.is_some()))
     }
 
     fn step(self, press: &mut Press<'_>, lesson: &Lesson, step_idx: usize) -> Vec<Leaf> {
@@ -165,4 +152,17 @@ impl Handout<'_> {
         let words = Catalog::of(self.lang).message(&message);
         press.small(&words, Tag::Paragraph, target)
     }
+}
+
+/// The step of which a run of few steps is worked out: the first that asks for all of it, else the first that asks.
+fn to_work_out(lesson: &Lesson) -> Option<usize> {
+    let is_short = |step: &LessonStep| {
+        let run = step.scene.document().record().into_iter().next();
+        run.is_some_and(|run| run.n_steps() <= MOST_ROWS)
+    };
+    let first = |is_meant: &dyn Fn(&LessonStep) -> bool| {
+        (lesson.steps.iter()).position(|step| is_meant(step) && is_short(step))
+    };
+    first(&|step| matches!(step.asks, Some(Asks::Run)))
+        .or_else(|| first(&|step| step.asks.is_some()))
 }

@@ -14,6 +14,9 @@ pub struct Plane {
     pub indices: Vec<u8>,
 }
 
+/// Of each channel, in the cube of all colours.
+const LEVELS: usize = 4;
+
 pub struct Palette {
     colours: Vec<[u8; 3]>,
     /// The nearest of every colour that has been asked for.
@@ -61,7 +64,6 @@ impl Palette {
             ramp(over, to, n);
         }
         // And a coarse cube of all colours, as far as there is room.
-        const LEVELS: usize = 4;
         let level = |i: usize| (255 * i / (LEVELS - 1)) as u8;
         for i in 0..LEVELS * LEVELS * LEVELS {
             let [r, g, b] = [i % LEVELS, i / LEVELS % LEVELS, i / LEVELS / LEVELS].map(level);
@@ -112,7 +114,7 @@ impl Palette {
         bytes
     }
 
-    pub fn alphas(&self) -> Vec<u8> {
+    pub fn alphas() -> Vec<u8> {
         let mut alphas = vec![255; usize::from(CLEAR)];
         alphas.push(0);
         alphas

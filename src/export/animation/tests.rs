@@ -9,12 +9,12 @@ fn picture(paint: impl Fn([usize; 2]) -> [u8; 3]) -> Image {
 }
 
 fn reel<'a>(
-    pictures: &[Image],
+    pictures: &'a [Image],
     link: Option<&'a str>,
 ) -> Reel<'a, impl Iterator<Item = Image> + use<'a>> {
     Reel {
         n_pictures: pictures.len(),
-        pictures: pictures.to_vec().into_iter(),
+        pictures: pictures.iter().cloned(),
         theme: Theme::of(ThemeKind::Light),
         link,
     }
@@ -119,7 +119,7 @@ fn soft_edges_keep_close_to_their_colour() {
     for kind in ThemeKind::ALL {
         let theme = Theme::of(kind);
         let mut palette = Palette::of(theme);
-        assert!(palette.alphas().len() == 256 && palette.bytes().len() == 768);
+        assert!(Palette::alphas().len() == 256 && palette.bytes().len() == 768);
         for role in [
             theme.ink,
             theme.accent,

@@ -268,7 +268,7 @@ impl<'a> Contents<'a> {
         self.content.set_font(Name(font.name.as_bytes()), size);
         let slant = if *is_italic { SLANT } else { 0.0 };
         let [x, y] = self.place.at(text.turn.place(*at));
-        let (sin, cos) = (-text.turn.radians).sin_cos();
+        let (sin, cos) = libm::sincosf(-text.turn.radians);
         let matrix = [cos, sin, slant * cos - sin, slant * sin + cos, x, y];
         self.content.set_text_matrix(matrix);
         let mut shown = self.content.show_positioned();

@@ -142,7 +142,7 @@ fn is_mathematics(word: &str) -> bool {
     let has_digit = word.contains(|c: char| c.is_ascii_digit());
     let bare = word.trim_matches(['(', ')', '[', ']']);
     let is_one = bare.chars().count() == 1 && bare.chars().all(|c| c.is_ascii_alphabetic());
-    let is_word = letters > 3 && !word.contains(|c| is_sign(c));
+    let is_word = letters > 3 && !word.contains(is_sign);
     !word.is_empty()
         && word.is_char_boundary(word.len())
         && !is_word
