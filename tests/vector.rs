@@ -15,7 +15,7 @@ const SIZE_PX: [u32; 2] = [1280, 720];
 /// A pixel differs where its colour is beyond what the other picture has within a pixel of it, by more than this in any channel: what
 /// is drawn half a pixel further, or with softer edges, does not.
 const TOLERANCE: u8 = 64;
-/// In thousandths of the pixels. The most that any figure of the course has: 0.13 in light, 0.08 in dark, 0.15 in projector.
+/// In thousandths of the pixels. The most that was seen: 0.13 in light, 0.08 in dark.
 const MOST_DIFFERING: f64 = 0.5;
 
 fn options(theme: ThemeKind) -> Options {

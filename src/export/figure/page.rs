@@ -20,6 +20,7 @@ use super::{
 
 const MARGIN_PTS: f32 = 24.0;
 /// Around all that stands on a page, at the sides and over and under it.
+#[cfg(not(target_arch = "wasm32"))]
 pub const PAGE_MARGINS: [f32; 2] = [SPACING.margin, MARGIN_PTS];
 const FOOT_PTS: f32 = 9.0;
 /// A sentence has room for two lines, in all themes: the body of the page is equally high.
