@@ -192,7 +192,7 @@ open-title = Open a scene
 save-title = Save the scene
 export-title = Export this figure
 export-format = Format
-export-weight = File
+export-weight = File size
 export-weight-of =
     { $count ->
         [one] { $size } kB

@@ -192,7 +192,7 @@ open-title = Abrir una escena
 save-title = Guardar la escena
 export-title = Exportar esta figura
 export-format = Formato
-export-weight = Archivo
+export-weight = Tamaño del archivo
 export-weight-of =
     { $count ->
         [one] { $size } kB

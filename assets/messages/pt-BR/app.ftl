@@ -192,7 +192,7 @@ open-title = Abrir uma cena
 save-title = Salvar a cena
 export-title = Exportar esta figura
 export-format = Formato
-export-weight = Arquivo
+export-weight = Tamanho do arquivo
 export-weight-of =
     { $count ->
         [1] { $size } kB

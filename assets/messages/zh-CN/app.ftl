@@ -184,7 +184,7 @@ open-title = 打开场景
 save-title = 保存场景
 export-title = 导出此图
 export-format = 格式
-export-weight = 文件
+export-weight = 文件大小
 export-weight-of =
     { $count ->
         [1] { $size } kB
