@@ -4,9 +4,13 @@ mod tex;
 
 use std::fmt::Write;
 
-use egui::{Color32, FontFamily};
+use egui::{Color32, FontFamily, Pos2, pos2};
 
-use crate::paint::{Image, fonts::semibold};
+use crate::{
+    algo::polygon::Clipper,
+    geom::{Polygon, Window},
+    paint::{Image, fonts::semibold},
+};
 
 use super::{
     about::About,
@@ -174,11 +178,12 @@ impl Writer<'_> {
     }
 
     fn line(&mut self, run: &Run) {
-        for (i, at) in run.points.iter().enumerate() {
+        let points = within(run);
+        for (i, at) in points.iter().enumerate() {
             let to = if i == 0 { " " } else { " -- " };
             let _ = write!(self.out, "{to}({},{})", number(at.x), number(at.y));
         }
-        if run.is_closed {
+        if run.is_closed && !points.is_empty() {
             self.out.push_str(" -- cycle");
         }
     }
@@ -268,6 +273,30 @@ impl Writer<'_> {
         self.images
             .push((suffix, Image::to_glass_png(&picture.image)));
     }
+}
+
+/// TeX knows no length above some 16,000 points: what reaches farther is cut off out of sight.
+fn within(run: &Run) -> Vec<Pos2> {
+    const FAR: f32 = 4_000.0;
+    let is_near = |at: &Pos2| at.x.abs() <= FAR && at.y.abs() <= FAR;
+    if run.points.iter().all(is_near) {
+        return run.points.clone();
+    }
+    let far = f64::from(FAR);
+    let points = run.points.iter().map(|at| [at.x, at.y].map(f64::from));
+    let polygon = Polygon::new(&points.collect::<Vec<_>>());
+    let window = Window::new(-far, -far, far, far);
+    let (true, Ok(polygon), Ok(window)) = (run.is_closed, polygon, window) else {
+        let clamped = run
+            .points
+            .iter()
+            .map(|at| at.clamp(pos2(-FAR, -FAR), pos2(FAR, FAR)));
+        return clamped.collect();
+    };
+    let mut clipper = Clipper::new(&window.into());
+    let clipped = clipper.clip(polygon.vertices());
+    let vertices = clipped.vertices().iter();
+    vertices.map(|p| pos2(p.x() as f32, p.y() as f32)).collect()
 }
 
 /// The line that letters of full size stand on.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 /// Signs that are set in mathematics, and how.
-const SIGNS: [(char, &str); 34] = [
+const SIGNS: [(char, &str); 43] = [
     ('−', "-"),
     ('=', "="),
     ('<', "<"),
@@ -29,12 +29,21 @@ const SIGNS: [(char, &str); 34] = [
     ('α', "\\alpha "),
     ('β', "\\beta "),
     ('′', "'"),
-    ('²', "^2"),
-    ('³', "^3"),
+    ('²', "{}^2"),
+    ('³', "{}^3"),
+    ('⁰', "{}^0"),
+    ('¹', "{}^1"),
+    ('⁴', "{}^4"),
+    ('⁵', "{}^5"),
+    ('⁶', "{}^6"),
+    ('⁷', "{}^7"),
+    ('⁸', "{}^8"),
+    ('⁹', "{}^9"),
+    ('⁻', "{}^-"),
     ('½', "\\tfrac12 "),
     ('¼', "\\tfrac14 "),
-    ('ₙ', "_n"),
-    ('ᵢ', "_i"),
+    ('ₙ', "{}_n"),
+    ('ᵢ', "{}_i"),
     ('±', "\\pm "),
     ('|', "|"),
     ('☐', "\\Box "),
@@ -66,6 +75,7 @@ pub fn escaped(text: &str) -> String {
                 out.push(c);
             }
             '\n' => out.push_str("\\\\"),
+            '\u{2003}' => out.push_str("\\quad "),
             '–' => out.push_str("--"),
             c => match (sign(c), subscript(c)) {
                 (Some(tex), _) => {
@@ -175,11 +185,18 @@ fn quotient(word: &str) -> Option<(&str, &str)> {
 fn row(word: &str) -> String {
     let mut out = String::new();
     let mut chars = word.chars().peekable();
+    let mut is_sub = false;
     while let Some(c) = chars.next() {
+        let was_sub = std::mem::replace(&mut is_sub, c == '_');
         match c {
             '_' => {
+                if was_sub {
+                    out.push_str("{}");
+                }
                 let mut name = String::new();
-                while let Some(c) = chars.next_if(|c| c.is_alphanumeric()) {
+                while let Some(c) =
+                    chars.next_if(|c| c.is_alphanumeric() && subscript(*c).is_none())
+                {
                     name.push(c);
                 }
                 let _ = match &*name {
@@ -204,7 +221,18 @@ fn row(word: &str) -> String {
             c => match (sign(c), subscript(c)) {
                 (Some(tex), _) => out.push_str(tex),
                 (None, Some(digit)) => {
-                    let _ = write!(out, "_{digit}");
+                    let mut digits = digit.to_string();
+                    while let Some(digit) = chars.peek().copied().and_then(subscript) {
+                        digits.push_str(&digit.to_string());
+                        chars.next();
+                    }
+                    // A letter may have one already.
+                    let base = if was_sub { "{}" } else { "" };
+                    is_sub = true;
+                    let _ = match digits.len() {
+                        1 => write!(out, "{base}_{digits}"),
+                        _ => write!(out, "{base}_{{{digits}}}"),
+                    };
                 }
                 (None, None) => out.push_str(&escaped(&c.to_string())),
             },
@@ -226,6 +254,9 @@ mod tests {
             ("x = −1 < 0, outside", "$x = -1 < 0$, outside"),
             ("−5/2", "$-\\frac{5}{2}$"),
             ("50 % & more_", "$50$ \\% \\& $\\mathrm{more}\\_$"),
+            ("x₁₂", "$x_{12}$"),
+            ("p_a₁", "$p_{\\mathrm{a}}{}_1$"),
+            ("10⁻⁶", "$10{}^-{}^6$"),
             ("Q₁Q₂ does not lie", "$Q_1Q_2$ does not lie"),
             ("min(u_max, r)", "$\\min(u_{\\max}$, $r)$"),
         ] {
