@@ -57,15 +57,11 @@ impl<P: Iterator<Item = Image>> Reel<'_, P> {
         bytes
     }
 
-    /// Hands on part by part. No more than two pictures are kept in memory at a time.
-    fn play<E>(
-        self,
-        mut begin: impl FnMut([usize; 2], &Palette) -> Result<(), E>,
-        mut show: impl FnMut(Part) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let mut palette = Palette::of(self.theme);
+    /// What is written of each picture. No more than two are kept in memory at a time.
+    fn parts(self, mut palette: Palette) -> impl Iterator<Item = Part> {
         let mut before: Option<Plane> = None;
-        for (nth, picture) in self.pictures.enumerate() {
+        let last = self.n_pictures - 1;
+        self.pictures.enumerate().map(move |(nth, picture)| {
             let now = palette.plane(&picture);
             let mut part = match &before {
                 Some(before) => {
@@ -77,102 +73,85 @@ impl<P: Iterator<Item = Image>> Reel<'_, P> {
                         milliseconds: change.milliseconds(&now),
                     }
                 }
-                None => {
-                    begin(now.size, &palette)?;
-                    Part {
-                        min: [0; 2],
-                        size: now.size,
-                        indices: now.indices.clone(),
-                        milliseconds: FIRST_MS,
-                    }
-                }
+                None => Part {
+                    min: [0; 2],
+                    size: now.size,
+                    indices: now.indices.clone(),
+                    milliseconds: FIRST_MS,
+                },
             };
-            if nth > 0 && nth + 1 == self.n_pictures {
+            if nth > 0 && nth == last {
                 part.milliseconds = LAST_MS;
             }
-            show(part)?;
             before = Some(now);
-        }
-        Ok(())
+            part
+        })
     }
 
     fn encode_apng(self, bytes: &mut Vec<u8>) -> Result<(), EncodingError> {
-        let (n_pictures, link) = (self.n_pictures as u32, self.link.map(str::to_owned));
-        let writer = std::cell::RefCell::new(None);
-        let mut bytes = Some(bytes);
-        self.play(
-            |size, palette| {
-                let [width, height] = size.map(|side| side as u32);
-                let bytes = bytes.take().expect("a loop begins once");
-                let mut encoder = png::Encoder::new(bytes, width, height);
-                encoder.set_color(ColorType::Indexed);
-                encoder.set_depth(BitDepth::Eight);
-                encoder.set_palette(palette.bytes());
-                encoder.set_trns(Palette::alphas());
-                // Most of what is written is empty: filters would only hide that.
-                encoder.set_compression(Compression::High);
-                encoder.set_filter(Filter::NoFilter);
-                encoder.set_animated(n_pictures, 0)?;
-                encoder.set_blend_op(BlendOp::Over)?;
-                encoder.set_dispose_op(DisposeOp::None)?;
-                if let Some(link) = &link {
-                    with_link(&mut encoder, link)?;
-                }
-                *writer.borrow_mut() = Some(encoder.write_header()?);
-                Ok(())
-            },
-            |part| {
-                let mut writer = writer.borrow_mut();
-                let writer = writer.as_mut().expect("a loop has begun");
-                let [x, y] = part.min.map(|at| at as u32);
-                let [width, height] = part.size.map(|side| side as u32);
-                // The place first within the picture, then its size: each is checked against the other.
-                writer.reset_frame_position()?;
-                writer.set_frame_dimension(width, height)?;
-                writer.set_frame_position(x, y)?;
-                writer.set_frame_delay(part.milliseconds, 1000)?;
-                writer.write_image_data(&part.indices)
-            },
-        )?;
-        writer.into_inner().expect("a loop has a picture").finish()
+        let (n_pictures, link) = (self.n_pictures as u32, self.link);
+        let palette = Palette::of(self.theme);
+        let colours = palette.bytes();
+        let mut parts = self.parts(palette).peekable();
+        let first = parts.peek().expect("a loop has a picture");
+        let [width, height] = first.size.map(|side| side as u32);
+        let mut encoder = png::Encoder::new(bytes, width, height);
+        encoder.set_color(ColorType::Indexed);
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_palette(colours);
+        encoder.set_trns(Palette::alphas());
+        // Most of what is written is empty: filters would only hide that.
+        encoder.set_compression(Compression::High);
+        encoder.set_filter(Filter::NoFilter);
+        encoder.set_animated(n_pictures, 0)?;
+        encoder.set_blend_op(BlendOp::Over)?;
+        encoder.set_dispose_op(DisposeOp::None)?;
+        if let Some(link) = link {
+            with_link(&mut encoder, link)?;
+        }
+        let mut writer = encoder.write_header()?;
+        for part in parts {
+            let [x, y] = part.min.map(|at| at as u32);
+            let [width, height] = part.size.map(|side| side as u32);
+            // The place first within the picture, then its size: each is checked against the other.
+            writer.reset_frame_position()?;
+            writer.set_frame_dimension(width, height)?;
+            writer.set_frame_position(x, y)?;
+            writer.set_frame_delay(part.milliseconds, 1000)?;
+            writer.write_image_data(&part.indices)?;
+        }
+        writer.finish()
     }
 
     fn encode_gif(self, bytes: &mut Vec<u8>) -> Result<(), GifError> {
-        let link = self.link.map(str::to_owned);
-        let writer = std::cell::RefCell::new(None);
-        let mut bytes = Some(bytes);
-        self.play(
-            |size, palette| {
-                let [width, height] = size.map(|side| side as u16);
-                let bytes = bytes.take().expect("a loop begins once");
-                let mut encoder = gif::Encoder::new(bytes, width, height, &palette.bytes())?;
-                encoder.set_repeat(Repeat::Infinite)?;
-                if let Some(link) = &link {
-                    const COMMENT: AnyExtension = AnyExtension(0xFE);
-                    let blocks: Vec<&[u8]> = link.as_bytes().chunks(255).collect();
-                    encoder.write_raw_extension(COMMENT, &blocks)?;
-                }
-                *writer.borrow_mut() = Some(encoder);
-                Ok(())
-            },
-            |part| {
-                let [left, top] = part.min.map(|at| at as u16);
-                let [width, height] = part.size.map(|side| side as u16);
-                let frame = Frame {
-                    delay: part.milliseconds / 10,
-                    dispose: DisposalMethod::Keep,
-                    transparent: Some(CLEAR),
-                    left,
-                    top,
-                    width,
-                    height,
-                    buffer: part.indices.into(),
-                    ..Frame::default()
-                };
-                let mut writer = writer.borrow_mut();
-                let writer = writer.as_mut().expect("a loop has begun");
-                writer.write_frame(&frame)
-            },
-        )
+        let link = self.link;
+        let palette = Palette::of(self.theme);
+        let colours = palette.bytes();
+        let mut parts = self.parts(palette).peekable();
+        let first = parts.peek().expect("a loop has a picture");
+        let [width, height] = first.size.map(|side| side as u16);
+        let mut encoder = gif::Encoder::new(bytes, width, height, &colours)?;
+        encoder.set_repeat(Repeat::Infinite)?;
+        if let Some(link) = link {
+            const COMMENT: AnyExtension = AnyExtension(0xFE);
+            let blocks: Vec<&[u8]> = link.as_bytes().chunks(255).collect();
+            encoder.write_raw_extension(COMMENT, &blocks)?;
+        }
+        for part in parts {
+            let [left, top] = part.min.map(|at| at as u16);
+            let [width, height] = part.size.map(|side| side as u16);
+            encoder.write_frame(&Frame {
+                delay: part.milliseconds / 10,
+                dispose: DisposalMethod::Keep,
+                transparent: Some(CLEAR),
+                left,
+                top,
+                width,
+                height,
+                buffer: part.indices.into(),
+                ..Frame::default()
+            })?;
+        }
+        Ok(())
     }
 }

@@ -232,20 +232,16 @@ impl Job<'_> {
             foot: link.filter(|_| way.page.is_some()),
             ..self.picture(way.options)
         };
-        let bytes = match self.format {
-            Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link),
-            Format::Apng | Format::Gif => self.animation(studio, &picture, link),
-            Format::Svg => return shapes(studio, &picture, Shapes::Svg(way.letters), link),
-            Format::Pdf => return shapes(studio, &picture, Shapes::Pdf, link),
+        match self.format {
+            Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link).into(),
+            Format::Apng | Format::Gif => self.animation(studio, &picture, link).into(),
+            Format::Svg => shapes(studio, &picture, Shapes::Svg(way.letters), link),
+            Format::Pdf => shapes(studio, &picture, Shapes::Pdf, link),
             Format::Tikz => {
                 let name = Path::new(&self.path).file_stem().unwrap_or_default();
-                let shapes = Shapes::Tikz(&name.to_string_lossy());
-                return self::shapes(studio, &picture, shapes, link);
+                let name = name.to_string_lossy();
+                shapes(studio, &picture, Shapes::Tikz(&name), link)
             }
-        };
-        Made {
-            bytes,
-            beside: Vec::new(),
         }
     }
 

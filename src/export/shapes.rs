@@ -21,6 +21,16 @@ pub struct Made {
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
+impl From<Vec<u8>> for Made {
+    /// Of a file that nothing belongs to.
+    fn from(bytes: Vec<u8>) -> Self {
+        Self {
+            bytes,
+            beside: Vec::new(),
+        }
+    }
+}
+
 /// With the link to what it shows.
 pub fn shapes(
     studio: &mut Studio,
@@ -35,13 +45,15 @@ pub fn shapes(
         link,
     };
     let drawing = studio.vector(picture);
-    let (bytes, beside) = match shapes {
-        Shapes::Svg(letters) => (svg(&drawing, letters, about).into_bytes(), Vec::new()),
-        Shapes::Pdf => (pdf_of_one(&drawing, about), Vec::new()),
+    match shapes {
+        Shapes::Svg(letters) => svg(&drawing, letters, about).into_bytes().into(),
+        Shapes::Pdf => pdf_of_one(&drawing, about).into(),
         Shapes::Tikz(name) => {
             let made = tikz(&drawing, name, about);
-            (made.text.into_bytes(), made.images)
+            Made {
+                bytes: made.text.into_bytes(),
+                beside: made.images,
+            }
         }
-    };
-    Made { bytes, beside }
+    }
 }

@@ -4,6 +4,11 @@ use egui::{Color32, FontId, Pos2, Rect, Vec2, emath::Rot2};
 
 use crate::paint::{Image, Theme};
 
+use super::face::Face;
+
+/// How far egui slants what has no italics of its own: of its height.
+pub const SLANT: f32 = 0.25;
+
 pub struct VectorPage {
     pub size: Vec2,
     pub pixels_per_point: f32,
@@ -112,6 +117,17 @@ impl Item {
     }
 }
 
+impl Drawn {
+    /// Itself, where it is one, or those that stand among letters.
+    pub fn paths(&self) -> &[Path] {
+        match &self.what {
+            What::Path(path) => std::slice::from_ref(path),
+            What::Text(text) => &text.bars,
+            What::Picture(_) => &[],
+        }
+    }
+}
+
 impl Turn {
     pub fn place(self, at: Pos2) -> Pos2 {
         self.around + Rot2::from_angle(self.radians) * (at - self.around)
@@ -119,15 +135,34 @@ impl Turn {
 }
 
 impl Text {
-    /// Letters of one font, size, colour and line, from left to right.
+    /// Letters of one font file, size, colour and line, from left to right.
     pub fn runs(&self) -> impl Iterator<Item = &[Letter]> {
         self.letters.chunk_by(|a, b| {
             a.font == b.font
+                && a.face().name == b.face().name
                 && a.colour == b.colour
                 && a.is_italic == b.is_italic
                 && a.at.y == b.at.y
                 && a.row == b.row
         })
+    }
+}
+
+impl Letter {
+    /// The font that it is taken from.
+    pub fn face(&self) -> &'static Face {
+        Face::of(&self.font.family, self.c).expect("every family has a font")
+    }
+}
+
+impl Form {
+    /// Triangles that stand for an area all turn the same way, and may touch: it is filled wherever one of them is, and not only where an
+    /// odd number is.
+    pub fn are_triangles(&self) -> bool {
+        match self {
+            Self::Lines(runs) => runs.len() > 1 && runs.iter().all(|run| run.points.len() == 3),
+            Self::Circle(..) | Self::Rect(..) => false,
+        }
     }
 }
 

@@ -12,9 +12,6 @@ use crate::paint::{Drawing, notes::Note};
 
 use super::page::{Drawn, Form, Item, Path, Picture, Run, VectorPage, What};
 
-/// Colours with less alpha are none.
-const TRANSPARENT: Color32 = Color32::TRANSPARENT;
-
 pub fn read(drawing: &Drawing<'_>) -> VectorPage {
     let mut reader = Reader {
         drawing,
@@ -109,10 +106,10 @@ impl Reader<'_> {
     }
 
     fn path(&mut self, clip: Rect, form: Form, fill: Color32, stroke: Stroke) {
-        let has_stroke = stroke.width > 0.0 && stroke.color != TRANSPARENT;
+        let has_stroke = stroke.width > 0.0 && stroke.color != Color32::TRANSPARENT;
         let path = Path {
             form,
-            fill: (fill != TRANSPARENT).then_some(fill),
+            fill: (fill != Color32::TRANSPARENT).then_some(fill),
             stroke: has_stroke.then_some((stroke.width, stroke.color)),
         };
         if path.fill.is_some() || path.stroke.is_some() {
@@ -145,7 +142,7 @@ impl Reader<'_> {
             points: vec![a, b],
             is_closed: false,
         };
-        self.path(clip, Form::Lines(vec![run]), TRANSPARENT, stroke);
+        self.path(clip, Form::Lines(vec![run]), Color32::TRANSPARENT, stroke);
     }
 
     fn line(&mut self, clip: Rect, path: &PathShape, colour: Color32) {
@@ -162,7 +159,7 @@ impl Reader<'_> {
         let pixels = self.drawing.pixels_per_point;
         let rect = shape.rect;
         let mut stroke = shape.stroke;
-        let is_bare = stroke.width <= 0.0 || stroke.color == TRANSPARENT;
+        let is_bare = stroke.width <= 0.0 || stroke.color == Color32::TRANSPARENT;
         let thin = 2.0 / pixels;
         if is_bare && rect.width() <= thin {
             stroke = Stroke::new(rect.width(), shape.fill);

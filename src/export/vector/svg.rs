@@ -15,7 +15,6 @@ use super::{
     ink::{Ink, roles},
     number::number,
     page::{Drawn, Item, VectorPage, What},
-    web_font::web_font,
 };
 
 use attributes::escaped;
@@ -73,14 +72,7 @@ fn head(file: &mut String, page: &VectorPage, about: About<'_>) {
 /// The theme's colours as fills (`.ink`) and strokes (`.s-ink`), and the fonts.
 fn style(file: &mut String, page: &VectorPage, words: &Words) {
     file.push_str("<style>\n");
-    for (face, chars) in words.fonts() {
-        let (family, weight) = face.family();
-        let bytes = BASE64.encode(web_font(face, chars.iter().copied()));
-        let _ = writeln!(
-            file,
-            "@font-face {{ font-family: \"{family}\"; font-weight: {weight}; src: url(data:font/otf;base64,{bytes}); }}"
-        );
-    }
+    file.push_str(&words.style());
     file.push_str("text { white-space: pre; }\n");
     for (role, colour) in roles(page.theme) {
         let hex = Ink::of(page.theme, colour).hex();
@@ -89,7 +81,6 @@ fn style(file: &mut String, page: &VectorPage, words: &Words) {
             ".{role} {{ fill: {hex}; }} .s-{role} {{ stroke: {hex}; }}"
         );
     }
-    file.push_str(words.classes());
     file.push_str("</style>\n");
 }
 

@@ -134,7 +134,8 @@ impl Writer<'_> {
             let (name, faded) = self.colour(colour);
             options.push(format!("fill={name}"));
             options.extend(faded.map(|strength| format!("fill opacity={strength:.3}")));
-            options.extend(matches!(path.form, Form::Lines(_)).then(|| "even odd rule".to_owned()));
+            let is_area = matches!(path.form, Form::Lines(_)) && !path.form.are_triangles();
+            options.extend(is_area.then(|| "even odd rule".to_owned()));
         }
         if let Some((width, colour)) = path.stroke {
             let (name, faded) = self.colour(colour);
@@ -230,7 +231,7 @@ impl Writer<'_> {
             _ if is_number => ("base east", right),
             _ => ("base west", at.x),
         };
-        let (colour, _) = self.colour(most_common(text).colour);
+        let (colour, _) = self.colour(largest(text).colour);
         let mut options = vec![format!("anchor={anchor}"), format!("text={colour}")];
         if n_rows > 1 {
             options.push(format!(
@@ -245,7 +246,7 @@ impl Writer<'_> {
                 number(-text.turn.radians.to_degrees())
             ));
         }
-        options.push(format!("font={}", font(most_common(text))));
+        options.push(format!("font={}", font(largest(text))));
         let [x, y] = [x, first_line(text)].map(number);
         let words = if is_code(first) {
             escaped(&text.plain).replace("--", "-")
@@ -301,12 +302,12 @@ fn within(run: &Run) -> Vec<Pos2> {
 
 /// The line that letters of full size stand on.
 fn first_line(text: &Text) -> f32 {
-    let most = most_common(text);
+    let largest = largest(text);
     let of_first_row = text
         .letters
         .iter()
         .filter(|letter| letter.row == text.letters[0].row);
-    let is_full = |letter: &&Letter| letter.font.size >= most.font.size;
+    let is_full = |letter: &&Letter| letter.font.size >= largest.font.size;
     let mut full = of_first_row.filter(is_full).map(|letter| letter.at.y);
     full.next().unwrap_or(text.letters[0].at.y)
 }
@@ -315,8 +316,8 @@ fn is_code(letter: &Letter) -> bool {
     letter.font.family == FontFamily::Monospace
 }
 
-/// The largest letter stands for all.
-fn most_common(text: &Text) -> &Letter {
+/// It stands for all.
+fn largest(text: &Text) -> &Letter {
     let by_size = |a: &&Letter, b: &&Letter| a.font.size.total_cmp(&b.font.size);
     let first = &text.letters[0];
     text.letters.iter().rev().max_by(by_size).unwrap_or(first)

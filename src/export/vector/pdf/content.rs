@@ -5,16 +5,12 @@ use std::collections::BTreeSet;
 use egui::{Color32, Pos2, Rect, Vec2, pos2};
 use pdf_writer::{Content, Name, Str, TextStr, writers::Resources};
 
-use crate::export::vector::page::{Drawn, Form, Item, Letter, Path, Run, Text, VectorPage, What};
-
-use super::{
-    fonts::{Fonts, face},
-    parts::PdfPart,
-    pictures, tags,
+use crate::export::vector::page::{
+    Drawn, Form, Item, Letter, Path, Run, SLANT, Text, VectorPage, What,
 };
 
-/// How far egui slants what has no italics of its own.
-const SLANT: f32 = 0.25;
+use super::{fonts::Fonts, parts::PdfPart, pictures, tags};
+
 /// Of a quarter of a circle by one curve.
 const ROUND: f32 = 0.552_285;
 
@@ -155,7 +151,7 @@ impl<'a> Contents<'a> {
         self.form(&path.form);
         match (path.fill, path.stroke) {
             (Some(_), Some(_)) => self.content.fill_even_odd_and_stroke(),
-            (Some(_), None) if are_triangles(&path.form) => self.content.fill_nonzero(),
+            (Some(_), None) if path.form.are_triangles() => self.content.fill_nonzero(),
             (Some(_), None) => self.content.fill_even_odd(),
             (None, Some(_)) => self.content.stroke(),
             (None, None) => self.content.end_path(),
@@ -242,9 +238,7 @@ impl<'a> Contents<'a> {
         drop(marked);
         self.content.begin_text();
         for run in text.runs() {
-            for letters in run.chunk_by(|a, b| face(a).name == face(b).name) {
-                self.letters(text, letters);
-            }
+            self.letters(text, run);
         }
         self.content.end_text();
         self.content.end_marked_content();
@@ -286,14 +280,6 @@ impl<'a> Contents<'a> {
     }
 }
 
-/// Those that stand for an area touch: it is filled wherever one of them is.
-fn are_triangles(form: &Form) -> bool {
-    match form {
-        Form::Lines(runs) => runs.len() > 1 && runs.iter().all(|run| run.points.len() == 3),
-        Form::Circle(..) | Form::Rect(..) => false,
-    }
-}
-
 fn plain(colour: Color32) -> [f32; 3] {
     let [r, g, b, _] = colour.to_srgba_unmultiplied();
     [r, g, b].map(|channel| f32::from(channel) / 255.0)
@@ -307,11 +293,8 @@ fn alpha_name(alpha: u8) -> String {
 pub fn alphas<'a>(drawings: impl Iterator<Item = &'a VectorPage>) -> BTreeSet<u8> {
     let mut alphas = BTreeSet::new();
     for item in drawings.flat_map(|drawing| &drawing.items) {
-        if let Item::Drawn(Drawn {
-            what: What::Path(path),
-            ..
-        }) = item
-        {
+        let Item::Drawn(drawn) = item else { continue };
+        for path in drawn.paths() {
             let colours = [path.fill, path.stroke.map(|(_, colour)| colour)];
             alphas.extend(colours.into_iter().flatten().map(|colour| colour.a()));
         }

@@ -37,15 +37,11 @@ pub struct Font {
     ids: [Ref; 5],
 }
 
-pub fn face(letter: &Letter) -> &'static Face {
-    Face::of(&letter.font.family, letter.c).expect("every family has a font")
-}
-
 impl Fonts {
     pub fn of<'a>(drawings: impl Iterator<Item = &'a VectorPage>, ids: &mut Ids) -> Self {
         let mut chars: BTreeMap<&'static str, (&'static Face, BTreeSet<char>)> = BTreeMap::new();
         for letter in drawings.flat_map(letters) {
-            let face = face(letter);
+            let face = letter.face();
             let (_, chars) = chars.entry(face.name).or_insert((face, BTreeSet::new()));
             chars.insert(letter.c);
         }
@@ -65,7 +61,7 @@ impl Fonts {
     }
 
     pub fn of_letter(&self, letter: &Letter) -> Option<&Font> {
-        self.0.get(face(letter).name)
+        self.0.get(letter.face().name)
     }
 
     pub fn name(&self, resources: &mut Resources<'_>) {

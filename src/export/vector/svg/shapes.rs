@@ -47,24 +47,14 @@ pub fn write(out: &mut String, theme: &Theme, paths: &[&Path]) {
                     Form::Circle(..) => {}
                 }
             }
-            let rule = if first.fill.is_some()
-                && matches!(first.form, Form::Lines(_))
-                && is_own_outline(first)
-            {
+            let is_area = first.fill.is_some() && matches!(first.form, Form::Lines(_));
+            let rule = if is_area && !first.form.are_triangles() {
                 " fill-rule=\"evenodd\""
             } else {
                 ""
             };
             let _ = writeln!(out, "<path{style}{rule} d=\"{data}\"/>");
         }
-    }
-}
-
-/// Triangles that stand for an area all turn the same way, and may touch: those are filled wherever one of them is.
-fn is_own_outline(path: &Path) -> bool {
-    match &path.form {
-        Form::Lines(runs) => runs.len() == 1 || runs.iter().any(|run| run.points.len() != 3),
-        Form::Circle(..) | Form::Rect(..) => false,
     }
 }
 

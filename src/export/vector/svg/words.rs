@@ -5,6 +5,7 @@ use std::{
     fmt::Write,
 };
 
+use base64::{Engine, engine::general_purpose::STANDARD as BASE64};
 use egui::Color32;
 use skrifa::outline::OutlinePen;
 
@@ -13,15 +14,13 @@ use crate::{
         face::Face,
         ink::Ink,
         number::number,
-        page::{Letter, Text},
+        page::{Letter, SLANT, Text},
+        web_font::web_font,
     },
     paint::Theme,
 };
 
 use super::attributes::{escaped, ink_class};
-
-/// How far egui slants what has no italics of its own.
-const SLANT_DEGREES: f32 = 14.0;
 
 /// How text is written in a file of shapes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -35,37 +34,48 @@ pub enum Letters {
 
 pub struct Words {
     letters: Letters,
-    used: BTreeMap<&'static str, (&'static Face, BTreeSet<char>)>,
+    /// By the name of its file.
+    fonts: BTreeMap<&'static str, Used>,
     /// Each letter's outline once.
     outlines: String,
     known: BTreeMap<(&'static str, char), usize>,
-    classes: String,
-    fonts: BTreeMap<&'static str, usize>,
+}
+
+/// A font that text needs, with its characters.
+struct Used {
+    /// Of its class.
+    nth: usize,
+    face: &'static Face,
+    chars: BTreeSet<char>,
 }
 
 impl Words {
     pub const fn new(letters: Letters) -> Self {
         Self {
             letters,
-            used: BTreeMap::new(),
+            fonts: BTreeMap::new(),
             outlines: String::new(),
             known: BTreeMap::new(),
-            classes: String::new(),
-            fonts: BTreeMap::new(),
         }
     }
 
-    /// Those that text needs, with its characters.
-    pub fn fonts(&self) -> impl Iterator<Item = (&'static Face, &BTreeSet<char>)> {
-        self.used.values().map(|(face, chars)| (*face, chars))
+    /// The fonts that text needs, cut down to its characters, and their classes.
+    pub fn style(&self) -> String {
+        let mut style = String::new();
+        for Used { nth, face, chars } in self.fonts.values() {
+            let (family, weight) = face.family();
+            let font = format!("font-family: \"{family}\"; font-weight: {weight};");
+            let bytes = BASE64.encode(web_font(face, chars.iter().copied()));
+            let _ = writeln!(
+                style,
+                "@font-face {{ {font} src: url(data:font/otf;base64,{bytes}); }}\n.f{nth} {{ {font} }}"
+            );
+        }
+        style
     }
 
     pub fn outlines(&self) -> &str {
         &self.outlines
-    }
-
-    pub fn classes(&self) -> &str {
-        &self.classes
     }
 
     pub fn write(&mut self, out: &mut String, theme: &Theme, text: &Text) {
@@ -85,11 +95,9 @@ impl Words {
         let class = class.map_or(String::new(), |class| format!(" class=\"{class}\""));
         let _ = write!(out, "<{open}{class}{fill}{turn}>");
         for run in text.runs() {
-            for part in run.chunk_by(|a, b| face(a).name == face(b).name) {
-                match self.letters {
-                    Letters::Fonts => self.text(out, theme, part, colour),
-                    Letters::Outlines => self.shapes(out, theme, part, colour),
-                }
+            match self.letters {
+                Letters::Fonts => self.text(out, theme, run, colour),
+                Letters::Outlines => self.shapes(out, theme, run, colour),
             }
         }
         out.push_str(close);
@@ -97,14 +105,15 @@ impl Words {
 
     /// Letters of one font; spaces at its ends say where words end.
     fn text(&mut self, out: &mut String, theme: &Theme, run: &[Letter], most: Color32) {
-        let face = face(&run[0]);
-        let (_, chars) = self
-            .used
-            .entry(face.name)
-            .or_insert_with(|| (face, BTreeSet::new()));
-        chars.extend(run.iter().map(|letter| letter.c));
-        let class = self.font_class(face);
-        let paint = own_paint(theme, &run[0], most, &class);
+        let face = run[0].face();
+        let nth = self.fonts.len();
+        let font = self.fonts.entry(face.name).or_insert_with(|| Used {
+            nth,
+            face,
+            chars: BTreeSet::new(),
+        });
+        font.chars.extend(run.iter().map(|letter| letter.c));
+        let paint = own_paint(theme, &run[0], most, Some(format!("f{}", font.nth)));
         let size = number(run[0].font.size);
         let y = number(run[0].at.y);
         let slant = if run[0].is_italic {
@@ -129,23 +138,11 @@ impl Words {
         );
     }
 
-    fn font_class(&mut self, face: &Face) -> String {
-        let nth = self.fonts.len();
-        let nth = *self.fonts.entry(face.name).or_insert_with(|| {
-            let (family, weight) = face.family();
-            let _ = writeln!(
-                self.classes,
-                ".f{nth} {{ font-family: \"{family}\"; font-weight: {weight}; }}"
-            );
-            nth
-        });
-        format!("f{nth}")
-    }
-
     fn shapes(&mut self, out: &mut String, theme: &Theme, run: &[Letter], most: Color32) {
-        let face = face(&run[0]);
+        let face = run[0].face();
+        let slant = libm::atanf(SLANT).to_degrees();
         let scale = run[0].font.size / face.units;
-        let paint = own_paint(theme, &run[0], most, "");
+        let paint = own_paint(theme, &run[0], most, None);
         for letter in run.iter().filter(|letter| !letter.c.is_whitespace()) {
             let next = self.known.len();
             let nth = *self.known.entry((face.name, letter.c)).or_insert_with(|| {
@@ -156,7 +153,7 @@ impl Words {
             });
             let [x, y] = [letter.at.x, letter.at.y].map(number);
             let slant = if letter.is_italic {
-                format!(" skewX(-{SLANT_DEGREES})")
+                format!(" skewX(-{slant:.2})")
             } else {
                 String::new()
             };
@@ -179,27 +176,18 @@ fn most_common(text: &Text) -> Color32 {
 }
 
 /// What a letter's colour is, where it is not that of all.
-fn own_paint(theme: &Theme, letter: &Letter, most: Color32, class: &str) -> String {
+fn own_paint(theme: &Theme, letter: &Letter, most: Color32, class: Option<String>) -> String {
     let (own, fill) = if letter.colour == most {
         (None, String::new())
     } else {
         ink_class(Ink::of(theme, letter.colour), "", "fill")
     };
-    let classes: Vec<&str> = own
-        .as_deref()
-        .into_iter()
-        .chain([class])
-        .filter(|it| !it.is_empty())
-        .collect();
+    let classes: Vec<String> = own.into_iter().chain(class).collect();
     if classes.is_empty() {
         fill
     } else {
         format!(" class=\"{}\"{fill}", classes.join(" "))
     }
-}
-
-fn face(letter: &Letter) -> &'static Face {
-    Face::of(&letter.font.family, letter.c).expect("every family has a font")
 }
 
 /// Does each letter stand where the one before has ended, by the widths of the font?
