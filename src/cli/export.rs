@@ -1,13 +1,13 @@
 //! `clipscope export`: figures to files.
 
-use std::{collections::BTreeMap, path::PathBuf, str::FromStr};
+use std::{path::PathBuf, str::FromStr};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::{
     app::{App, Page, Places, Settings},
     export::{
-        Content, Failure, Format, Job, Letters, Made, Options, Source, Steps, Studio, Way, between,
+        Content, Failure, Format, Job, Letters, Options, Source, Steps, Studio, Way, between,
         in_format, jobs, jobs_of, run,
     },
     figure::Moment,
@@ -18,10 +18,10 @@ use crate::{
 
 use super::{
     Outcome, Progress, lang_parser,
-    lessons::{self, choose, is_error},
+    lessons::{Chosen, choose, is_error},
     say, slides,
     usage::Expected,
-    written::{made, told},
+    written::{Names, made, told},
 };
 
 const EXAMPLES: &str = "\
@@ -33,7 +33,8 @@ Examples:
   clipscope export 03-outcodes --out handout --questions --alt
   clipscope export 05-intervals --out book --format svg,pdf
   clipscope export 03-outcodes --out site --format apng,gif --size 1280x720
-  clipscope export 05-intervals --out film --format frames --steps start..edge=top
+  clipscope export 05-intervals --out film --format frames --steps start..end
+  clipscope export scene.toml --out part --format apng --steps \"row left..row top\"
   clipscope export 03-outcodes --out talk --slides --theme projector
   clipscope export 03-outcodes --out slides --link=https://example.org/clipscope/
 
@@ -69,7 +70,7 @@ pub(super) struct Args {
     pub lang: Lang,
     /// The figures that lessons name, every step of every run (all), or those from one moment to another, as lesson files write them (FROM..TO)
     #[arg(long, value_name = "STEPS", default_value = "figures")]
-    pub steps: Chosen,
+    pub steps: Which,
     /// The whole window of the app instead of the stage alone
     #[arg(long)]
     pub window: bool,
@@ -92,13 +93,13 @@ pub(super) struct Args {
 
 /// Which steps are drawn.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Chosen {
+pub(super) enum Which {
     Figures,
     All,
     Between([Moment; 2]),
 }
 
-impl Chosen {
+impl Which {
     const fn steps(&self) -> Steps {
         match self {
             Self::Figures => Steps::Figures,
@@ -107,7 +108,7 @@ impl Chosen {
     }
 }
 
-impl FromStr for Chosen {
+impl FromStr for Which {
     type Err = Expected;
 
     fn from_str(text: &str) -> Result<Self, Expected> {
@@ -213,10 +214,7 @@ fn drawn(args: &Args, options: Options, course: &Course, jobs: &[Job<'_>]) -> Ve
     let draw = |job: &Job<'_>, studio: &mut Studio| Content {
         alternative: args.alt.then(|| studio.alternative(&job.picture(options))),
         made: if args.window {
-            Made {
-                bytes: window_png(job, course, studio.table(), args),
-                beside: Vec::new(),
-            }
+            window_png(job, course, studio.table(), args).into()
         } else {
             job.made(studio, way)
         },
@@ -225,7 +223,7 @@ fn drawn(args: &Args, options: Options, course: &Course, jobs: &[Job<'_>]) -> Ve
 }
 
 /// What is drawn in each format. Whole windows are pixels; questions and windows stand still.
-fn all_jobs<'a>(chosen: &'a lessons::Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message> {
+fn all_jobs<'a>(chosen: &'a Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message> {
     let mut all = Vec::new();
     for &format in &args.format {
         if format.is_loop() && (args.window || args.questions) {
@@ -244,32 +242,27 @@ fn all_jobs<'a>(chosen: &'a lessons::Chosen, args: &Args) -> Result<Vec<Job<'a>>
         };
         let jobs = in_format(drawn_once(chosen, steps)?, format);
         all.extend(match &args.steps {
-            Chosen::Between(moments) => between(jobs, moments).map_err(|missing| {
+            Which::Between(moments) => between(jobs, moments).map_err(|missing| {
                 let message = Message::new("export-no-moment");
                 let message = message.with("moment", missing.moment.to_string());
                 message.with("path", missing.path)
             })?,
-            Chosen::Figures | Chosen::All => jobs,
+            Which::Figures | Which::All => jobs,
         });
     }
     Ok(all)
 }
 
 /// All figures. Two that would be one file are refused before anything is drawn.
-fn drawn_once(chosen: &lessons::Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
+fn drawn_once(chosen: &Chosen, steps: Steps) -> Result<Vec<Job<'_>>, Message> {
     let lessons = chosen.lessons.iter().map(|lesson| jobs([lesson], steps));
     let scenes = chosen.scenes.iter();
     let scenes = scenes.map(|(name, scene)| jobs_of(Source::File(scene), name, steps));
-    let mut known: BTreeMap<String, &str> = BTreeMap::new();
+    let mut names = Names::default();
     let mut all = Vec::new();
     for (own, asked) in lessons.chain(scenes).zip(&chosen.asked) {
         for job in own {
-            // Many systems take capitals and small letters for one.
-            if let Some(first) = known.insert(job.path.to_lowercase(), asked) {
-                let message = Message::new("export-same-name").with("path", job.path);
-                let message = message.with("first", first.to_owned());
-                return Err(message.with("second", asked.clone()));
-            }
+            names.take(&job.path, asked)?;
             all.push(job);
         }
     }

@@ -6,14 +6,14 @@ use crate::{
     export::{Failure, Handout, Paper, Studio, write_whole},
     lesson::Course,
     paint::ThemeKind,
-    text::Lang,
+    text::{Lang, Message},
 };
 
 use super::{
     Outcome, Progress, lang_parser,
-    lessons::{choose, is_error},
+    lessons::{Chosen, choose, is_error},
     say,
-    written::{made, told},
+    written::{Names, made, told},
 };
 
 const EXAMPLES: &str = "\
@@ -48,16 +48,35 @@ pub(super) struct Args {
     pub link: Option<String>,
 }
 
+/// The file of each lesson. Scenes are none, and two that would be one file are refused.
+fn files(chosen: &Chosen) -> Result<Vec<String>, Message> {
+    if let Some((name, _)) = chosen.scenes.first() {
+        return Err(Message::new("handout-of-scene").with("name", name.clone()));
+    }
+    let mut names = Names::default();
+    let mut files = Vec::new();
+    for (lesson, asked) in chosen.lessons.iter().zip(&chosen.asked) {
+        let file = format!("{}.pdf", lesson.id);
+        names.take(&file, asked)?;
+        files.push(file);
+    }
+    Ok(files)
+}
+
 pub(super) fn handout(args: &Args) -> Outcome {
     let chosen = choose(&args.lessons, Course::load);
     let read = chosen.report(args.lang, is_error);
-    if chosen.lessons.is_empty() {
+    if chosen.is_empty() {
         return read;
     }
-    if let Err(message) = made(&args.out) {
-        say(args.lang, &message);
-        return Outcome::Unusable;
-    }
+    let files = files(&chosen).and_then(|files| made(&args.out).map(|()| files));
+    let files = match files {
+        Ok(files) => files,
+        Err(message) => {
+            say(args.lang, &message);
+            return Outcome::Unusable;
+        }
+    };
     let handout = Handout {
         paper: args.paper,
         lang: args.lang,
@@ -67,8 +86,8 @@ pub(super) fn handout(args: &Args) -> Outcome {
     let mut studio = Studio::new(ThemeKind::Projector);
     let mut progress = Progress::new(chosen.lessons.len() as u64);
     let mut failures = Vec::new();
-    for lesson in &chosen.lessons {
-        let path = args.out.join(&lesson.id).with_extension("pdf");
+    for (lesson, file) in chosen.lessons.iter().zip(files) {
+        let path = args.out.join(file);
         if let Err(error) = write_whole(&path, &handout.pdf(&mut studio, lesson)) {
             let path = path.display().to_string();
             failures.push(Failure { path, error });

@@ -13,7 +13,7 @@ pub(super) fn write(decks: &[&[Job<'_>]], options: Options, out: &Path) -> Vec<F
     let mut failures = Vec::new();
     for deck in decks {
         let (name, html) = page(deck, &mut studio, options);
-        let path = out.join(name).with_extension("html");
+        let path = out.join(format!("{name}.html"));
         if let Err(error) = write_whole(&path, html.as_bytes()) {
             let path = path.display().to_string();
             failures.push(Failure { path, error });
@@ -27,7 +27,10 @@ pub(super) fn write(decks: &[&[Job<'_>]], options: Options, out: &Path) -> Vec<F
 fn page<'a>(deck: &'a [Job<'_>], studio: &mut Studio, options: Options) -> (&'a str, String) {
     let (name, title) = match deck[0].source {
         Source::Step(lesson, _) => (&*lesson.id, lesson.title(options.lang)),
-        Source::File(_) => (&*deck[0].path, deck[0].path.trim_end_matches(".png")),
+        Source::File(_) => {
+            let name = deck[0].path.trim_end_matches(".png");
+            (name, name)
+        }
     };
     let mut all = Vec::new();
     for job in deck {

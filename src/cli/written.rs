@@ -1,6 +1,6 @@
 //! Files that a command writes: the folder that they go to, and what is said of them.
 
-use std::{fs, io, path::Path};
+use std::{collections::BTreeMap, fs, io, path::Path};
 
 use crate::{
     export::Failure,
@@ -19,6 +19,22 @@ pub(super) fn made(out: &Path) -> Result<(), Message> {
         };
         failed(out.display().to_string(), error)
     })
+}
+
+/// Files that are about to be written, each with the name that it was asked for by.
+#[derive(Default)]
+pub(super) struct Names<'a>(BTreeMap<String, &'a str>);
+
+impl<'a> Names<'a> {
+    /// Two that would be one file are refused: many systems take capitals and small letters for one.
+    pub fn take(&mut self, path: &str, asked: &'a str) -> Result<(), Message> {
+        let Some(first) = self.0.insert(path.to_lowercase(), asked) else {
+            return Ok(());
+        };
+        let message = Message::new("export-same-name").with("path", path.to_owned());
+        let message = message.with("first", first.to_owned());
+        Err(message.with("second", asked.to_owned()))
+    }
 }
 
 /// Says why files were not written, and how many were.

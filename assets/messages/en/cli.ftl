@@ -39,6 +39,7 @@ cli-untranslated =
     }
 cli-unreadable = { $path } could not be read: { $reason }
 export-same-name = { $first } and { $second } would both be { $path }: nothing has been drawn.
+handout-of-scene = { $name } is a scene; a handout is made of lessons. Nothing has been drawn.
 export-no-moment = In { $path } the moment “{ $moment }” never comes. Nothing has been drawn.
 export-no-loop = A loop shows figures: --format { $format } goes with neither --window nor --questions. Nothing has been drawn.
 export-window-is-pixels = A whole window is pixels: --window goes with --format png alone, not with { $format }. Nothing has been drawn.

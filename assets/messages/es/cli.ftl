@@ -39,6 +39,7 @@ cli-untranslated =
     }
 cli-unreadable = No se pudo leer { $path }: { $reason }
 export-same-name = { $first } y { $second } serían ambos { $path }: no se ha dibujado nada.
+handout-of-scene = { $name } es una escena; las hojas se hacen de lecciones. No se ha dibujado nada.
 export-no-moment = En { $path } nunca llega el momento “{ $moment }”. No se ha dibujado nada.
 export-no-loop = Un bucle muestra figuras: --format { $format } no va con --window ni con --questions. No se ha dibujado nada.
 export-window-is-pixels = Una ventana entera son píxeles: --window solo va con --format png, no con { $format }. No se ha dibujado nada.

@@ -39,6 +39,7 @@ cli-untranslated =
     }
 cli-unreadable = Não foi possível ler { $path }: { $reason }
 export-same-name = { $first } e { $second } seriam ambos { $path }: nada foi desenhado.
+handout-of-scene = { $name } é uma cena; apostilas são feitas de lições. Nada foi desenhado.
 export-no-moment = Em { $path } o momento “{ $moment }” nunca chega. Nada foi desenhado.
 export-no-loop = Um laço mostra figuras: --format { $format } não vai com --window nem com --questions. Nada foi desenhado.
 export-window-is-pixels = Uma janela inteira é feita de pixels: --window só vai com --format png, não com { $format }. Nada foi desenhado.

@@ -11,6 +11,7 @@ cli-refused = 有 { $count } 项输入不被接受
 cli-untranslated = 提示：{ $count } 课以英文代替 { $languages }；这些语言可有可无
 cli-unreadable = 无法读取 { $path }：{ $reason }
 export-same-name = { $first } 和 { $second } 都会成为 { $path }：什么也没有绘制。
+handout-of-scene = { $name } 是场景，讲义由各节课生成。什么也没有绘制。
 export-no-moment = 在 { $path } 中，时刻“{ $moment }”从未出现。什么也没有绘制。
 export-no-loop = 循环动画只显示插图：--format { $format } 不能与 --window 或 --questions 同用。什么也没有绘制。
 export-window-is-pixels = 整个窗口由像素组成：--window 只能与 --format png 同用，不能与 { $format } 同用。什么也没有绘制。
