@@ -41,6 +41,8 @@ struct Drawn {
     frame: u64,
     surface: Surface,
     found: Found,
+    /// Whole pixels of the screen: what is seen, and nothing of the clear glass around it.
+    rect: Rect,
     texture: TextureHandle,
 }
 
@@ -125,6 +127,34 @@ impl Place {
             size: size.map(|side| side as u32),
             part: [viewport.to_world(low), viewport.to_world(high)],
         })
+    }
+
+    /// The part of its picture that shows anything, at least one pixel, and where that stands.
+    fn without_clear_edges(&self, image: ColorImage) -> (Rect, ColorImage) {
+        let width = image.width();
+        let is_seen = |pixel: &Color32| *pixel != Color32::TRANSPARENT;
+        let mut columns = width..0;
+        let mut rows = image.height()..0;
+        for (y, row) in image.pixels.chunks(width).enumerate() {
+            let Some(first) = row.iter().position(is_seen) else {
+                continue;
+            };
+            let end = row.iter().rposition(is_seen).map_or(first, |last| last + 1);
+            columns = columns.start.min(first)..columns.end.max(end);
+            rows = rows.start.min(y)..y + 1;
+        }
+        if columns.is_empty() {
+            (columns, rows) = (0..1, 0..1);
+        }
+        let pixel = self.rect.size() / Vec2::from(self.size.map(|side| side as f32));
+        let at = |x: usize, y: usize| self.rect.min + pixel * Vec2::from([x as f32, y as f32]);
+        let rect = Rect::from_min_max(at(columns.start, rows.start), at(columns.end, rows.end));
+        let rows = image.pixels[rows.start * width..rows.end * width].chunks(width);
+        let pixels: Vec<Color32> = rows
+            .flat_map(|row| row[columns.clone()].iter().copied())
+            .collect();
+        let size = [columns.len(), pixels.len() / columns.len()];
+        (rect, ColorImage::new(size, pixels))
     }
 }
 
@@ -249,6 +279,7 @@ impl Drawn {
             found.bands = Arc::default();
         }
         let image = asked.image(&surface, is_fine, &mut found);
+        let (rect, image) = asked.place.without_clear_edges(image);
         let options = TextureOptions::LINEAR;
         let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {
@@ -263,6 +294,7 @@ impl Drawn {
             frame: 0,
             surface,
             found,
+            rect,
             texture,
         }
     }
@@ -270,7 +302,7 @@ impl Drawn {
     fn shape(&self) -> Shape {
         let mut mesh = Mesh::with_texture(self.texture.id());
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        mesh.add_rect_with_uv(self.asked.place.rect, whole, Color32::WHITE);
+        mesh.add_rect_with_uv(self.rect, whole, Color32::WHITE);
         Shape::mesh(mesh)
     }
 }
