@@ -78,21 +78,26 @@ impl Search<'_> {
         if self.places.is_empty() {
             return self.home;
         }
-        let home = self.framed(self.home.angles_deg(), ROUNDS[0]);
-        let [_, _, straight] = home.axes().map(DVec3::from);
-        let cost = |eye: &Orbit| {
-            let [_, _, back] = eye.axes().map(DVec3::from);
-            self.faults(eye) + straight.angle_between(back) / std::f64::consts::FRAC_PI_2
-        };
-        let mut best = (cost(&home), home.angles_deg());
-        for angles in directions(self.home.angles_deg()) {
-            let eye = self.framed(angles, ROUNDS[0]);
-            let cost = cost(&eye);
-            if cost < best.0 {
+        let home = self.home.angles_deg();
+        let straight = self.back(home);
+        let mut best = (f64::INFINITY, home);
+        for angles in std::iter::once(home).chain(directions(home)) {
+            let turn = straight.angle_between(self.back(angles)) / std::f64::consts::FRAC_PI_2;
+            // No fault makes up for a turn that costs more than the best eye does.
+            if turn < best.0
+                && let Some(cost) = self.less_than(best.0, turn, &self.framed(angles, ROUNDS[0]))
+            {
                 best = (cost, angles);
             }
         }
         self.framed(best.1, ROUNDS[1])
+    }
+
+    /// From what is looked at to an eye in this direction.
+    fn back(&self, angles: [f64; 2]) -> DVec3 {
+        let eye = Orbit::new([0.0; 3], angles, 1.0, self.home.fov_y_deg());
+        let [_, _, back] = eye.axes().map(DVec3::from);
+        back
     }
 
     /// Does an eye see what the step measures, in a frame that holds it, and from not much farther than the step's own?
@@ -117,20 +122,25 @@ impl Search<'_> {
         now + self.covered(optics, eye)
     }
 
-    fn faults(&self, eye: &Orbit) -> f64 {
-        let Some(optics) = Optics::of(&Lens::Eye(*eye)) else {
-            return f64::INFINITY;
-        };
+    /// What an eye costs that has turned so far, if that is less; what only adds to a sum that is not is not looked at.
+    fn less_than(&self, most: f64, turn: f64, eye: &Orbit) -> Option<f64> {
+        let optics = Optics::of(&Lens::Eye(*eye))?;
+        let now = OF_STEP * self.now_faults(&optics, eye);
+        let cost = (now + turn < most).then(|| now + self.run_faults(&optics, eye) + turn);
+        cost.filter(|cost| *cost < most)
+    }
+
+    /// Of all steps, where points of other steps have their turn.
+    fn run_faults(&self, optics: &Optics, eye: &Orbit) -> f64 {
         let apart = APART_PTS / self.scale(eye);
-        let short = |sights: &Sights| sights.seen(&optics).shortfalls(apart);
-        // Points of other steps have their turn.
+        let short = |sights: &Sights| sights.seen(optics).shortfalls(apart);
         let run = self.run.iter().map(|sights| {
             let [lengths, angles, _, areas] = short(sights);
             lengths + angles + areas
         });
         let run: f64 = run.sum();
         let n_steps = self.run.len().max(1) as f64;
-        OF_STEP * self.now_faults(&optics, eye) + OF_RUN * run / n_steps
+        OF_RUN * run / n_steps
     }
 
     /// Points to 1 on the picture.
