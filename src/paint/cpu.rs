@@ -126,9 +126,7 @@ impl Painting {
         match (is_one_color, is_one_texel) {
             (true, true) => self.fill_flat(&triangle, tinted(texel, colors[0])),
             (false, true) => self.fill_shaded(&triangle, |w| tinted(texel, color.rgba(w))),
-            (true, false) => {
-                self.fill_shaded(&triangle, |w| tinted(texture.sample(at.at(w)), colors[0]));
-            }
+            (true, false) => self.fill_textured(&triangle, texture, &at, colors[0]),
             (false, false) => {
                 self.fill_shaded(&triangle, |w| {
                     tinted(texture.sample(at.at(w)), color.rgba(w))
@@ -159,6 +157,32 @@ impl Painting {
             let weights = triangle.weights(&span);
             for (pixel, weights) in self.span_mut(&span).iter_mut().zip(weights) {
                 *pixel = blended(shade(weights), *pixel);
+            }
+        }
+    }
+
+    /// Most pictures and letters lie on pixels: their rows are copied.
+    fn fill_textured(
+        &mut self,
+        triangle: &RasterTriangle,
+        texture: &CpuTexture,
+        at: &Varying<2>,
+        tint: Rgba,
+    ) {
+        for span in triangle.rows().filter_map(|y| triangle.span(y)) {
+            let ends = triangle
+                .weights_at_ends(&span)
+                .map(|weights| at.at(weights));
+            let texels = texture.texels_on(ends, span.right - span.left);
+            let pixels = self.span_mut(&span).iter_mut();
+            if let Some(texels) = texels {
+                for (pixel, texel) in pixels.zip(texels) {
+                    *pixel = blended(tinted(*texel, tint), *pixel);
+                }
+            } else {
+                for (pixel, weights) in pixels.zip(triangle.weights(&span)) {
+                    *pixel = blended(tinted(texture.sample(at.at(weights)), tint), *pixel);
+                }
             }
         }
     }

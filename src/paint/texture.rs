@@ -8,6 +8,8 @@ pub(super) type Rgba = [u8; 4];
 
 const TEXEL_BITS: u32 = 16;
 const TEXEL: i64 = 1 << TEXEL_BITS;
+/// What stands less than 1/512 of a texel off its middle is that texel. Half of it is left for how positions between are rounded.
+const ASTRAY: i64 = TEXEL >> 10;
 /// Texel coordinates are kept within ±2^15, so that interpolating them fits an `i64`.
 const FARTHEST_TEXEL: f64 = 32_768.0;
 
@@ -101,6 +103,28 @@ impl CpuTexture {
             let mix = |row: [Rgba; 2]| u32::from(row[0][i]) * (256 - a) + u32::from(row[1][i]) * a;
             ((mix(top) * (256 - b) + mix(bottom) * b + (1 << 15)) >> 16) as u8
         })
+    }
+
+    /// The texels on a row of pixels, from the position at the first to that at the last, where each is seen in the middle of a
+    /// pixel: [`Self::sample`] gives them back one by one.
+    pub fn texels_on(&self, [first, last]: [[i64; 2]; 2], n_pixels: usize) -> Option<&[Rgba]> {
+        let whole = |at: i64| {
+            (
+                (at - TEXEL / 2 + ASTRAY) >> TEXEL_BITS,
+                (at - TEXEL / 2 + ASTRAY) & (TEXEL - 1),
+            )
+        };
+        let [(x, u), (y, v), (last_x, last_u), (last_y, last_v)] =
+            [first[0], first[1], last[0], last[1]].map(whole);
+        let is_near = [u, v, last_u, last_v].iter().all(|off| *off <= 2 * ASTRAY);
+        let is_beside = last_x - x + 1 == n_pixels as i64 && last_y == y;
+        let [width, height] = self.size.map(|side| side as i64);
+        let is_inside = x >= 0 && last_x < width && (0..height).contains(&y);
+        if !(is_near && is_beside && is_inside) {
+            return None;
+        }
+        let start = y as usize * self.size[0] + x as usize;
+        Some(&self.texels[start..start + n_pixels])
     }
 
     fn texel(&self, x: i64, y: i64) -> Rgba {

@@ -88,6 +88,12 @@ pub(super) struct RasterTriangle {
     bounds: PixelRect,
     /// True if corners 1 and 2 were exchanged to make the area positive.
     pub is_flipped: bool,
+    scale: Scale,
+}
+
+/// One over the area.
+#[derive(Clone, Copy, Debug)]
+struct Scale {
     shift: u32,
     reciprocal: u64,
 }
@@ -119,8 +125,10 @@ impl RasterTriangle {
             ],
             bounds,
             is_flipped,
-            shift,
-            reciprocal: (1_u64 << 63) / (area.unsigned_abs() >> shift),
+            scale: Scale {
+                shift,
+                reciprocal: (1_u64 << 63) / (area.unsigned_abs() >> shift),
+            },
         })
     }
 
@@ -146,17 +154,35 @@ impl RasterTriangle {
 
     /// The weights λ1 and λ2, with [`WEIGHT_BITS`] fractional bits, along a span.
     pub fn weights(&self, span: &PixelRun) -> impl Iterator<Item = [i64; 2]> + use<> {
-        let (shift, reciprocal) = (self.shift, self.reciprocal);
-        let steps = [1, 2].map(|i: usize| self.edges[i].step[0] * PIXEL);
+        let scale = self.scale;
+        let steps = self.steps();
         let mut w = span.w;
         (span.left..span.right).map(move |_| {
-            // Inside, 0 ≤ w ≤ area, so the product stays below 2^63 (and a bit of rounding).
-            let lambda = w.map(|w| {
-                let scaled = (w.max(0).unsigned_abs() >> shift).saturating_mul(reciprocal);
-                (scaled >> (63 - WEIGHT_BITS)) as i64
-            });
+            let lambda = scale.weights(w);
             w = [w[0] + steps[0], w[1] + steps[1]];
             lambda
+        })
+    }
+
+    /// The same at the first and at the last pixel of a span.
+    pub fn weights_at_ends(&self, span: &PixelRun) -> [[i64; 2]; 2] {
+        let n_steps = (span.right - span.left).saturating_sub(1) as i64;
+        let [first, second] = self.steps().map(|step| step * n_steps);
+        let last = [span.w[0] + first, span.w[1] + second];
+        [span.w, last].map(|w| self.scale.weights(w))
+    }
+
+    fn steps(&self) -> [i64; 2] {
+        [1, 2].map(|i: usize| self.edges[i].step[0] * PIXEL)
+    }
+}
+
+impl Scale {
+    fn weights(self, w: [i64; 2]) -> [i64; 2] {
+        // Inside, 0 ≤ w ≤ area, so the product stays below 2^63 (and a bit of rounding).
+        w.map(|w| {
+            let scaled = (w.max(0).unsigned_abs() >> self.shift).saturating_mul(self.reciprocal);
+            (scaled >> (63 - WEIGHT_BITS)) as i64
         })
     }
 }

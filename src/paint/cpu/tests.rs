@@ -309,3 +309,69 @@ fn a_glyph_at_the_rim_of_the_atlas_fades_out_like_any_other() {
     assert!(draw(0.0) == draw(3.0));
     assert_eq!(pixel(&draw(0.0), 21, 10), [255, 0, 0, 255]);
 }
+
+/// With rows copied, and texel by texel.
+fn both_ways(texture: &CpuTexture, quad: Rect, tint: Rgba) -> [Vec<Rgba>; 2] {
+    let mesh = textured(quad);
+    let clip = clip_in_pixels(rect(1.0, 2.0, 30.0, 21.0), 1.0, SIZE);
+    let ground = Painting {
+        width: SIZE[0],
+        pixels: vec![[9, 8, 7, 255]; SIZE[0] * SIZE[1]],
+    };
+    let mut canvases = [ground.pixels.clone(), ground.pixels].map(|pixels| Painting {
+        width: SIZE[0],
+        pixels,
+    });
+    for corners in mesh.indices.as_chunks::<3>().0 {
+        let mut corners = corners.map(|i| &mesh.vertices[i as usize]);
+        let corners_px = corners.map(|it| [it.pos.x, it.pos.y].map(f64::from));
+        let triangle = RasterTriangle::new(corners_px, clip).expect("in sight");
+        if triangle.is_flipped {
+            corners.swap(1, 2);
+        }
+        let at = Varying::new(corners.map(|it| texture.texel_position(it.uv)));
+        canvases[0].fill_textured(&triangle, texture, &at, tint);
+        canvases[1].fill_shaded(&triangle, |w| tinted(texture.sample(at.at(w)), tint));
+    }
+    canvases.map(|canvas| canvas.pixels)
+}
+
+#[test]
+fn rows_of_texels_on_pixels_are_copied_to_the_bit() {
+    let texel = |i: usize| {
+        let [r, g, b, a] = [3, 5, 7, 11].map(|by| (by * i % 256) as u8);
+        Color32::from_rgba_premultiplied(r.min(a), g.min(a), b.min(a), a)
+    };
+    let image = ColorImage::new([17, 11], (0..17 * 11).map(texel).collect());
+    let offsets = [0.0, 1.0 / 1024.0, 1.0 / 256.0, 1.0 / 128.0, 0.3, 0.5];
+    let sizes = [
+        [17.0, 11.0],
+        [17.01, 11.0],
+        [17.0, 11.03],
+        [16.0, 11.0],
+        [34.0, 22.0],
+    ];
+    for options in [LINEAR, NEAREST] {
+        let texture = CpuTexture::new(&image, options, Surroundings::Wrapped).expect("a texture");
+        for (offset, [width, height]) in offsets.into_iter().flat_map(|o| sizes.map(|s| (o, s))) {
+            for [left, top] in [[3.0, 4.0], [-5.0, -3.0], [22.0, 17.0]] {
+                let [left, top] = [left + offset, top + offset];
+                let quad = rect(left, top, left + width, top + height);
+                for tint in [[255; 4], [200, 100, 50, 250]] {
+                    let [copied, sampled] = both_ways(&texture, quad, tint);
+                    assert!(copied == sampled, "{quad} {tint:?} {options:?}");
+                }
+            }
+        }
+        let middles = |x: i64, y: i64| [x, y].map(|at| (at << 16) + (1 << 15));
+        let row = texture.texels_on([middles(2, 3), middles(8, 3)], 7);
+        assert_eq!(row.expect("on pixels").len(), 7);
+        for ends in [
+            [middles(2, 3), middles(9, 3)],
+            [middles(2, 3), middles(8, 4)],
+            [middles(11, 3), middles(17, 3)],
+        ] {
+            assert!(texture.texels_on(ends, 7).is_none(), "{ends:?}");
+        }
+    }
+}
