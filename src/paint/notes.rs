@@ -11,6 +11,8 @@ pub enum Note {
     End,
     /// The next shape is everything that an odd number of these outlines goes round.
     Area(Vec<Vec<Pos2>>, Color32),
+    /// The next shape is a frame inside this rectangle: of this colour at the outer edge, and less and less over this many points.
+    Fade(Rect, f32, Color32),
 }
 
 fn id() -> Id {
@@ -58,5 +60,12 @@ pub fn group<R>(painter: &Painter, name: &'static str, add: impl FnOnce() -> R) 
 pub fn area(painter: &Painter, outlines: impl FnOnce() -> Vec<Vec<Pos2>>, colour: Color32) {
     if is_heard(painter.ctx()) {
         Note::Area(outlines(), colour).add(painter);
+    }
+}
+
+/// Says that the shape that is painted next is a frame that fades.
+pub fn fade(painter: &Painter, rect: Rect, width: f32, colour: Color32) {
+    if is_heard(painter.ctx()) {
+        Note::Fade(rect, width, colour).add(painter);
     }
 }

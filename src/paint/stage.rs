@@ -69,7 +69,8 @@ impl Look<'_> {
 
 /// Lets the background come through along the edges of a drawing.
 fn fade(painter: &Painter, theme: &Theme, rect: Rect) {
-    let inner = rect.shrink(FADE_PTS.min(0.1 * rect.size().min_elem()));
+    let width = FADE_PTS.min(0.1 * rect.size().min_elem());
+    let inner = rect.shrink(width);
     let corners = |rect: Rect| {
         let [top, bottom] = [rect.left_top(), rect.right_bottom()];
         [top, rect.right_top(), bottom, rect.left_bottom()]
@@ -85,6 +86,7 @@ fn fade(painter: &Painter, theme: &Theme, rect: Rect) {
         mesh.add_triangle(i, next, 4 + i);
         mesh.add_triangle(next, 4 + next, 4 + i);
     }
+    notes::fade(painter, rect, width, theme.background);
     painter.add(mesh);
 }
 

@@ -6,11 +6,15 @@ use egui::{
     Color32, Pos2, Rect, Shape, Stroke, StrokeKind, TextureId, Vec2,
     emath::{GuiRounding, TSTransform},
     epaint::{ClippedShape, ColorMode, PathShape, PathStroke, RectShape, WHITE_UV},
+    pos2,
 };
 
 use crate::paint::{Drawing, notes::Note};
 
 use super::page::{Drawn, Form, Item, Path, Picture, Run, VectorPage, What};
+
+/// What fades does so in this many steps: a step is as wide as a pixel of a screen.
+const N_FADING: usize = 14;
 
 pub fn read(drawing: &Drawing<'_>) -> VectorPage {
     let mut reader = Reader {
@@ -20,13 +24,17 @@ pub fn read(drawing: &Drawing<'_>) -> VectorPage {
     };
     let mut shapes = drawing.shapes.iter();
     while let Some(shape) = shapes.next() {
-        if let Some(Note::Area(outlines, colour)) = Note::of(&shape.shape) {
-            // The triangles that stand for it.
-            shapes.next();
-            reader.area(shape.clip_rect, outlines, *colour);
-        } else {
-            reader.shape(shape.clip_rect, &shape.shape);
+        let clip = shape.clip_rect;
+        match Note::of(&shape.shape) {
+            Some(Note::Area(outlines, colour)) => reader.area(clip, outlines, *colour),
+            Some(Note::Fade(rect, width, colour)) => reader.fade(clip, *rect, *width, *colour),
+            Some(Note::Begin(_) | Note::End) | None => {
+                reader.shape(clip, &shape.shape);
+                continue;
+            }
         }
+        // The triangles that stand for it.
+        shapes.next();
     }
     reader.flush();
     VectorPage {
@@ -84,7 +92,7 @@ impl Reader<'_> {
                 }
                 _ => self.item(Item::End),
             },
-            Some(Note::Area(..)) | None => {}
+            Some(Note::Area(..) | Note::Fade(..)) | None => {}
         }
     }
 
@@ -124,6 +132,30 @@ impl Reader<'_> {
         };
         let form = Form::Lines(outlines.iter().map(run).collect());
         self.path(clip, form, colour, Stroke::NONE);
+    }
+
+    /// Frames that lie over each other, the widest lowest: together they are as strong as the colour is in the middle of each step.
+    fn fade(&mut self, clip: Rect, rect: Rect, width: f32, colour: Color32) {
+        let corners = |rect: Rect| {
+            let (min, max) = (rect.min, rect.max);
+            vec![min, pos2(max.x, min.y), max, pos2(min.x, max.y)]
+        };
+        self.item(Item::Begin("fade"));
+        for nth in 0..N_FADING {
+            let steps = (N_FADING - nth) as f32;
+            let inner = rect.shrink(width * steps / N_FADING as f32);
+            let share = if nth == 0 {
+                0.5 / steps
+            } else {
+                1.0 / (steps + 0.5)
+            };
+            self.area(
+                clip,
+                &[corners(rect), corners(inner)],
+                colour.gamma_multiply(share),
+            );
+        }
+        self.item(Item::End);
     }
 
     /// As egui does it, one that stands upright or lies is put on whole pixels.
