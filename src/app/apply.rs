@@ -112,6 +112,7 @@ impl App {
             Command::AskAboutScene(act) => self.ask_about_scene(act),
             Command::OpenRecent(path) => self.open_recent(&path),
             Command::CopyFigure => self.copy_figure(ctx, now),
+            Command::CopySvg => self.copy_svg(ctx, now),
             Command::CopyLink => self.copy_link(ctx, now),
             Command::Help if shown.dialog == Some(Dialog::Help) => shown.dialog = None,
             Command::Help => shown.dialog = Some(Dialog::Help),

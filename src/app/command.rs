@@ -85,6 +85,8 @@ pub enum Command {
     OpenRecent(String),
     Export,
     CopyFigure,
+    /// The same as the text of an SVG file.
+    CopySvg,
     CopyLink,
     Show(Option<Dialog>),
     Confirm,

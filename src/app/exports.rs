@@ -192,22 +192,40 @@ impl App {
 
     /// Puts what an export would write of this step on the system's clipboard.
     pub(super) fn copy_figure(&mut self, ctx: &Context, now: f64) {
+        let export = self.copied("figure.png");
+        let copied = self.drawn(&export, ctx).map(|Image { size, rgba }| {
+            ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, &rgba));
+            let [width, height] = size.map(|side| side.to_string());
+            let message = Message::new("status-copied").with("width", width);
+            message.with("height", height)
+        });
+        self.tell_copied(copied, now);
+    }
+
+    /// The same as the text of an SVG file.
+    pub(super) fn copy_svg(&mut self, ctx: &Context, now: f64) {
+        let export = self.copied("figure.svg");
+        let copied = self.made(&export, ctx).map(|bytes| {
+            let kilobytes = bytes.len().div_ceil(1000);
+            ctx.copy_text(String::from_utf8_lossy(&bytes).into_owned());
+            Message::new("status-copied-svg").with("count", kilobytes)
+        });
+        self.tell_copied(copied, now);
+    }
+
+    fn copied(&self, path: &str) -> Export {
         let slide = self.slide();
         let last = self.settings.figures.unwrap_or(slide);
-        let export = self.export_of(
-            String::new(),
-            Figures {
-                size_px: last.size_px,
-                ..slide
-            },
-        );
-        match self.drawn(&export, ctx) {
-            Ok(Image { size, rgba }) => {
-                ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, &rgba));
-                let [width, height] = size;
-                let message = Message::new("status-copied").with("width", width.to_string());
-                self.tell(&message.with("height", height.to_string()), now);
-            }
+        let figures = Figures {
+            size_px: last.size_px,
+            ..slide
+        };
+        self.export_of(path.to_owned(), figures)
+    }
+
+    fn tell_copied(&mut self, copied: Result<Message, Diagnostic>, now: f64) {
+        match copied {
+            Ok(message) => self.tell(&message, now),
             Err(reason) => {
                 let message = Message::new("status-copy-failed").with("reason", reason);
                 self.complain(self.catalog().message(&message));

@@ -117,6 +117,7 @@ impl App {
             let mut events = input.events.iter();
             events.find_map(|event| match event {
                 Event::Paste(text) if lesson::Link::is_one(text) => Some(text.clone()),
+                Event::Paste(text) => lesson::link_in(text.as_bytes()),
                 _ => None,
             })
         });

@@ -190,7 +190,7 @@ fn changes(app: &App, ui: &mut Ui) {
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
     type Ask = fn(&App) -> Command;
-    let rows: [(&str, &str, Ask); 7] = [
+    let rows: [(&str, &str, Ask); 8] = [
         ("action-open", "Ctrl+O", |_| Command::OpenFile),
         ("action-open-path", "", |app| {
             Command::Show(Some(app.opened()))
@@ -201,6 +201,7 @@ fn files(app: &App, ui: &mut Ui) {
         }),
         ("action-export", "Ctrl+E", |_| Command::Export),
         ("action-copy", "Ctrl+Shift+C", |_| Command::CopyFigure),
+        ("action-copy-svg", "", |_| Command::CopySvg),
         ("action-link", "Ctrl+Shift+L", |_| Command::CopyLink),
     ];
     lessons(app, ui);
@@ -208,7 +209,10 @@ fn files(app: &App, ui: &mut Ui) {
         menu_button(ui, app.look().say("action-recent"), |ui| recent(app, ui));
     }
     for (key, keys, command) in rows {
-        let is_there = !keys.is_empty() || app.has_dialog(false);
+        let is_there = match key {
+            "action-copy-svg" => app.platform.formats().contains(&"svg"),
+            _ => !keys.is_empty() || app.has_dialog(false),
+        };
         if is_there && action(ui, app.look(), (key, keys), true) {
             app.push(command(app));
         }

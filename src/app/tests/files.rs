@@ -310,3 +310,29 @@ fn the_figure_goes_to_the_clipboard_as_an_export_writes_it() {
     let pixels = copied.pixels.iter().flat_map(egui::Color32::to_array);
     assert!(pixels.eq(drawn.rgba), "as `clipscope export` draws it");
 }
+
+#[test]
+fn the_figure_goes_to_the_clipboard_as_the_text_of_an_svg_file_that_opens_again() {
+    let mut bench = Bench::on_a_desktop();
+    bench.app.push(Command::CopySvg);
+    let output = bench.run(Vec::new(), Vec::new());
+    let mut commands = output.platform_output.commands.iter();
+    let copied = commands.find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text),
+        _ => None,
+    });
+    let copied = copied.expect("a text");
+    assert!(
+        copied.starts_with("<svg") && copied.ends_with("</svg>\n"),
+        "{copied}"
+    );
+    let position = bench.app.position();
+    bench.command(Command::LAST);
+    bench.run(vec![egui::Event::Paste(copied.clone())], Vec::new());
+    assert_eq!(bench.app.position(), position, "{}", bench.said());
+    let other = Bench::new(egui::vec2(1280.0, 720.0));
+    assert!(
+        !other.app.platform.formats().contains(&"svg"),
+        "not offered there"
+    );
+}
