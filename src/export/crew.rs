@@ -6,7 +6,6 @@ use std::{
     ops::Range,
     path::Path,
     sync::{
-        Mutex,
         atomic::{AtomicUsize, Ordering},
         mpsc,
     },
@@ -61,8 +60,11 @@ fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
     lots
 }
 
-/// Draws with `draw` and writes all pictures on all cores; `done` hears of each on the calling thread. The
-/// failures come in the order of the jobs.
+/// Pictures that may wait to be written, for each thread that draws.
+const MOST_WAITING: usize = 2;
+
+/// Draws all pictures with `draw` on all cores. The calling thread writes them, as the disk is waited for there, and says `done`
+/// after each. The failures come in the order of the jobs.
 pub fn run(
     jobs: &[Job<'_>],
     theme: ThemeKind,
@@ -72,38 +74,35 @@ pub fn run(
 ) -> Vec<Failure> {
     let lots = lots(jobs);
     let next = AtomicUsize::new(0);
-    let failures = Mutex::new(Vec::new());
     let n_threads = thread::available_parallelism()
         .map_or(1, NonZero::get)
         .min(lots.len());
+    let mut failures = Vec::new();
     thread::scope(|scope| {
-        let (finished, each_finished) = mpsc::channel();
+        let (drawn, each_drawn) = mpsc::sync_channel(MOST_WAITING * n_threads);
         for _ in 0..n_threads {
-            let finished = finished.clone();
-            let (next, lots, failures, draw) = (&next, &lots, &failures, &draw);
+            let drawn = drawn.clone();
+            let (next, lots, draw) = (&next, &lots, &draw);
             scope.spawn(move || {
                 let mut studio = Studio::new(theme);
                 let take = || lots.get(next.fetch_add(1, Ordering::Relaxed));
-                let lots = std::iter::from_fn(take);
-                for (i, job) in lots.flat_map(|lot| lot.clone().zip(&jobs[lot.clone()])) {
-                    if let Err(error) = write(job, &draw(job, &mut studio), out) {
-                        let path = out.join(&job.path).display().to_string();
-                        if let Ok(mut failures) = failures.lock() {
-                            failures.push((i, Failure { path, error }));
-                        }
-                    }
-                    if finished.send(()).is_err() {
+                for i in std::iter::from_fn(take).cloned().flatten() {
+                    if drawn.send((i, draw(&jobs[i], &mut studio))).is_err() {
                         return;
                     }
                 }
             });
         }
-        drop(finished);
-        for () in each_finished {
+        drop(drawn);
+        for (i, content) in each_drawn {
+            let job = &jobs[i];
+            if let Err(error) = write(job, &content, out) {
+                let path = out.join(&job.path).display().to_string();
+                failures.push((i, Failure { path, error }));
+            }
             done();
         }
     });
-    let mut failures = failures.into_inner().unwrap_or_default();
     failures.sort_by_key(|(i, _)| *i);
     failures.into_iter().map(|(_, failure)| failure).collect()
 }

@@ -18,7 +18,7 @@ use crate::{
 #[cfg(not(target_arch = "wasm32"))]
 use super::vector::{VectorPage, read};
 
-use halves::{halves, headings};
+use halves::{Half, halves, headings};
 #[cfg(not(target_arch = "wasm32"))]
 pub use page::PAGE_MARGINS;
 use page::{Page, lost};
@@ -58,49 +58,32 @@ impl Studio {
 
     /// In words what the figure shows: its title, and under each method's name its sentence.
     pub fn alternative(&mut self, picture: &Picture<'_>) -> String {
-        let catalog = Catalog::of(picture.options.lang);
         let album = album(&mut self.last, picture);
-        let halves = halves(album, &picture.stops(), picture.asked_in());
-        let headings = headings(&halves, catalog, picture.options.asks);
-        let columns = halves.iter().flat_map(|half| &half.columns);
-        let sentence = |(column, name): (&Column, &String)| {
-            let said = column.frame.caption.text(catalog);
-            if headings.len() > 1 {
-                catalog.message(
-                    &Message::new("named-sentence")
-                        .with("name", name.clone())
-                        .with("said", said),
-                )
-            } else {
-                said
-            }
-        };
-        let title = picture.title.map(str::to_owned);
-        let lines: Vec<String> = title
-            .into_iter()
-            .chain(columns.zip(&headings).map(sentence))
-            .collect();
-        lines.join("\n") + "\n"
+        alternative(&shown(album, picture), picture)
     }
 
     /// The figure, and the views that have no room even on the largest page.
     fn drawn(&mut self, picture: &Picture<'_>) -> (Image, Vec<ViewId>) {
         let Self { table, last } = self;
         let album = album(last, picture);
-        drawn(table, album, picture, |table, size, pixels, show| {
+        let page = Page::of(album, picture, shown(album, picture));
+        drawn(table, &page, |table, size, pixels, show| {
             table.draw(size, pixels, show)
         })
     }
 
-    /// The same as shapes.
+    /// The same as shapes and, as [`Self::alternative`], in words.
     #[cfg(not(target_arch = "wasm32"))]
-    pub fn vector(&mut self, picture: &Picture<'_>) -> VectorPage {
+    pub fn vector(&mut self, picture: &Picture<'_>) -> (VectorPage, String) {
         let Self { table, last } = self;
         let album = album(last, picture);
+        let shown = shown(album, picture);
+        let alternative = alternative(&shown, picture);
+        let page = Page::of(album, picture, shown);
         let write = |table: &mut Headless, size, pixels, show: &mut dyn FnMut(&mut Ui)| {
             table.write(size, pixels, show, read)
         };
-        drawn(table, album, picture, write).0
+        (drawn(table, &page, write).0, alternative)
     }
 }
 
@@ -110,17 +93,44 @@ fn album<'a>(last: &'a mut Option<Album>, picture: &Picture<'_>) -> &'a Album {
     last.get_or_insert_with(|| Album::new(picture.scene, picture.lesson, Medium::Page))
 }
 
+fn shown<'a>(album: &'a Album, picture: &Picture<'_>) -> Vec<Half<'a>> {
+    halves(album, &picture.stops(), picture.asked_in())
+}
+
+fn alternative(halves: &[Half<'_>], picture: &Picture<'_>) -> String {
+    let catalog = Catalog::of(picture.options.lang);
+    let headings = headings(halves, catalog, picture.options.asks);
+    let columns = halves.iter().flat_map(|half| &half.columns);
+    let sentence = |(column, name): (&Column, &String)| {
+        let said = column.frame.caption.text(catalog);
+        if headings.len() > 1 {
+            catalog.message(
+                &Message::new("named-sentence")
+                    .with("name", name.clone())
+                    .with("said", said),
+            )
+        } else {
+            said
+        }
+    };
+    let title = picture.title.map(str::to_owned);
+    let lines: Vec<String> = title
+        .into_iter()
+        .chain(columns.zip(&headings).map(sentence))
+        .collect();
+    lines.join("\n") + "\n"
+}
+
 /// What `draw` makes of it on a page of a size in points and so many pixels per point, and the views that have no room.
 fn drawn<R>(
     table: &mut Headless,
-    album: &Album,
-    picture: &Picture<'_>,
+    page: &Page<'_>,
     draw: impl Fn(&mut Headless, Vec2, f32, &mut dyn FnMut(&mut Ui)) -> R,
 ) -> (R, Vec<ViewId>) {
-    table.set_theme(picture.options.theme);
-    let size = Vec2::from(picture.options.size_px.map(|side| side as f32));
+    let options = &page.picture.options;
+    table.set_theme(options.theme);
+    let size = Vec2::from(options.size_px.map(|side| side as f32));
     let pixels_per_point = (size.x / PAGE_PTS[0]).min(size.y / PAGE_PTS[1]);
-    let page = Page::of(album, picture);
     let mut page_scale = 1.0;
     loop {
         let pixels_per_point = pixels_per_point / page_scale;

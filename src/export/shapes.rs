@@ -38,13 +38,13 @@ pub fn shapes(
     shapes: Shapes<'_>,
     link: Option<&str>,
 ) -> Made {
+    let (drawing, alternative) = studio.vector(picture);
     let about = About {
         title: picture.title.unwrap_or_default(),
-        alternative: &studio.alternative(picture),
+        alternative: &alternative,
         lang: picture.options.lang.id(),
         link,
     };
-    let drawing = studio.vector(picture);
     match shapes {
         Shapes::Svg(letters) => svg(&drawing, letters, about).into_bytes().into(),
         Shapes::Pdf => pdf_of_one(&drawing, about).into(),

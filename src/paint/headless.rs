@@ -8,8 +8,6 @@ use super::cpu::{CpuPainter, Image};
 use super::theme::{self, Theme, ThemeKind};
 use super::{fonts, notes};
 
-/// Passes at least for one picture: what takes the focus shows it one pass later, unasked.
-const MIN_PASSES: usize = 2;
 /// A layout that measures itself settles in two or three passes; an animation that never ends is drawn as it stands.
 const MAX_PASSES: usize = 8;
 /// Seconds between passes. Pictures hold no motion; egui wants its clock to advance.
@@ -142,6 +140,7 @@ impl Headless {
         ui: &mut dyn FnMut(&mut Ui),
     ) -> (egui::FullOutput, bool) {
         let mut pass = 0;
+        let mut focused = self.ctx.memory(Memory::focused);
         loop {
             let input = input(size_pts, pixels_per_point, pass);
             let mut output = self.ctx.run_ui(input, |root| ui(root));
@@ -149,7 +148,9 @@ impl Headless {
             pass += 1;
             let root = output.viewport_output.get(&ViewportId::ROOT);
             let wants_another = root.is_some_and(|root| root.repaint_delay.is_zero());
-            if pass >= MIN_PASSES && (!wants_another || pass == MAX_PASSES) {
+            // What takes the focus shows it one pass later, unasked.
+            let had_focus = std::mem::replace(&mut focused, self.ctx.memory(Memory::focused));
+            if pass == MAX_PASSES || (!wants_another && focused == had_focus) {
                 return (output, !wants_another);
             }
         }

@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::{
-    halves::{Half, halves, headings},
+    halves::{Half, headings},
     picture::{Picture, Steps},
 };
 
@@ -54,7 +54,7 @@ pub fn lost(needs: &[Vec<Need>], layout: &Layout) -> Vec<ViewId> {
 }
 
 pub struct Page<'a> {
-    picture: &'a Picture<'a>,
+    pub picture: &'a Picture<'a>,
     pub look: Look<'static>,
     album: &'a Album,
     pub halves: Vec<Half<'a>>,
@@ -65,9 +65,8 @@ pub struct Page<'a> {
 pub type Drawn<'a> = (&'a Half<'a>, usize, &'a Column);
 
 impl<'a> Page<'a> {
-    /// With what is drawn on it, as the eyes that are found for it see it.
-    pub fn of(album: &'a Album, picture: &'a Picture<'a>) -> Self {
-        let mut halves = halves(album, &picture.stops(), picture.asked_in());
+    /// With these halves on it, as the eyes that are found for them see them.
+    pub fn of(album: &'a Album, picture: &'a Picture<'a>, mut halves: Vec<Half<'a>>) -> Self {
         let of_all = picture.options.steps == Steps::All;
         for Half {
             recorded,

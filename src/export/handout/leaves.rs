@@ -172,8 +172,7 @@ impl<'a> Press<'a> {
     }
 
     pub fn figure(&mut self, picture: &Picture<'_>) -> Leaf {
-        let words = self.studio.alternative(picture);
-        let drawing = self.studio.vector(picture);
+        let (drawing, words) = self.studio.vector(picture);
         let trim = Vec2::from(PAGE_MARGINS);
         Leaf {
             scale: self.column() / (drawing.size.x - 2.0 * trim.x),

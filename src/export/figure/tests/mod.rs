@@ -107,7 +107,7 @@ fn laid_out(
 ) {
     let Studio { table, last } = studio;
     let album = album(last, picture);
-    let page = Page::of(album, picture);
+    let page = Page::of(album, picture, shown(album, picture));
     let look = page.look;
     table.draw(Vec2::from(PAGE_PTS), 1.0, |ui| {
         let layout = page.show(ui);
