@@ -4,7 +4,7 @@ use egui::{Color32, Popup, TextStyle};
 
 use crate::{
     panels::{compare_picker, method_picker},
-    widgets::{Press, Timeline, focus_ring, menu_style, speed_menu, transport_buttons},
+    widgets::{Press, Timeline, menu_style, quiet_button, speed_menu, transport_buttons},
 };
 
 use super::{
@@ -132,9 +132,8 @@ fn tab(app: &App, ui: &mut Ui, lab: &'static Lab, bar: Rect) {
     let text = RichText::new(look.say(lab.name_key))
         .text_style(theme::strong())
         .color(colour);
-    let button = Button::selectable(false, text).frame(false);
-    let label = ui.add(button).on_hover_text(look.say(lab.about_key));
-    focus_ring(ui.painter(), look, &label, label.rect, 4.0);
+    let label = quiet_button(ui, look, Button::selectable(false, text));
+    let label = label.on_hover_text(look.say(lab.about_key));
     if is_open {
         let line = Rect::from_x_y_ranges(label.rect.x_range(), bar.bottom() - 2.0..=bar.bottom());
         ui.painter().rect_filled(line, 0.0, look.theme.accent);

@@ -5,7 +5,7 @@ use egui::{Role, WidgetInfo};
 
 use crate::{
     panels::Form,
-    widgets::{rule, section},
+    widgets::{quiet_button, rule, section},
 };
 
 use super::{App, Command, menus::asked_of, prelude::*, room::Room};
@@ -53,7 +53,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
             let (theme, name) = (look.theme, look.say(title_key));
             let colour = if is_open { theme.accent } else { theme.soft };
             let text = RichText::new(format!("{name} {}", if is_open { "−" } else { "+" }));
-            let button = ui.add(Button::new(text.color(colour)).frame(false));
+            let button = quiet_button(ui, look, Button::new(text.color(colour)));
             button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &name));
             if button.clicked() {
                 app.push(Command::Section((!is_open).then_some(id)));

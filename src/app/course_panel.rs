@@ -4,7 +4,7 @@ use egui::{Frame, Panel, Response, Stroke, style::ScrollAnimation};
 
 use crate::{
     lesson::{Block, StepText},
-    widgets::{card, claimed, lesson_text, step_title},
+    widgets::{card, claimed, lesson_text, quiet_button, step_title},
 };
 
 use super::{
@@ -293,8 +293,8 @@ fn changed(app: &App, ui: &mut Ui) {
     let look = app.look();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
         ui.label(soft(look, "lesson-changed").small());
-        let restore = Button::new(accent(look, "lesson-restore")).frame(false);
-        if ui.add(restore).clicked() {
+        let restore = Button::new(accent(look, "lesson-restore"));
+        if quiet_button(ui, look, restore).clicked() {
             app.push(Command::Reset);
         }
     });

@@ -7,18 +7,24 @@ use crate::widgets::target;
 use super::{App, Command, marks, prelude::*};
 
 const GAP: f32 = 4.0;
+/// A number of two digits has room in it.
+const LEAST: f32 = 17.0;
+/// Between two rows, for the marks.
+const UNDER: f32 = 12.0;
 pub const CHANGED: f32 = 3.0;
 
 pub fn steps(app: &App, ui: &mut Ui, lesson: &Lesson) {
     let n_steps = lesson.steps.len().max(1) as f32;
     let room = (ui.available_width() + GAP) / n_steps - GAP;
-    let room = room.max(target(ui, 0.0));
+    let least = target(ui, LEAST * app.look().theme.text_scale.sqrt());
+    let is_crowded = room < least;
+    let room = room.max(least);
     let row = |ui: &mut Ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
+        ui.spacing_mut().item_spacing = vec2(GAP, UNDER);
         discs(app, ui, lesson, room);
     };
-    // In as many rows as fingers want.
-    if target(ui, 0.0) > 0.0 {
+    // In as many rows as numbers, or fingers, want.
+    if is_crowded {
         ui.horizontal_wrapped(row);
     } else {
         ui.horizontal(row);

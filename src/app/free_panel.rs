@@ -2,7 +2,10 @@
 
 use egui::Frame;
 
-use crate::{panels::list, widgets::rule};
+use crate::{
+    panels::list,
+    widgets::{quiet_button, rule},
+};
 
 use super::{App, Command, free_scenes, menus::panel_rows, prelude::*};
 
@@ -21,8 +24,8 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
             let title = lesson.title(app.settings.lang).to_owned();
             let back = Message::new("free-back").with("lesson", title);
             let back = look.catalog.message(&back);
-            let back = Button::new(RichText::new(back).color(look.theme.accent)).frame(false);
-            if ui.add(back.truncate()).clicked() {
+            let back = Button::new(RichText::new(back).color(look.theme.accent));
+            if quiet_button(ui, look, back.truncate()).clicked() {
                 app.push(Command::Free);
             }
         }

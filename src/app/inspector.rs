@@ -7,7 +7,7 @@ use crate::{
     labs::CodeLine,
     widgets::{
         CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
-        rule, section, watch,
+        quiet_button, rule, section, watch,
     },
 };
 
@@ -203,7 +203,7 @@ fn methods(app: &App, ui: &mut Ui, column: usize, inspected: &mut usize) {
                     } else {
                         text.color(look.theme.accent)
                     };
-                    let response = ui.add(Button::new(text).frame(false).wrap());
+                    let response = quiet_button(ui, look, Button::new(text).wrap());
                     response.widget_info(|| {
                         let said = format!("{name}, {step}");
                         WidgetInfo::selected(Role::RadioButton, true, is_current, said)
@@ -268,8 +268,8 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
         ui.label(look.catalog.message(note));
     }
     if verdict.step.is_some() {
-        let go = Button::new(accent(look, "verdict-go")).frame(false);
-        if ui.add(go).clicked() {
+        let go = Button::new(accent(look, "verdict-go"));
+        if quiet_button(ui, look, go).clicked() {
             app.push(Command::Verdict);
         }
     }
@@ -296,7 +296,7 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
         if app.shown.measures {
             let measure = accent(look, "cost-measure").small();
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if ui.add(Button::new(measure).frame(false)).clicked() {
+                if quiet_button(ui, look, Button::new(measure)).clicked() {
                     app.push(Command::Measure(true));
                 }
             });

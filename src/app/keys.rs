@@ -87,9 +87,14 @@ pub fn tab_to(ctx: &Context, first: Option<Id>) {
     let Some(first) = first else {
         return;
     };
-    let tab = |input: &mut egui::InputState| input.consume_key(Modifiers::NONE, Key::Tab);
-    let is_plain = ctx.input(|input| !input.modifiers.any());
-    if is_plain && ctx.input_mut(tab) {
+    // Shift may have been let go since.
+    let is_tab = |event: &Event| matches!(event, Event::Key { key: Key::Tab, pressed: true, modifiers, .. } if !modifiers.any());
+    let was_pressed = ctx.input_mut(|input| {
+        let n_events = input.events.len();
+        input.events.retain(|event| !is_tab(event));
+        input.events.len() < n_events
+    });
+    if was_pressed {
         ctx.memory_mut(|memory| {
             memory.move_focus(FocusDirection::None);
             memory.request_focus(first);

@@ -4,7 +4,7 @@ use egui::Event;
 
 use crate::lesson::{self, LONG_LINK, LinkError, Stand, link_in, said};
 
-use super::{App, bookmark::FreeScene, keys::Focus, prelude::*};
+use super::{App, bookmark::FreeScene, keys::Focus, notice::Notice, prelude::*};
 
 /// Segments, or vertices, of a scene that is spelt at every step.
 #[cfg(target_arch = "wasm32")]
@@ -69,7 +69,7 @@ impl App {
 
     /// Opens what a link leads to; where it leads nowhere, that is said, and all stays as it was.
     pub fn open_link(&mut self, text: &str) {
-        self.notices.clear();
+        self.notices.retain(Notice::is_greeting);
         let link = text.parse().map_err(said);
         if let Err(problems) = link.and_then(|link| self.go_to(&link)) {
             self.report_unfit(&problems);

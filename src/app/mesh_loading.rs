@@ -98,14 +98,16 @@ fn read_mesh(
     })
 }
 
-/// `cow.png`, or `cow_texture.jpg`, for `cow.obj`; and its name.
+/// `cow.png`, or `cow_texture.jpg`, for `cow.obj` and `cow_triangulated.obj`; and its name.
 fn picture_beside(
     path: &str,
     read: &dyn Fn(&str) -> Result<Vec<u8>, FileError>,
 ) -> Option<(Picture, String)> {
     let stem = Path::new(path).file_stem()?.to_str()?;
-    let names = ["", "_texture"].into_iter();
-    let mut names = names.flat_map(|part| PICTURES.map(|it| format!("{stem}{part}.{it}")));
+    let of_family = stem.rsplit_once('_').map(|(family, _)| family);
+    let stems = [stem].into_iter().chain(of_family);
+    let names = stems.flat_map(|stem| ["", "_texture"].map(|part| format!("{stem}{part}")));
+    let mut names = names.flat_map(|name| PICTURES.map(|it| format!("{name}.{it}")));
     names.find_map(|name| Some((read_picture(&read(&name).ok()?)?, name)))
 }
 

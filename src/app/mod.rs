@@ -154,8 +154,17 @@ impl App {
         };
         let first = kit.panels.first().expect("a window has a lab").lab();
         let places = settings.places();
+        let open = |bookmark: &mut Bookmark, page| {
+            bookmark.open_page(page, |id| kit.lab(id), &places.steps)
+        };
+        if let Some(Page::Free(lab) | Page::Named(lab, _)) = &places.page
+            && let Some(step) = places.steps.get(lab)
+        {
+            // The scene lies beside the step that was open: so far none is.
+            open(&mut bookmark, step);
+        }
         let is_open = match &places.page {
-            Some(page) => bookmark.open_page(page, |id| kit.lab(id), &places.steps),
+            Some(page) => open(&mut bookmark, page),
             None => bookmark.step().is_some(),
         };
         if !is_open && bookmark.step().is_none() {

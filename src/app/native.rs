@@ -81,6 +81,8 @@ fn create(creation: &CreationContext<'_>, opening: Opening, settings: Settings) 
         ..settings
     };
     let mut app = App::new(course, settings).with_platform(Desktop::with_dialogs());
+    // What is opened now stands where it is to stand.
+    app.rewind_for_someone_new();
     if let Some((file, scene)) = opening.scene {
         app = app.with_scene(&file, scene);
     }

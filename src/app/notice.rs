@@ -17,15 +17,25 @@ pub struct Notice {
     pub until: Option<f64>,
 }
 
+impl Notice {
+    /// What someone new is told stays until they do it.
+    pub const fn is_greeting(&self) -> bool {
+        !self.is_problem && self.until.is_none()
+    }
+}
+
 /// Of the window's height they take this part at most.
-const MOST: f32 = 0.4;
+const MOST: f32 = 0.25;
 
 /// How high they are.
 pub fn show(app: &App, ui: &mut Ui) -> f32 {
-    if app.notices.is_empty() {
+    // Who watches a presentation is not greeted.
+    let is_seen = |it: &&Notice| !(it.is_greeting() && app.is_presenting());
+    let notices: Vec<&Notice> = app.notices.iter().filter(is_seen).collect();
+    if notices.is_empty() {
         return 0.0;
     }
-    let (look, notices) = (app.look(), &app.notices);
+    let look = app.look();
     let most = MOST * app.shown.size.y;
     let frame = Frame::new().fill(look.theme.panel);
     let shown = Panel::top("notices")
@@ -91,15 +101,19 @@ impl App {
         self.notices.drain(..surplus);
     }
 
-    /// Says to someone new what to press first, and that things can be dragged, until they do: what is pressed has to do something. Where a
-    /// scene is to be changed its end stays in sight.
+    /// For someone new the run of the first page begins at its beginning: what is pressed has to do something. Where a scene is to be
+    /// changed its end stays in sight.
+    pub(super) fn rewind_for_someone_new(&mut self) {
+        let transport = &self.playback.transport;
+        let has_goal = self.bookmark.step().is_some_and(|step| step.goal.is_some());
+        if !self.settings.is_greeted && transport.position() == transport.n_steps() && !has_goal {
+            self.seek(0);
+        }
+    }
+
+    /// Says to someone new what to press first, and that things can be dragged, until they do.
     pub(super) fn greet(&mut self) {
         if !self.settings.is_greeted {
-            let transport = &self.playback.transport;
-            let has_goal = self.bookmark.step().is_some_and(|step| step.goal.is_some());
-            if transport.position() == transport.n_steps() && !has_goal {
-                self.seek(0);
-            }
             self.notify(Notice {
                 text: self.catalog().term("greeting"),
                 is_problem: false,
@@ -111,8 +125,7 @@ impl App {
     /// Someone has done one of that.
     pub(super) fn greeted(&mut self) {
         if !std::mem::replace(&mut self.settings.is_greeted, true) {
-            let is_greeting = |notice: &Notice| !notice.is_problem && notice.until.is_none();
-            self.notices.retain(|notice| !is_greeting(notice));
+            self.notices.retain(|notice| !notice.is_greeting());
         }
     }
 

@@ -1,6 +1,6 @@
 //! What a presenter shows with the pointer: a ring around it, and lines that are drawn while B is held.
 
-use egui::{LayerId, Order, Shape};
+use egui::{LayerId, Order, Sense, Shape};
 
 use super::{App, prelude::*};
 
@@ -46,6 +46,11 @@ impl Pen {
 
 pub fn show(app: &App, ui: &Ui, pen: &mut Pen) {
     pen.follow(ui, app.position());
+    if pen.is_down {
+        // It draws on a sheet before all else: with the button pressed, too, nothing is dragged under it.
+        let sheet = ui.ctx().content_rect();
+        ui.interact(sheet, Id::unique("sheet"), Sense::click_and_drag());
+    }
     let theme = app.look().theme;
     let painter = ui
         .ctx()

@@ -1,6 +1,6 @@
 //! `clipscope export`: figures to files.
 
-use std::{path::PathBuf, str::FromStr};
+use std::{collections::HashSet, path::PathBuf, str::FromStr};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
@@ -250,6 +250,9 @@ fn all_jobs<'a>(chosen: &'a Chosen, args: &Args) -> Result<Vec<Job<'a>>, Message
             Which::Figures | Which::All => jobs,
         });
     }
+    // The frames of a film are the pictures of all steps.
+    let mut paths = HashSet::new();
+    all.retain(|job: &Job<'_>| paths.insert(job.path.clone()));
     Ok(all)
 }
 

@@ -32,7 +32,12 @@ impl Format {
         }
     }
 
-    /// All steps of a run, one after the other, in place of one.
+    /// Pictures of all steps of a run, to be seen one after the other.
+    pub const fn is_run(self) -> bool {
+        self.is_loop() || matches!(self, Self::Frames)
+    }
+
+    /// The same in one file.
     pub const fn is_loop(self) -> bool {
         match self {
             Self::Apng | Self::Gif => true,

@@ -228,9 +228,14 @@ impl Job<'_> {
     pub fn made(&self, studio: &mut Studio, way: Way<'_>) -> Made {
         let link = self.link_on(way);
         let link = link.as_deref();
+        let mut options = way.options;
+        if self.format.is_run() {
+            // One eye sees all of it.
+            options.steps = Steps::All;
+        }
         let picture = Picture {
             foot: link.filter(|_| way.page.is_some()),
-            ..self.picture(way.options)
+            ..self.picture(options)
         };
         match self.format {
             Format::Png | Format::Frames => studio.draw(&picture).to_linked_png(link).into(),
@@ -247,10 +252,7 @@ impl Job<'_> {
 
     /// Its run as a loop.
     fn animation(&self, studio: &mut Studio, picture: &Picture<'_>, link: Option<&str>) -> Vec<u8> {
-        let options = Options {
-            steps: Steps::All,
-            ..picture.options
-        };
+        let options = picture.options;
         let runs = self.source.scene().document().record();
         let n_steps = runs.first().map_or(0, |run| run.n_steps());
         let [first, last] = self.span.unwrap_or([0, n_steps]);

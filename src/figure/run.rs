@@ -160,9 +160,22 @@ impl dyn Run + '_ {
         }
         let moment = before.moment(step);
         let kind = moment.of_any_kind();
-        self.find(&moment)
-            .or_else(|| self.find(&kind))
-            .unwrap_or_else(|| step.min(self.n_steps()))
+        let Some(found) = self.find(&moment) else {
+            return self.find(&kind).unwrap_or_else(|| step.min(self.n_steps()));
+        };
+        // The third plane is the same plane, whatever is said of it; the third that is kept may be another.
+        let about = |run: &dyn Run, step| {
+            let decided = run.shown(step, |shown| shown.decision());
+            decided.map(|(_, about)| about)
+        };
+        let subject = about(before, step);
+        let is_about = |step: &usize| about(self, *step) == subject;
+        let another = || self.find(&kind).filter(is_about);
+        if subject.is_none() || is_about(&found) {
+            found
+        } else {
+            another().unwrap_or(found)
+        }
     }
 
     /// # Panics

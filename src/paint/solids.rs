@@ -130,7 +130,7 @@ impl Place {
     }
 
     /// The part of its picture that shows anything, at least one pixel, and where that stands.
-    fn without_clear_edges(&self, image: ColorImage) -> (Rect, ColorImage) {
+    fn without_clear_edges(&self, image: &ColorImage) -> (Rect, ColorImage) {
         let width = image.width();
         let is_seen = |pixel: &Color32| *pixel != Color32::TRANSPARENT;
         let mut columns = width..0;
@@ -279,7 +279,7 @@ impl Drawn {
             found.bands = Arc::default();
         }
         let image = asked.image(&surface, is_fine, &mut found);
-        let (rect, image) = asked.place.without_clear_edges(image);
+        let (rect, image) = asked.place.without_clear_edges(&image);
         let options = TextureOptions::LINEAR;
         let texture = match before.map(|drawn| drawn.texture) {
             Some(mut texture) => {

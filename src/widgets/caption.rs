@@ -36,7 +36,7 @@ pub fn height_for_all(
     let longest = longest.flat_map(|captions| captions.into_iter().take(MOST_MEASURED));
     let height = |(_, caption): (String, Caption)| {
         let room = vec2(width, f32::INFINITY);
-        in_lines(painter, look, &caption, room).size().y
+        in_lines(painter, look, &caption, room).0.size().y
     };
     let one = ROW_PTS * look.theme.title_scale;
     let most = longest.map(height).fold(one, f32::max);
@@ -52,7 +52,7 @@ pub fn caption_text(catalog: &Catalog, caption: &Caption) -> String {
 /// Draws the caption in `rect` on as many lines as it takes and there is room for, the first of them always in one place.
 pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
     let inner = rect.shrink2(vec2(0.0, MARGIN_PTS).min(rect.size() * 0.1));
-    let lines = in_lines(ui.painter(), look, shown, inner.size());
+    let (lines, is_whole) = in_lines(ui.painter(), look, shown, inner.size());
     let height = lines.size().y;
     // Its first line stands in the middle of the room that a line has; higher up if the last would not fit below that.
     let middle = inner.top() + 0.5 * ROW_PTS * look.theme.title_scale;
@@ -70,13 +70,19 @@ pub fn caption(ui: &mut Ui, look: Look<'_>, rect: Rect, shown: &Caption) {
             node.set_live(Live::Polite);
             node.set_author_id("caption");
         });
-        label.on_hover_text(said);
+        if !is_whole {
+            label.on_hover_ui(|ui| {
+                let room = vec2(ui.spacing().tooltip_width, f32::INFINITY);
+                let (whole, _) = in_lines(ui.painter(), look, shown, room);
+                ui.label(whole.galley());
+            });
+        }
     });
 }
 
 /// Sets a caption in lines. Where it does not fit into the room it is smaller, and where that is not enough, steps are
-/// left out from the middle of its arithmetic; the decision is always whole.
-fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) -> Typeset {
+/// left out from the middle of its arithmetic; the decision is always whole. Is all of it there?
+fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) -> (Typeset, bool) {
     let style = painter.ctx().global_style();
     let font = |of: TextStyle, part: f32| {
         let font = of.resolve(&style);
@@ -95,11 +101,12 @@ fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) ->
     let mut shorter = shorter_and_shorter(look.catalog, caption);
     let whole = shorter.next().unwrap_or_default();
     let smaller = SMALLER.into_iter().map(|part| (whole.clone(), part));
-    let mut sets = smaller
-        .chain(shorter.map(|formulas| (formulas, smallest)))
-        .map(set);
-    let fitting = sets.find(|lines| lines.size().y <= room.y);
-    fitting.unwrap_or_else(|| set((Vec::new(), smallest)))
+    let smaller = smaller.map(|formulas| (set(formulas), true));
+    let shorter = shorter.map(|formulas| (set((formulas, smallest)), false));
+    let fitting = smaller
+        .chain(shorter)
+        .find(|(lines, _)| lines.size().y <= room.y);
+    fitting.unwrap_or_else(|| (set((Vec::new(), smallest)), false))
 }
 
 /// All of a caption's formulas, then fewer: those in the middle are left out first, then the steps in the middle of the

@@ -1,6 +1,6 @@
 //! Headings: of a column with its method, of a section of a side panel, and the hairline between two sections.
 
-use egui::RichText;
+use egui::{Button, RichText};
 
 use crate::paint::{fonts::semibold, theme};
 
@@ -65,6 +65,19 @@ pub fn focus_ring(painter: &Painter, look: Look<'_>, response: &Response, rect: 
         let ring = look.theme.stroke(2.0, look.theme.accent);
         painter.rect_stroke(rect, corner, ring, StrokeKind::Inside);
     }
+}
+
+/// A button that is words alone: a ring tells that it has the focus.
+pub fn quiet_button(ui: &mut Ui, look: Look<'_>, button: Button<'_>) -> Response {
+    let response = ui.add(button.frame(false));
+    focus_ring(
+        ui.painter(),
+        look,
+        &response,
+        response.rect.expand(2.0),
+        3.0,
+    );
+    response
 }
 
 pub fn section(ui: &mut Ui, look: Look<'_>, title: &str) -> Response {

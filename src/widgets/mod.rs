@@ -34,7 +34,7 @@ pub use composed::{Composition, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use fingers::{TARGET, reach, target};
 pub use handles::{Gesture, Moved, Snap, Spot, gripped, snapped, spot_id};
-pub use headings::{column_title, focus_ring, rule, section};
+pub use headings::{column_title, focus_ring, quiet_button, rule, section};
 pub use hit::link_at;
 pub use lesson_text::{TextTold, card, claimed, lesson_text, step_title};
 pub use menu::{

@@ -4,7 +4,7 @@ use egui::{RichText, Role};
 
 use crate::lesson::CodeView;
 
-use super::{fingers::target, prelude::*, whole_rows::WholeRows};
+use super::{fingers::target, headings::quiet_button, prelude::*, whole_rows::WholeRows};
 
 const fn key(view: CodeView) -> &'static str {
     match view {
@@ -56,8 +56,8 @@ pub fn code_view_switch(ui: &mut Ui, look: Look<'_>, current: CodeView) -> Optio
         let name = look.say(key(view));
         let text = RichText::new(&name).small().color(colour);
         let least = Vec2::splat(target(ui, 0.0));
-        let button = egui::Button::new(text).frame(false).small();
-        let response = ui.add(button.min_size(least));
+        let button = egui::Button::new(text).small().min_size(least);
+        let response = quiet_button(ui, look, button);
         let info = || WidgetInfo::selected(Role::RadioButton, true, is_current, &name);
         response.widget_info(info);
         if response.clicked() {

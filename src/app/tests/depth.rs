@@ -230,3 +230,24 @@ fn what_the_lesson_asks_for_is_named_without_the_pointer() {
     bench.command(Command::Open([18, 1]));
     assert!(!bench.texts().iter().any(is_named));
 }
+
+#[test]
+fn while_a_point_is_dragged_the_run_stays_at_the_plane_that_it_has_come_to() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([19, 1]));
+    bench.command(Command::Seek(3));
+    let plane = |bench: &Bench| {
+        let decided = bench
+            .app
+            .playback
+            .main()
+            .shown(bench.app.position(), |it| it.decision());
+        decided.map(|(_, plane)| plane)
+    };
+    let left = plane(&bench);
+    assert!(left.is_some());
+    let point = handle(&bench, "point");
+    // From there on two planes before it say something else.
+    bench.edit(Edit::Drag(point, [1.0, 0.0, -1.0]));
+    assert_eq!((bench.app.position(), plane(&bench)), (3, left));
+}

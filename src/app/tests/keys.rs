@@ -78,6 +78,30 @@ fn tab_walks_the_bar_from_left_to_right_and_stops_at_nothing_that_is_disabled() 
 }
 
 #[test]
+fn shift_and_tab_walk_back_over_the_stage_even_where_a_frame_takes_long() {
+    let mut bench = Bench::course(SIZE);
+    let mut stops = Vec::new();
+    bench.key(Key::Tab);
+    for _ in 0..12 {
+        // Both keys are pressed and let go within a frame.
+        let press = |pressed| key_event(Key::Tab, pressed, Modifiers::SHIFT);
+        let gone = Event::Key {
+            key: Key::Tab,
+            physical_key: None,
+            pressed: false,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        bench.frame(0.05, vec![press(true), gone]);
+        bench.settle();
+        stops.extend(bench.ctx.memory(egui::Memory::focused));
+    }
+    let distinct: std::collections::BTreeSet<_> = stops.iter().map(|id| id.value()).collect();
+    assert_eq!(distinct.len(), stops.len(), "{stops:?}");
+    assert!(stops.len() >= 11);
+}
+
+#[test]
 fn the_list_of_keys_is_scrolled_by_keys() {
     let mut bench = Bench::course(vec2(1280.0, 420.0));
     bench.key(Key::Questionmark);

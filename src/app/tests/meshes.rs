@@ -171,16 +171,27 @@ fn a_mesh_is_painted_with_the_picture_beside_it() {
 fn a_picture_of_the_mesh_s_name_is_taken_as_its_texture_and_said() {
     const PAINTED: &str = "v 0 0 0\nv 4 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
     let grey = include_bytes!("../../lesson/mesh_file/grey.jpg");
-    for (name, text, is_painted) in [
-        ("wedge.jpg", PAINTED.to_owned(), true),
-        ("wedge_texture.jpeg", PAINTED.to_owned(), true),
-        ("other.jpg", PAINTED.to_owned(), false),
+    for (mesh, name, text, is_painted) in [
+        ("wedge.obj", "wedge.jpg", PAINTED.to_owned(), true),
+        ("wedge.obj", "wedge_texture.jpeg", PAINTED.to_owned(), true),
+        (
+            "wedge_fine.obj",
+            "wedge_texture.jpeg",
+            PAINTED.to_owned(),
+            true,
+        ),
+        ("wedge.obj", "other.jpg", PAINTED.to_owned(), false),
         // Its corners have no places on a texture.
-        ("wedge.jpg", WEDGE.replace("mtllib wedge.mtl\n", ""), false),
+        (
+            "wedge.obj",
+            "wedge.jpg",
+            WEDGE.replace("mtllib wedge.mtl\n", ""),
+            false,
+        ),
     ] {
         let mut bench = Bench::on_a_desktop();
-        let folder = folder(&[(name, grey), ("wedge.obj", text.as_bytes())]);
-        bench.drop_file(folder.path().join("wedge.obj"), None);
+        let folder = folder(&[(name, grey), (mesh, text.as_bytes())]);
+        bench.drop_file(folder.path().join(mesh), None);
         wait(&mut bench);
         let skin = bench.space().focused().model().skin([0, 1, 2]);
         assert_eq!(skin.is_some(), is_painted, "{name}");

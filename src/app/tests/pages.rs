@@ -157,6 +157,20 @@ fn from_a_free_scene_one_comes_back_to_the_step_of_its_lab() {
 }
 
 #[test]
+fn a_free_scene_of_the_first_lab_lies_beside_the_step_that_was_open_after_a_restart_too() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Open([4, 3]));
+    bench.command(Command::Free);
+    let mut again = Bench::with(restarted(&bench.app), SIZE);
+    assert!(again.app.bookmark.free.is_some());
+    again.command(Command::Free);
+    assert_eq!(
+        (again.app.bookmark.at, again.app.bookmark.free.as_ref()),
+        ([4, 3], None)
+    );
+}
+
+#[test]
 fn what_is_restored_is_said_and_undo_takes_it_away() {
     let mut bench = Bench::course(SIZE);
     let [own, _] = change(&mut bench);
@@ -286,6 +300,7 @@ window = [0, 0, 4, 4]\nsegments = [[-1, 1, 5, 2]]
 #[test]
 fn someone_new_is_told_what_to_press_until_it_is_done() {
     let mut bench = Bench::course(SIZE);
+    bench.app.rewind_for_someone_new();
     bench.app.greet();
     let greeting = Catalog::of(Lang::En).term("greeting");
     let is_told = |bench: &Bench| bench.app.notices.iter().any(|it| it.text == greeting);
@@ -293,6 +308,18 @@ fn someone_new_is_told_what_to_press_until_it_is_done() {
     assert!(bench.n_steps() > 0 && is_told(&bench));
     bench.key(Key::PageDown);
     assert!(is_told(&bench));
+    let is_seen = |bench: &mut Bench| bench.texts().iter().any(|(text, _)| *text == greeting);
+    assert!(is_seen(&mut bench));
+    bench.key(Key::F5);
+    assert!(!is_seen(&mut bench), "not in a presentation");
+    bench.key(Key::F5);
+    bench.app.open_link("#13-bridges/no-area");
+    assert!(is_told(&bench));
+    assert_eq!(
+        bench.app.position(),
+        bench.n_steps(),
+        "a link leads to its moment"
+    );
     bench.key(Key::ArrowLeft);
     assert!(!is_told(&bench));
     let mut again = restarted(&bench.app);

@@ -161,6 +161,33 @@ fn a_presenter_draws_while_b_is_held_and_the_next_step_is_clean() {
     assert_eq!((bench.app.position(), drawn(&bench)), (1, Vec::new()));
 }
 
+#[test]
+fn the_pen_drags_nothing_where_the_button_is_held_too() {
+    let mut bench = Bench::course(SIZE);
+    bench.key(Key::F5);
+    let scene = bench.app.scene().clone();
+    let from = bench
+        .app
+        .on_screen([0.0, 0.0])
+        .expect("a frame has been drawn");
+    bench.frame(0.05, vec![key_event(Key::B, true, Modifiers::NONE)]);
+    bench.frame(0.05, vec![Event::PointerMoved(from)]);
+    bench.button(from, true);
+    for by in [20.0, 40.0, 60.0] {
+        let at = from + vec2(by, 0.5 * by);
+        bench.frame(0.05, vec![Event::PointerMoved(at)]);
+    }
+    bench.button(from + vec2(60.0, 30.0), false);
+    bench.frame(0.05, vec![key_event(Key::B, false, Modifiers::NONE)]);
+    assert!(bench.app.stage.pen.n_points()[0] >= 4);
+    assert_eq!(
+        bench.app.on_screen([0.0, 0.0]),
+        Some(from),
+        "the plot stays"
+    );
+    assert!(bench.app.scene() == &scene);
+}
+
 /// In a window of a projector, from the smallest on.
 #[test]
 fn the_methods_name_stands_whole_in_the_bar_or_is_cut_but_read_and_every_menu_is_there() {

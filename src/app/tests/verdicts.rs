@@ -173,6 +173,10 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let said: Vec<String> = notes.iter().map(said).collect();
     let nearest = "nearest face there is face 1 of object B";
     assert!(said.join(" ").contains(nearest), "{said:?}");
+    let lost = said
+        .iter()
+        .any(|it| it.contains("B is as near as A at pixel [8, 5]"));
+    assert!(lost, "why the picture does not show it: {said:?}");
     // The picture is the same where another pixel alone is looked at, and so is the answer.
     let mut plan = bench.space().raster;
     plan.pixel = Some([2, 2]);

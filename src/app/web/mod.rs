@@ -148,6 +148,7 @@ pub async fn start(
         if is_embedded {
             app = app.embedded();
         } else {
+            app.rewind_for_someone_new();
             app.greet();
         }
         let heard = Heard::listen(ctx);

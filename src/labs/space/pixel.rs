@@ -1,7 +1,7 @@
 //! Why a pixel of the camera's picture shows what it shows: all that covers it, the nearest of it, and how far beside it
 //! something else is seen.
 
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
 use crate::{
     algo::{
@@ -22,6 +22,8 @@ const ROWS: u32 = RasterPlan::PICTURE_ROWS;
 const STRIDE: usize = 1 << 12;
 /// So far something else is looked for, in pixels.
 const REACH: u32 = 120;
+/// Sentences of a pixel's story.
+const MOST_TOLD: usize = 3;
 /// In a scene of more faces nothing else is looked for: it would take too long.
 const MOST_FACES: usize = 2000;
 
@@ -91,9 +93,11 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
         None => Message::new("pixel-shows-nothing"),
     };
     let why = message.with("at", pixel_formula(pixel));
-    let said = decided.map(|step| run.caption(step).decision);
-    let is_whole = step == run.n_steps();
-    let said = said.or_else(|| said_alone(scene, pixel, about).filter(|_| is_whole));
+    let said = match decided {
+        Some(_) => story(run, pixel, about, step),
+        None if step == run.n_steps() => story_alone(scene, pixel, about),
+        None => Vec::new(),
+    };
     let truth = match nearest {
         Some(id) => told_of(scene, id, Message::new("pixel-truth")),
         None => Message::new("pixel-truth-nothing"),
@@ -106,12 +110,32 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
     })
 }
 
-/// What decides about a pixel in a run of it alone, where that of the whole picture goes by larger steps.
-fn said_alone(scene: &Scene, pixel: [u32; 2], about: Link) -> Option<Message> {
+/// What decided last about a pixel, up to a step, and what came there since and changed nothing.
+fn story(run: &dyn Run, pixel: [u32; 2], about: Link, until: usize) -> Vec<Message> {
+    let at = Some(Value::from(pixel_formula(pixel)));
+    let mut story = Vec::new();
+    run.visit([1, until], &mut |_, shown| {
+        if shown
+            .decision()
+            .is_some_and(|(_, decided)| decided == about)
+        {
+            story = vec![shown.caption().decision];
+        } else if shown.question().is_some() && shown.named("at") == at {
+            story.push(shown.caption().decision);
+            // What is told of it has room for so much.
+            story.truncate(MOST_TOLD);
+        }
+        ControlFlow::Continue(())
+    });
+    story
+}
+
+/// The same of a run of the pixel alone, where that of the whole picture goes by larger steps.
+fn story_alone(scene: &Scene, pixel: [u32; 2], about: Link) -> Vec<Message> {
     let mut alone = scene.clone();
     alone.raster.pixel = Some(pixel);
     let run = (alone.method.info().record)(&alone);
-    run.why(about).map(|step| run.caption(step).decision)
+    story(&*run, pixel, about, run.n_steps())
 }
 
 /// The raster with this pixel alone looked at, or with all again where it is already.

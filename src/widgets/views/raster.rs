@@ -45,13 +45,13 @@ impl OnSlate for Raster {
         for mark in lines {
             pixels.draw_over(slate, &painter, mark);
         }
+        let lit = links.lit.and_then(|link| link.number_of(Self::LINK));
+        let lit = lit.map(|place| [place % self.size[0].max(1), place / self.size[0].max(1)]);
+        if let Some(lit) = lit.filter(|&lit| self.at(lit).is_some() && self.current != Some(lit)) {
+            pixels.ring(slate, lit, slate.theme().accent);
+        }
         if let Some(current) = self.current {
-            // A gap inside the signal's line: seen on any tone, and what is stored stays to be read.
-            let (theme, place) = (slate.theme(), pixels.square(current));
-            let gap = slate.stroke(2.0, theme.background);
-            let line = slate.stroke(2.0, theme.signal);
-            slate.rim(place, 2.0, gap, StrokeKind::Outside);
-            slate.rim(place.expand(gap.width), 3.0, line, StrokeKind::Outside);
+            pixels.ring(slate, current, slate.theme().signal);
         }
         pixels.write(slate);
         if let Some([column, row]) = links.pointer.and_then(|at| pixels.pixel_at(at)) {
@@ -103,6 +103,15 @@ impl<'r> Pixels<'r> {
     fn square(&self, [column, row]: [usize; 2]) -> Rect {
         let at = self.origin + vec2(column as f32, row as f32) * self.width;
         Rect::from_min_size(at, Vec2::splat(self.width))
+    }
+
+    /// A gap inside the line: seen on any tone, and what is stored stays to be read.
+    fn ring(&self, slate: &Slate<'_>, at: [usize; 2], colour: Color32) {
+        let place = self.square(at);
+        let gap = slate.stroke(2.0, slate.theme().background);
+        let line = slate.stroke(2.0, colour);
+        slate.rim(place, 2.0, gap, StrokeKind::Outside);
+        slate.rim(place.expand(gap.width), 3.0, line, StrokeKind::Outside);
     }
 
     fn whole(&self) -> Rect {

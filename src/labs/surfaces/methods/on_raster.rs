@@ -2,7 +2,7 @@
 
 use std::{
     cmp::Ordering,
-    collections::{BTreeMap, HashMap},
+    collections::{BTreeMap, BTreeSet, HashMap},
 };
 
 use crate::{
@@ -322,11 +322,38 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
     }
 }
 
-pub fn titled(title: Value, n_wrong: usize) -> Value {
-    if n_wrong == 0 {
-        return title;
+/// With crosses on what is wrong, counted in the title. A name gives way to a cross: it goes to the nearest pixel of the same triangle.
+pub fn with_crosses(mut raster: Raster, named: Option<&Picture>, wrong: Vec<RasterMark>) -> Raster {
+    if wrong.is_empty() {
+        return raster;
     }
-    Value::Message(Message::new("raster-wrong").with("count", n_wrong))
+    raster.title = Value::Message(Message::new("raster-wrong").with("count", wrong.len()));
+    let width = raster.size[0];
+    let place_of = |mark: &RasterMark| match mark.shape {
+        RasterShape::Cross([x, y]) => Some(y as usize * width + x as usize),
+        _ => None,
+    };
+    let crossed: BTreeSet<usize> = wrong.iter().filter_map(place_of).collect();
+    let ids = named.map_or(&[][..], Picture::ids);
+    for &place in crossed.iter().filter(|_| !ids.is_empty()) {
+        let Some(name) = raster.pixels[place].value.take() else {
+            continue;
+        };
+        let far = |other: usize| {
+            let [dx, dy] = [place % width, place / width];
+            dx.abs_diff(other % width).pow(2) + dy.abs_diff(other / width).pow(2)
+        };
+        let is_free = |other: &usize| {
+            let is_alike = ids[*other] == ids[place] && raster.pixels[*other].value.is_none();
+            is_alike && !crossed.contains(other)
+        };
+        let nearest = (0..ids.len())
+            .filter(is_free)
+            .min_by_key(|&other| far(other));
+        raster.pixels[nearest.unwrap_or(place)].value = Some(name);
+    }
+    raster.over.extend(wrong);
+    raster
 }
 
 /// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.

@@ -126,7 +126,7 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         return in_brightness(at, so_far);
     }
     let names_triangles = scene.beside.len() > 1 || scene.raster.tones == Tones::Triangles;
-    let (mut title, scale, pixels) = if names_triangles {
+    let (title, scale, pixels) = if names_triangles {
         let letters = lettered(&so_far.picture, |id| name_of(at.scenery, id));
         let pixels = pixels(&so_far.picture, current, letters);
         (Value::Term("raster-so-far"), None, pixels)
@@ -138,18 +138,18 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         let pixels = pixels.filter(|_| !is_unknown).collect();
         (shades.title::<L>(), shades.scale(), pixels)
     };
-    let mut over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
-    if at.step.event() == Some(Event::Done) {
-        let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
-        title = titled(title, wrong.len());
-        over.extend(wrong);
-    }
-    Raster {
+    let over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
+    let raster = Raster {
         title,
         scale,
         current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
         ..raster_so_far(&own.surfaces, pixels, over)
+    };
+    if at.step.event() != Some(Event::Done) {
+        return raster;
     }
+    let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
+    with_crosses(raster, names_triangles.then_some(&so_far.picture), wrong)
 }
 
 fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOutput) -> Raster {
@@ -158,9 +158,7 @@ fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOu
     let mut raster = bright(surfaces, &so_far.brightness, over);
     raster.current = pixel_of(at).map(|pixel| pixel.map(|x| x as usize));
     if at.step.event() == Some(Event::Done) {
-        let wrong = unsorted(surfaces, &so_far.brightness);
-        raster.title = titled(raster.title, wrong.len());
-        raster.over.extend(wrong);
+        raster = with_crosses(raster, None, unsorted(surfaces, &so_far.brightness));
     }
     raster
 }

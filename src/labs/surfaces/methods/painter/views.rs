@@ -159,13 +159,11 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Raster {
         raster_so_far(surfaces, pixels(picture, own, letters), over)
     };
     if is_done && cycle.is_empty() {
-        let wrong = if is_bright {
-            unsorted(surfaces, &held.brightness)
+        raster = if is_bright {
+            with_crosses(raster, None, unsorted(surfaces, &held.brightness))
         } else {
-            wrong_pixels(surfaces, picture)
+            with_crosses(raster, Some(picture), wrong_pixels(surfaces, picture))
         };
-        raster.title = titled(raster.title, wrong.len());
-        raster.over.extend(wrong);
     }
     raster
 }
