@@ -66,7 +66,8 @@ fn untangled(mut points: Outline) -> Option<Outline> {
 /// Up to `n` points on a grid of `size` × `size`: straight runs are common.
 pub fn tangled(n: usize, size: i64) -> impl Strategy<Value = Outline> {
     let point = [0..size, 0..size];
-    prop::collection::hash_set(point, 3..=n)
+    // In an order of its own: a case that fails is found again, and made smaller.
+    prop::collection::btree_set(point, 3..=n)
         .prop_map(|points| points.into_iter().collect::<Outline>())
         .prop_shuffle()
         .prop_filter_map("cannot be untangled", untangled)
