@@ -24,8 +24,6 @@ pub struct Practice {
     pub(super) asked: Option<Asked>,
     /// The longest of each kind of question that is asked here, asked or not: they all have room from the start.
     pub(super) kept: Vec<Choice>,
-    /// Has the reader put the question away? It takes no more room than a line then.
-    pub(super) is_put_away: bool,
     /// Steps of this recording that have been answered, or shown: they are not asked again.
     done: BTreeSet<usize>,
     recording: u64,
@@ -47,10 +45,6 @@ impl Practice {
     /// The question that has not been answered.
     pub(super) fn open(&self) -> Option<&Asked> {
         self.asked.as_ref().filter(|asked| asked.chosen.is_none())
-    }
-
-    fn put_away(&mut self) {
-        (self.is_on, self.asked, self.is_put_away) = (false, None, true);
     }
 
     /// What of the options is marked on the stage.
@@ -165,7 +159,8 @@ impl App {
                 return None;
             }
             Command::Cancel if self.practice.asked.is_some() => {
-                self.practice.put_away();
+                self.practice.is_on = false;
+                self.practice.asked = None;
                 return None;
             }
             command => return Some(command),
@@ -204,7 +199,7 @@ impl App {
             Command::ShowMe => self.choose(None),
             // Whoever pages through a lesson is shown what comes.
             Command::Lesson { forward: true } if !is_answered => self.choose(None),
-            Command::Cancel => self.practice.put_away(),
+            Command::Cancel => self.practice.asked = None,
             _ if is_answered && (goes_on || asks_next) => {
                 let home = self.own().map_or(asked.step, |(_, position)| position);
                 self.practice.asked = None;
@@ -231,7 +226,6 @@ impl App {
             return;
         }
         self.practice.asked = None;
-        self.practice.is_put_away = false;
         self.practice.kept.clear();
         if self.practice.forget_answers(self.playback.recording) {
             self.practice.told = [0; 2];

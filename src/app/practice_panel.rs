@@ -44,11 +44,7 @@ pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
     let room = ui.available_size_before_wrap();
     let most = MOST * room.y;
     let width = room.x - around.x;
-    let height = if is_idle && practice.is_put_away {
-        row_height(ui)
-    } else {
-        kept_height(app, ui, width).min(most)
-    };
+    let height = kept_height(app, ui, width).min(most);
     Panel::bottom("practice")
         .frame(frame.inner_margin(MARGIN))
         .exact_size(height + around.y)

@@ -52,7 +52,9 @@ fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
     let mut lots = Vec::new();
     let mut first = 0;
     for alike in jobs.chunk_by(Job::is_beside) {
-        for lot in alike.chunks(MOST_IN_LOT) {
+        // A loop is a run by itself: it takes long, and shares little.
+        let is_of_loops = alike.iter().any(Job::is_loop);
+        for lot in alike.chunks(if is_of_loops { 1 } else { MOST_IN_LOT }) {
             lots.push(first..first + lot.len());
             first += lot.len();
         }

@@ -211,6 +211,10 @@ impl Job<'_> {
         Some(way.page.unwrap_or_default().to_owned() + &link)
     }
 
+    pub const fn is_loop(&self) -> bool {
+        self.format.is_loop()
+    }
+
     /// Are both pictures of one lesson?
     pub fn is_beside(&self, other: &Self) -> bool {
         match (self.source, other.source) {
