@@ -96,7 +96,7 @@ fn shift_and_tab_walk_back_over_the_stage_even_where_a_frame_takes_long() {
         bench.settle();
         stops.extend(bench.ctx.memory(egui::Memory::focused));
     }
-    let distinct: std::collections::BTreeSet<_> = stops.iter().map(|id| id.value()).collect();
+    let distinct: std::collections::BTreeSet<_> = stops.iter().map(egui::Id::value).collect();
     assert_eq!(distinct.len(), stops.len(), "{stops:?}");
     assert!(stops.len() >= 11);
 }
