@@ -8,7 +8,7 @@ use super::{App, Command, marks, prelude::*};
 
 const GAP: f32 = 4.0;
 /// A number of two digits has room in it.
-const LEAST: f32 = 17.0;
+const LEAST: f32 = 14.0;
 /// Between two rows, for the marks.
 const UNDER: f32 = 12.0;
 pub const CHANGED: f32 = 3.0;

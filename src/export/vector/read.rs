@@ -134,26 +134,19 @@ impl Reader<'_> {
         self.path(clip, form, colour, Stroke::NONE);
     }
 
-    /// Frames that lie over each other, the widest lowest: together they are as strong as the colour is in the middle of each step.
+    /// Frames within each other, each as strong as the colour is in its middle. No two lie over each other: what is rounded when
+    /// colours are mixed would add up.
     fn fade(&mut self, clip: Rect, rect: Rect, width: f32, colour: Color32) {
-        let corners = |rect: Rect| {
+        let corners = |nth: usize| {
+            let rect = rect.shrink(width * nth as f32 / N_FADING as f32);
             let (min, max) = (rect.min, rect.max);
             vec![min, pos2(max.x, min.y), max, pos2(min.x, max.y)]
         };
         self.item(Item::Begin("fade"));
         for nth in 0..N_FADING {
-            let steps = (N_FADING - nth) as f32;
-            let inner = rect.shrink(width * steps / N_FADING as f32);
-            let share = if nth == 0 {
-                0.5 / steps
-            } else {
-                1.0 / (steps + 0.5)
-            };
-            self.area(
-                clip,
-                &[corners(rect), corners(inner)],
-                colour.gamma_multiply(share),
-            );
+            let share = 1.0 - (nth as f32 + 0.5) / N_FADING as f32;
+            let frame = [corners(nth), corners(nth + 1)];
+            self.area(clip, &frame, colour.gamma_multiply(share));
         }
         self.item(Item::End);
     }
