@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{desk::Page, prelude::*};
+use super::{
+    desk::{Page, Places},
+    prelude::*,
+};
 
 /// A scene of the reader's own: the one that a lab has without a name, or another.
 #[derive(Clone, PartialEq, Debug)]
@@ -35,6 +38,27 @@ pub struct Bookmark {
 }
 
 impl Bookmark {
+    /// In a course where its reader was last, as far as that is still there; else at its first step.
+    pub fn restored(
+        course: Course,
+        places: &Places,
+        lab_of: impl Fn(&str) -> Option<&'static Lab>,
+    ) -> Self {
+        let mut bookmark = Self {
+            course,
+            ..Self::default()
+        };
+        // A free scene lies beside the step that was open: so far none is.
+        let step = match &places.page {
+            Some(Page::Free(lab) | Page::Named(lab, _)) => places.steps.get(lab),
+            Some(Page::Step(..)) | None => None,
+        };
+        for page in step.into_iter().chain(&places.page) {
+            bookmark.open_page(page, &lab_of, &places.steps);
+        }
+        bookmark
+    }
+
     pub fn page(&self) -> Option<Page> {
         match &self.free {
             Some(free) => Some(free.page()),

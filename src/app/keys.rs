@@ -87,8 +87,16 @@ pub fn tab_to(ctx: &Context, first: Option<Id>) {
     let Some(first) = first else {
         return;
     };
-    // Shift may have been let go since.
-    let is_tab = |event: &Event| matches!(event, Event::Key { key: Key::Tab, pressed: true, modifiers, .. } if !modifiers.any());
+    let is_tab = |event: &Event| match event {
+        // Shift may have been let go since.
+        Event::Key {
+            key: Key::Tab,
+            pressed: true,
+            modifiers,
+            ..
+        } => !modifiers.any(),
+        _ => false,
+    };
     let was_pressed = ctx.input_mut(|input| {
         let n_events = input.events.len();
         input.events.retain(|event| !is_tab(event));

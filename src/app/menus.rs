@@ -190,30 +190,33 @@ fn changes(app: &App, ui: &mut Ui) {
 /// Files that are opened and written; where the system asks for them, their paths can be typed all the same.
 fn files(app: &App, ui: &mut Ui) {
     type Ask = fn(&App) -> Command;
-    let rows: [(&str, &str, Ask); 8] = [
-        ("action-open", "Ctrl+O", |_| Command::OpenFile),
-        ("action-open-path", "", |app| {
+    type May = fn(&App) -> bool;
+    const ALWAYS: May = |_| true;
+    // Else a key asks for the path anyway.
+    const TYPES: May = |app| app.has_dialog(false);
+    const SVG: May = |app| app.platform.formats().contains(&"svg");
+    let rows: [(&str, &str, May, Ask); 8] = [
+        ("action-open", "Ctrl+O", ALWAYS, |_| Command::OpenFile),
+        ("action-open-path", "", TYPES, |app| {
             Command::Show(Some(app.opened()))
         }),
-        ("action-save", "Ctrl+S", |_| Command::Save),
-        ("action-save-path", "", |app| {
+        ("action-save", "Ctrl+S", ALWAYS, |_| Command::Save),
+        ("action-save-path", "", TYPES, |app| {
             Command::Show(Some(app.saved()))
         }),
-        ("action-export", "Ctrl+E", |_| Command::Export),
-        ("action-copy", "Ctrl+Shift+C", |_| Command::CopyFigure),
-        ("action-copy-svg", "", |_| Command::CopySvg),
-        ("action-link", "Ctrl+Shift+L", |_| Command::CopyLink),
+        ("action-export", "Ctrl+E", ALWAYS, |_| Command::Export),
+        ("action-copy", "Ctrl+Shift+C", ALWAYS, |_| {
+            Command::CopyFigure
+        }),
+        ("action-copy-svg", "", SVG, |_| Command::CopySvg),
+        ("action-link", "Ctrl+Shift+L", ALWAYS, |_| Command::CopyLink),
     ];
     lessons(app, ui);
     if !app.settings.recent.is_empty() {
         menu_button(ui, app.look().say("action-recent"), |ui| recent(app, ui));
     }
-    for (key, keys, command) in rows {
-        let is_there = match key {
-            "action-copy-svg" => app.platform.formats().contains(&"svg"),
-            _ => !keys.is_empty() || app.has_dialog(false),
-        };
-        if is_there && action(ui, app.look(), (key, keys), true) {
+    for (key, keys, may, command) in rows {
+        if may(app) && action(ui, app.look(), (key, keys), true) {
             app.push(command(app));
         }
     }

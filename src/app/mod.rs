@@ -148,26 +148,10 @@ impl App {
     /// # Panics
     /// Where there is none.
     pub fn with_kit(course: Course, mut settings: Settings, kit: Kit) -> Self {
-        let mut bookmark = Bookmark {
-            course,
-            ..Bookmark::default()
-        };
         let first = kit.panels.first().expect("a window has a lab").lab();
         let places = settings.places();
-        let open = |bookmark: &mut Bookmark, page| {
-            bookmark.open_page(page, |id| kit.lab(id), &places.steps)
-        };
-        if let Some(Page::Free(lab) | Page::Named(lab, _)) = &places.page
-            && let Some(step) = places.steps.get(lab)
-        {
-            // The scene lies beside the step that was open: so far none is.
-            open(&mut bookmark, step);
-        }
-        let is_open = match &places.page {
-            Some(page) => open(&mut bookmark, page),
-            None => bookmark.step().is_some(),
-        };
-        if !is_open && bookmark.step().is_none() {
+        let mut bookmark = Bookmark::restored(course, &places, |id| kit.lab(id));
+        if bookmark.page().is_none() {
             bookmark.open_free(FreeScene::of(first), None);
         }
         let scene = (first.first_scene)();

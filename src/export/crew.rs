@@ -51,10 +51,10 @@ const MOST_IN_LOT: usize = 16;
 fn lots(jobs: &[Job<'_>]) -> Vec<Range<usize>> {
     let mut lots = Vec::new();
     let mut first = 0;
-    for alike in jobs.chunk_by(Job::is_beside) {
-        // A loop is a run by itself: it takes long, and shares little.
-        let is_of_loops = alike.iter().any(Job::is_loop);
-        for lot in alike.chunks(if is_of_loops { 1 } else { MOST_IN_LOT }) {
+    // A loop is a run by itself: it takes long, and shares little.
+    let share = |a: &Job<'_>, b: &Job<'_>| a.is_beside(b) && !a.is_loop() && !b.is_loop();
+    for alike in jobs.chunk_by(share) {
+        for lot in alike.chunks(MOST_IN_LOT) {
             lots.push(first..first + lot.len());
             first += lot.len();
         }

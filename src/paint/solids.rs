@@ -149,12 +149,8 @@ impl Place {
         let pixel = self.rect.size() / Vec2::from(self.size.map(|side| side as f32));
         let at = |x: usize, y: usize| self.rect.min + pixel * Vec2::from([x as f32, y as f32]);
         let rect = Rect::from_min_max(at(columns.start, rows.start), at(columns.end, rows.end));
-        let rows = image.pixels[rows.start * width..rows.end * width].chunks(width);
-        let pixels: Vec<Color32> = rows
-            .flat_map(|row| row[columns.clone()].iter().copied())
-            .collect();
-        let size = [columns.len(), pixels.len() / columns.len()];
-        (rect, ColorImage::new(size, pixels))
+        let [from, size] = [[columns.start, rows.start], [columns.len(), rows.len()]];
+        (rect, image.region_by_pixels(from, size))
     }
 }
 

@@ -109,13 +109,11 @@ impl CpuTexture {
     /// pixel: [`Self::sample`] gives them back one by one.
     pub fn texels_on(&self, [first, last]: [[i64; 2]; 2], n_pixels: usize) -> Option<&[Rgba]> {
         let whole = |at: i64| {
-            (
-                (at - TEXEL / 2 + ASTRAY) >> TEXEL_BITS,
-                (at - TEXEL / 2 + ASTRAY) & (TEXEL - 1),
-            )
+            let at = at - TEXEL / 2 + ASTRAY;
+            (at >> TEXEL_BITS, at & (TEXEL - 1))
         };
-        let [(x, u), (y, v), (last_x, last_u), (last_y, last_v)] =
-            [first[0], first[1], last[0], last[1]].map(whole);
+        let [(x, u), (y, v)] = first.map(whole);
+        let [(last_x, last_u), (last_y, last_v)] = last.map(whole);
         let is_near = [u, v, last_u, last_v].iter().all(|off| *off <= 2 * ASTRAY);
         let is_beside = last_x - x + 1 == n_pixels as i64 && last_y == y;
         let [width, height] = self.size.map(|side| side as i64);

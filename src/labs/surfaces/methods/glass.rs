@@ -5,7 +5,7 @@ use crate::{
     figure::CellStage,
 };
 
-use super::{on_raster::crossed, prelude::*};
+use super::{on_raster::differing, prelude::*};
 
 pub const GLASS_VIEW: &str = "glass";
 
@@ -75,7 +75,7 @@ pub fn bright(surfaces: &Surfaces, brightness: &[f64], over: Vec<RasterMark>) ->
     }
 }
 
-/// A cross wherever it would be another brightness if all were sorted there.
-pub fn unsorted(surfaces: &Surfaces, brightness: &[f64]) -> Vec<RasterMark> {
-    crossed(surfaces, brightness, &surfaces.sorted_brightness())
+/// The pixels that would have another brightness if all were sorted there.
+pub fn unsorted(surfaces: &Surfaces, brightness: &[f64]) -> Vec<usize> {
+    differing(brightness, &surfaces.sorted_brightness())
 }

@@ -2,7 +2,7 @@
 
 use std::{
     cmp::Ordering,
-    collections::{BTreeMap, BTreeSet, HashMap},
+    collections::{BTreeMap, HashMap},
 };
 
 use crate::{
@@ -322,54 +322,52 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
     }
 }
 
-/// With crosses on what is wrong, counted in the title. A name gives way to a cross: it goes to the nearest pixel of the same triangle.
-pub fn with_crosses(mut raster: Raster, named: Option<&Picture>, wrong: Vec<RasterMark>) -> Raster {
+/// With crosses on the pixels that are wrong, counted in the title. Where triangles have their `names`, these give way.
+pub fn with_crosses(mut raster: Raster, names: Option<&Picture>, wrong: &[usize]) -> Raster {
     if wrong.is_empty() {
         return raster;
     }
+    if let Some(picture) = names {
+        clear_of_names(&mut raster, picture, wrong);
+    }
     raster.title = Value::Message(Message::new("raster-wrong").with("count", wrong.len()));
     let width = raster.size[0];
-    let place_of = |mark: &RasterMark| match mark.shape {
-        RasterShape::Cross([x, y]) => Some(y as usize * width + x as usize),
-        _ => None,
-    };
-    let crossed: BTreeSet<usize> = wrong.iter().filter_map(place_of).collect();
-    let ids = named.map_or(&[][..], Picture::ids);
-    for &place in crossed.iter().filter(|_| !ids.is_empty()) {
-        let Some(name) = raster.pixels[place].value.take() else {
-            continue;
-        };
-        let far = |other: usize| {
-            let [dx, dy] = [place % width, place / width];
-            dx.abs_diff(other % width).pow(2) + dy.abs_diff(other / width).pow(2)
-        };
-        let is_free = |other: &usize| {
-            let is_alike = ids[*other] == ids[place] && raster.pixels[*other].value.is_none();
-            is_alike && !crossed.contains(other)
-        };
-        let nearest = (0..ids.len())
-            .filter(is_free)
-            .min_by_key(|&other| far(other));
-        raster.pixels[nearest.unwrap_or(place)].value = Some(name);
-    }
-    raster.over.extend(wrong);
+    let cross = |&place| mark(Role::Signal, RasterShape::Cross(middle_at(place, width)));
+    raster.over.extend(wrong.iter().map(cross));
     raster
 }
 
-/// A cross on each pixel that shows another surface than the one in front, by a depth buffer that rounds nothing.
-pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<RasterMark> {
-    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
-    crossed(surfaces, picture.ids(), truth.picture.ids())
+/// Names go from these places, in order, to the nearest pixel of the same triangle that is none of them.
+fn clear_of_names(raster: &mut Raster, picture: &Picture, places: &[usize]) {
+    let (ids, width) = (picture.ids(), raster.size[0]);
+    for &place in places {
+        let Some(name) = raster.pixels[place].value.take() else {
+            continue;
+        };
+        let square = |a: usize, b: usize| a.abs_diff(b).pow(2);
+        let far = |other: &usize| {
+            square(place % width, other % width) + square(place / width, other / width)
+        };
+        let is_free = |other: &usize| {
+            let is_alike = ids[*other] == ids[place] && raster.pixels[*other].value.is_none();
+            is_alike && places.binary_search(other).is_err()
+        };
+        let nearest = (0..ids.len()).filter(is_free).min_by_key(far);
+        raster.pixels[nearest.unwrap_or(place)].value = Some(name);
+    }
 }
 
-/// A cross wherever what is shown is not the truth.
-pub fn crossed<T: PartialEq>(surfaces: &Surfaces, shown: &[T], truth: &[T]) -> Vec<RasterMark> {
-    let width = surfaces.size()[0] as usize;
+/// The pixels that show another surface than the one in front, by a depth buffer that rounds nothing.
+pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<usize> {
+    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
+    differing(picture.ids(), truth.picture.ids())
+}
+
+/// Where what is shown is not the truth, in order.
+pub fn differing<T: PartialEq>(shown: &[T], truth: &[T]) -> Vec<usize> {
     let pairs = shown.iter().zip(truth).enumerate();
     let wrong = pairs.filter(|(_, (shown, truth))| shown != truth);
-    wrong
-        .map(|(place, _)| mark(Role::Signal, RasterShape::Cross(middle_at(place, width))))
-        .collect()
+    wrong.map(|(place, _)| place).collect()
 }
 
 /// A pixel on the near plane, and the line of sight through its middle as far as t.

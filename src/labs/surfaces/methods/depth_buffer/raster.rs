@@ -149,7 +149,7 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         return raster;
     }
     let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
-    with_crosses(raster, names_triangles.then_some(&so_far.picture), wrong)
+    with_crosses(raster, names_triangles.then_some(&so_far.picture), &wrong)
 }
 
 fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOutput) -> Raster {
@@ -158,7 +158,7 @@ fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOu
     let mut raster = bright(surfaces, &so_far.brightness, over);
     raster.current = pixel_of(at).map(|pixel| pixel.map(|x| x as usize));
     if at.step.event() == Some(Event::Done) {
-        raster = with_crosses(raster, None, unsorted(surfaces, &so_far.brightness));
+        raster = with_crosses(raster, None, &unsorted(surfaces, &so_far.brightness));
     }
     raster
 }

@@ -160,9 +160,9 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Raster {
     };
     if is_done && cycle.is_empty() {
         raster = if is_bright {
-            with_crosses(raster, None, unsorted(surfaces, &held.brightness))
+            with_crosses(raster, None, &unsorted(surfaces, &held.brightness))
         } else {
-            with_crosses(raster, Some(picture), wrong_pixels(surfaces, picture))
+            with_crosses(raster, Some(picture), &wrong_pixels(surfaces, picture))
         };
     }
     raster
