@@ -261,6 +261,17 @@ pub fn needs(
     for need in needs.iter_mut().filter(|need| need.id == ViewId::PLANE) {
         need.aspect = Some(shape);
     }
+    // Two pictures with the same pixels are compared.
+    let drawn = needs.iter().filter(|need| need.stand == Stand::Drawing);
+    let drawn: Vec<Need> = drawn.copied().collect();
+    let is_twin = |need: &Need| {
+        let size = |need: &Need| (need.natural, need.aspect);
+        let mut others = drawn.iter().filter(|other| other.id != need.id);
+        need.stand == Stand::Drawing && others.any(|other| size(other) == size(need))
+    };
+    for need in &mut needs {
+        need.is_equal = is_twin(need);
+    }
     needs
 }
 

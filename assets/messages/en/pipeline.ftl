@@ -85,7 +85,6 @@ case-pixels =
 
 alg-bresenham = Line to pixels (Bresenham)
 raster-line = Screen, { $columns } × { $rows } pixels
-raster-line-error = Screen, { $columns } × { $rows } pixels: e = { $e }
 raster-lens = From the midpoint to the line: e / { $whole } of a pixel
 code-drawn-project = clip ← clip_from_world · (P, 1), for both ends
 code-drawn-clip = clip the line to −w ≤ x, y, z ≤ w

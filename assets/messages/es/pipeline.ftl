@@ -85,7 +85,6 @@ case-pixels =
 
 alg-bresenham = De la línea a los píxeles (Bresenham)
 raster-line = Pantalla, { $columns } × { $rows } píxeles
-raster-line-error = Pantalla, { $columns } × { $rows } píxeles: e = { $e }
 raster-lens = Del punto medio a la línea: e / { $whole } de píxel
 code-drawn-project = clip ← clip_from_world · (P, 1), para ambos extremos
 code-drawn-clip = recortar la línea a −w ≤ x, y, z ≤ w

@@ -85,7 +85,6 @@ case-pixels =
 
 alg-bresenham = Da linha aos pixels (Bresenham)
 raster-line = Tela, { $columns } × { $rows } pixels
-raster-line-error = Tela, { $columns } × { $rows } pixels: e = { $e }
 raster-lens = Do ponto médio à linha: e / { $whole } de pixel
 code-drawn-project = clip ← clip_from_world · (P, 1), para os dois extremos
 code-drawn-clip = recorte a linha a −w ≤ x, y, z ≤ w

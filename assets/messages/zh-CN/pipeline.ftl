@@ -81,7 +81,6 @@ case-pixels = { $count } 个像素。
 
 alg-bresenham = 线段到像素（Bresenham）
 raster-line = 屏幕，{ $columns } × { $rows } 个像素
-raster-line-error = 屏幕，{ $columns } × { $rows } 个像素：e = { $e }
 raster-lens = 从中点到直线：e / { $whole } 个像素
 code-drawn-project = clip ← clip_from_world · (P, 1)，两个端点
 code-drawn-clip = 把线段裁剪到 −w ≤ x, y, z ≤ w

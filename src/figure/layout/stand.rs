@@ -47,12 +47,20 @@ impl Sheet {
         let across: Vec<&Need> = across.iter().collect();
         let across = self.across(way, &mut stage, drawing, &across, Slot::take_bottom);
         let side = match share {
+            // Half of it is half of what the gap leaves.
+            Some(share) if is_equal => {
+                share * (stage.size()[0] - self.beside_gap() + self.spacing.inset)
+            }
             Some(share) => share * stage.size()[0],
             None => self.natural_width(&groups.beside, part),
         };
-        let Some((left, side)) = self.beside(stage, &groups, self.board * side) else {
+        let Some((mut left, side)) = self.beside(stage, &groups, self.board * side) else {
             return Vec::new();
         };
+        if is_equal && share.is_some() {
+            // Nor does rounding make one of them larger.
+            left.max[0] = left.max[0].min(left.min[0] + side.size()[0].floor());
+        }
         let Some(row) = self.row(&groups.row, part, left) else {
             return Vec::new();
         };
@@ -92,7 +100,7 @@ impl Sheet {
             return Some((stage, Slot::new(stage.max, [0.0; 2])));
         }
         let [width, height] = stage.size();
-        let gap = (GAP[0] * self.readable()).round() + self.spacing.inset;
+        let gap = self.beside_gap();
         let room = width - gap - side;
         let is_narrow = |need: &&Need| need.least[0] * self.readable() > side;
         if room < NARROW * width || groups.beside.iter().any(is_narrow) {
@@ -230,6 +238,10 @@ impl Sheet {
 
     const fn has_large_text(&self) -> bool {
         self.spacing.is_fixed && self.em > LARGE_EM
+    }
+
+    fn beside_gap(&self) -> f32 {
+        (GAP[0] * self.readable()).round() + self.spacing.inset
     }
 
     fn gap(&self) -> f32 {

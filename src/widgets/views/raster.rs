@@ -139,16 +139,30 @@ impl<'r> Pixels<'r> {
             let Some((pixel, value)) = pixel.and_then(|p| Some((p, p.value.as_ref()?))) else {
                 continue;
             };
-            let pts = self.pts(slate, value);
+            let is_apart = self.is_apart(at, value);
+            let pts = if is_apart {
+                LARGEST.max(slate.least_size())
+            } else {
+                self.pts(slate, value)
+            };
             if pts < smallest(slate) {
                 continue;
             }
             let ink = pixel.role.map_or(theme.soft, |_| theme.ink);
             let text = slate.digits(value, pts, ink);
-            if text.size().x <= self.width {
+            if is_apart || text.size().x <= self.width {
                 slate.put(&text, self.square(at).center(), Align2::CENTER_CENTER);
             }
         }
+    }
+
+    /// Is it a name of more than its pixel? Nothing is written around it.
+    fn is_apart(&self, [column, row]: [usize; 2], value: &Value) -> bool {
+        let about = |n: usize| n.saturating_sub(1)..=n + 1;
+        let places = about(row).flat_map(|row| about(column).map(move |column| [column, row]));
+        let mut others = places.filter(|at| *at != [column, row]);
+        let is_written = |at| self.raster.at(at).is_some_and(|it| it.value.is_some());
+        matches!(value, Value::Name(_)) && !others.any(is_written)
     }
 
     /// Tones, each as far to the right as it goes: there may be very many pixels.

@@ -157,8 +157,26 @@ impl LineLook<2> for Window {
             vector: None,
         };
         marks.extend(interval.marks(segment));
+        let changed = shown.delta.filter(|_| shown.rows.is_empty());
+        marks.extend(changed.into_iter().flat_map(|by| changes(segment, by)));
         vec![View::plane(marks)]
     }
+}
+
+/// By how much x and y change along the segment.
+fn changes(segment: &Segment, [dx, dy]: [f64; 2]) -> impl Iterator<Item = Mark> {
+    let [x1, y1, x2, y2] = segment.to_array();
+    let corner = [x2, y1];
+    let legs = [
+        ("Δx", dx, [[x1, y1], corner]),
+        ("Δy", dy, [corner, [x2, y2]]),
+    ];
+    legs.into_iter()
+        .filter(|(_, by, _)| *by != 0.0)
+        .map(|(of, by, ends)| {
+            let leg = Mark::new(Role::Signal, Shape::Segment(ends));
+            leg.labelled(sym(of).equals(by)).strong()
+        })
 }
 
 const fn meaning(edge: Edge) -> [[&'static str; 2]; 2] {

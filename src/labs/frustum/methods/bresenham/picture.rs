@@ -70,13 +70,20 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
         }
         return marks;
     };
-    for (cut, end) in [(kept[0], ends[0]), (kept[1], ends[1])] {
-        if cut != end {
-            marks.push(Mark3::new(Role::Discarded, Shape3::Segment([end, cut])));
-            let is_now = matches!(event, Some(Event::Clip { .. }));
-            let role = if is_now { Role::Signal } else { Role::Accent };
-            marks.push(Mark3::new(role, Shape3::Dot(cut)));
+    let is_now = matches!(event, Some(Event::Clip { .. }));
+    for end in End::BOTH {
+        let (cut, given) = (kept[end.idx()], ends[end.idx()]);
+        if cut == given {
+            continue;
         }
+        let sides = known.clipped.filter(|_| is_now);
+        let sides = sides.map(|ends| cut_by(ends[end.idx()]));
+        let planes = sides.into_iter().flatten();
+        marks.extend(planes.flat_map(|side| plane_at_work(&drawn.camera, side)));
+        marks.push(Mark3::new(Role::Discarded, Shape3::Segment([given, cut])));
+        let role = if is_now { Role::Signal } else { Role::Accent };
+        let dot = Mark3::new(role, Shape3::Dot(cut));
+        marks.push(dot.labelled(end_name_now(end, true)));
     }
     marks.push(Mark3::new(Role::Accent, Shape3::Segment(kept)));
     if known.screen.is_some() {
@@ -93,6 +100,15 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
         }
     }
     marks
+}
+
+/// The sides of the volume on which an end lies, in clip space.
+fn cut_by([x, y, z, w]: [f64; 4]) -> impl Iterator<Item = VolumeSide> {
+    let is_on = move |side: &VolumeSide| {
+        let along = [x, y, z][side.axis()];
+        along == if side.is_high() { w } else { -w }
+    };
+    VolumeSide::ALL.into_iter().filter(is_on)
 }
 
 fn projected(drawn: &DrawnSegment, end: End) -> Vec<Mark3> {
@@ -206,10 +222,7 @@ pub fn raster(
         Some(Event::Pixel { at, .. }) => Some(at.map(|x| x as usize)),
         _ => None,
     };
-    let title = match known.error {
-        Some(error) => Message::new("raster-line-error").with("e", error as f64),
-        None => Message::new("raster-line"),
-    };
+    let title = Message::new("raster-line");
     Raster {
         title: Value::Message(title.with("columns", columns).with("rows", rows)),
         size: [columns, rows],
