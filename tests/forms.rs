@@ -12,7 +12,7 @@ use crate::messages::messages;
 /// Languages that tell one thing from several.
 const WITH_PLURALS: [Lang; 3] = [Lang::En, Lang::Es, Lang::PtBr];
 /// What is counted here is never one: limits, vertices of polygons, sides of a picture, planes of a volume.
-const NEVER_ONE: [&str; 66] = [
+const NEVER_ONE: [&str; 65] = [
     "why-fence-nothing",
     "why-row-middle",
     "case-tints-length",
@@ -48,7 +48,6 @@ const NEVER_ONE: [&str; 66] = [
     "pipe-opening",
     "pipeline-screen",
     "plane-from-matrix",
-    "planes-from-matrix",
     "problem-face-too-long",
     "problem-goal-parts",
     "problem-long-paragraph",

@@ -28,7 +28,6 @@ gauges-sphere = One sphere, { $planes ->
        *[other] { $planes } planes
     }
 gauges-faces = Faces: { $faces }, by n·e
-planes-from-matrix = Found without angles, the planes are the same, to { $decimals } decimals.
 plane-from-matrix = Without angles: { $sum }. Divided by the length of its normal, { $length }, the result is the { $plane } plane, to { $decimals } decimals.
 column-plane = plane
 column-outside = out

@@ -28,7 +28,6 @@ gauges-sphere = Una esfera, { $planes ->
        *[other] { $planes } planos
     }
 gauges-faces = Caras: { $faces }, según n·e
-planes-from-matrix = Hallados sin ángulos, los planos son los mismos, hasta { $decimals } decimales.
 plane-from-matrix = Sin ángulos: { $sum }. Dividido por la longitud de su normal, { $length }, es el plano { $plane }, hasta { $decimals } decimales.
 column-plane = plano
 column-outside = fuera

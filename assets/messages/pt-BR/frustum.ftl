@@ -28,7 +28,6 @@ gauges-sphere = Uma esfera, { $planes ->
        *[other] { $planes } planos
     }
 gauges-faces = Faces: { $faces }, por n·e
-planes-from-matrix = Obtidos sem ângulos, os planos são os mesmos, até { $decimals } casas decimais.
 plane-from-matrix = Sem ângulos: { $sum }. Dividido pelo comprimento da normal, { $length }, é o plano { $plane }, até { $decimals } casas decimais.
 column-plane = plano
 column-outside = fora

@@ -25,7 +25,6 @@ gauge-drawn = 绘制
 gauge-culled = 剔除
 gauges-sphere = 一个包围球，{ $planes } 个平面
 gauges-faces = 面数：{ $faces }，按 n·e
-planes-from-matrix = 不用角度求出的平面与此相同，精确到 { $decimals } 位小数。
 plane-from-matrix = 不用角度：{ $sum }。除以法向量的长度 { $length }，即为{ $plane }平面，精确到 { $decimals } 位小数。
 column-plane = 平面
 column-outside = 外

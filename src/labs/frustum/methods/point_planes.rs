@@ -175,6 +175,7 @@ fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
 
 /// What the rows of the matrix say of the plane at work, and to how many decimals they agree with what the angles give.
 fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
+    let plane_idx = current?;
     let camera = scenery.scene().culler();
     let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
     let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {
@@ -184,9 +185,6 @@ fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
     });
     let apart = apart.fold(f64::EPSILON, f64::max);
     let decimals = (-libm::log10(apart)).floor().max(0.0) as usize;
-    let Some(plane_idx) = current else {
-        return Some(Message::new("planes-from-matrix").with("decimals", decimals));
-    };
     let (plane, side) = (&from_matrix[plane_idx], VolumeSide::ALL[plane_idx]);
     let sign = if side.is_high() { '−' } else { '+' };
     let row = ["x", "y", "z"][side.axis()];
