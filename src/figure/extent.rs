@@ -261,18 +261,18 @@ pub fn needs(
     for need in needs.iter_mut().filter(|need| need.id == ViewId::PLANE) {
         need.aspect = Some(shape);
     }
-    // Two pictures with the same pixels are compared.
-    let drawn = needs.iter().filter(|need| need.stand == Stand::Drawing);
-    let drawn: Vec<Need> = drawn.copied().collect();
-    let is_twin = |need: &Need| {
-        let size = |need: &Need| (need.natural, need.aspect);
-        let mut others = drawn.iter().filter(|other| other.id != need.id);
-        need.stand == Stand::Drawing && others.any(|other| size(other) == size(need))
-    };
-    for need in &mut needs {
-        need.is_equal = is_twin(need);
-    }
+    match_twins(&mut needs);
     needs
+}
+
+/// Two pictures with the same pixels are compared: they are to be equally large.
+fn match_twins(needs: &mut [Need]) {
+    let size = |need: &Need| (need.stand == Stand::Drawing).then_some((need.natural, need.aspect));
+    let sizes: Vec<_> = needs.iter().filter_map(size).collect();
+    for need in needs {
+        let alike = sizes.iter().filter(|other| Some(**other) == size(need));
+        need.is_equal = alike.count() > 1;
+    }
 }
 
 pub fn sentences(run: &dyn Run) -> Vec<Caption> {

@@ -46,21 +46,10 @@ impl Sheet {
         let across: Vec<Need> = groups.across.iter().map(lowest).collect();
         let across: Vec<&Need> = across.iter().collect();
         let across = self.across(way, &mut stage, drawing, &across, Slot::take_bottom);
-        let side = match share {
-            // Half of it is half of what the gap leaves.
-            Some(share) if is_equal => {
-                share * (stage.size()[0] - self.beside_gap() + self.spacing.inset)
-            }
-            Some(share) => share * stage.size()[0],
-            None => self.natural_width(&groups.beside, part),
-        };
-        let Some((mut left, side)) = self.beside(stage, &groups, self.board * side) else {
+        let side = self.side_width(&groups.beside, (part, share), stage.size()[0]);
+        let Some((left, side)) = self.beside(stage, &groups, self.board * side) else {
             return Vec::new();
         };
-        if is_equal && share.is_some() {
-            // Nor does rounding make one of them larger.
-            left.max[0] = left.max[0].min(left.min[0] + side.size()[0].floor());
-        }
         let Some(row) = self.row(&groups.row, part, left) else {
             return Vec::new();
         };
@@ -87,11 +76,19 @@ impl Sheet {
         slots
     }
 
-    fn natural_width(&self, needs: &[&Need], part: f32) -> f32 {
-        needs
-            .iter()
-            .map(|need| self.width(need, part))
-            .fold(0.0, f32::max)
+    /// Of a column's width, what stands beside the drawing is to have so much.
+    fn side_width(&self, needs: &[&Need], (part, share): (f32, Option<f32>), width: f32) -> f32 {
+        let Some(share) = share else {
+            let widths = needs.iter().map(|need| self.width(need, part));
+            return widths.fold(0.0, f32::max);
+        };
+        // Half of two that are to be equal is half of what the gap leaves.
+        let gap = if are_equal(needs) {
+            self.beside_gap()
+        } else {
+            0.0
+        };
+        share * (width - gap)
     }
 
     /// The drawing's part of a stage, and the part beside it, which takes what the drawing cannot fill.
@@ -100,7 +97,7 @@ impl Sheet {
             return Some((stage, Slot::new(stage.max, [0.0; 2])));
         }
         let [width, height] = stage.size();
-        let gap = self.beside_gap();
+        let gap = self.beside_gap() + self.spacing.inset;
         let room = width - gap - side;
         let is_narrow = |need: &&Need| need.least[0] * self.readable() > side;
         if room < NARROW * width || groups.beside.iter().any(is_narrow) {
@@ -114,10 +111,14 @@ impl Sheet {
         let spare = if self.board < 1.0 { 0.0 } else { spare };
         let x = (stage.max[0] - side - spare).round();
         let inset = self.spacing.inset;
-        let left = Slot {
+        let mut left = Slot {
             max: [(x - gap + inset).round(), stage.max[1]],
             ..stage
         };
+        if are_equal(&groups.beside) {
+            // Rounding makes none of them larger.
+            left.max[0] = left.max[0].min(left.min[0] + (stage.max[0] - x).floor());
+        }
         let beside = Slot {
             min: [x - inset, stage.min[1] + inset],
             max: [stage.max[0] - inset, stage.max[1] - inset],
@@ -130,7 +131,7 @@ impl Sheet {
         if needs.is_empty() {
             return Some(Vec::new());
         }
-        let gap = (GAP[0] * self.readable()).round();
+        let gap = self.beside_gap();
         let size = |need: &&Need| {
             let height = part * need.natural[1] * self.em;
             [
@@ -241,7 +242,7 @@ impl Sheet {
     }
 
     fn beside_gap(&self) -> f32 {
-        (GAP[0] * self.readable()).round() + self.spacing.inset
+        (GAP[0] * self.readable()).round()
     }
 
     fn gap(&self) -> f32 {
@@ -344,6 +345,11 @@ impl Way {
             ..*need
         }
     }
+}
+
+/// Is what stands beside the drawing to be as large?
+fn are_equal(beside: &[&Need]) -> bool {
+    beside.iter().any(|need| need.is_equal)
 }
 
 fn least_height(way: Way, drawing: &Need, height: f32) -> f32 {

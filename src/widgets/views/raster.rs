@@ -139,18 +139,13 @@ impl<'r> Pixels<'r> {
             let Some((pixel, value)) = pixel.and_then(|p| Some((p, p.value.as_ref()?))) else {
                 continue;
             };
-            let is_apart = self.is_apart(at, value);
-            let pts = if is_apart {
-                LARGEST.max(slate.least_size())
-            } else {
-                self.pts(slate, value)
-            };
+            let pts = self.pts(slate, at, value);
             if pts < smallest(slate) {
                 continue;
             }
             let ink = pixel.role.map_or(theme.soft, |_| theme.ink);
             let text = slate.digits(value, pts, ink);
-            if is_apart || text.size().x <= self.width {
+            if text.size().x <= self.width || self.is_apart(at, value) {
                 slate.put(&text, self.square(at).center(), Align2::CENTER_CENTER);
             }
         }
@@ -244,7 +239,10 @@ impl<'r> Pixels<'r> {
         }
     }
 
-    fn pts(&self, slate: &Slate<'_>, value: &Value) -> f32 {
+    fn pts(&self, slate: &Slate<'_>, at: [usize; 2], value: &Value) -> f32 {
+        if self.is_apart(at, value) {
+            return LARGEST.max(slate.least_size());
+        }
         let n_characters = match value {
             Value::Name(name) => name.chars().count(),
             _ => self.n_digits,
@@ -258,9 +256,9 @@ impl<'r> Pixels<'r> {
     }
 
     fn is_written(&self, slate: &Slate<'_>, at: [f64; 2]) -> bool {
-        let pixel = self.raster.at(at.map(|x| x as usize));
-        let value = pixel.and_then(|pixel| pixel.value.as_ref());
-        value.is_some_and(|value| self.pts(slate, value) >= smallest(slate))
+        let at = at.map(|x| x as usize);
+        let value = self.raster.at(at).and_then(|pixel| pixel.value.as_ref());
+        value.is_some_and(|value| self.pts(slate, at, value) >= smallest(slate))
     }
 
     fn draw_over(&self, slate: &Slate<'_>, painter: &Painter, mark: &RasterMark) {

@@ -161,8 +161,8 @@ fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
         };
         given.into_iter().chain([cell]).collect()
     };
-    let text = at.scenery;
-    let text = text.and_then(|scenery| from_matrix(scenery, asked.current_idx()));
+    let in_hand = at.scenery.zip(asked.current_idx());
+    let text = in_hand.and_then(|(scenery, plane_idx)| from_matrix(scenery, plane_idx));
     let note = text.map(|text| TableNote {
         text,
         applies: true,
@@ -174,8 +174,7 @@ fn plane_table(at: &At<'_, PointPlanes>, asked: &Asked<'_>) -> Table {
 }
 
 /// What the rows of the matrix say of the plane at work, and to how many decimals they agree with what the angles give.
-fn from_matrix(scenery: &Scenery, current: Option<usize>) -> Option<Message> {
-    let plane_idx = current?;
+fn from_matrix(scenery: &Scenery, plane_idx: usize) -> Option<Message> {
     let camera = scenery.scene().culler();
     let from_matrix = planes_from_matrix(&camera.clip_from_world()).ok()?;
     let apart = from_matrix.iter().zip(scenery.planes()).map(|(a, b)| {

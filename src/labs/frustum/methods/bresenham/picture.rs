@@ -76,10 +76,10 @@ pub fn marks(drawn: &DrawnSegment, known: &Known, event: Option<Event>) -> Vec<M
         if cut == given {
             continue;
         }
-        let sides = known.clipped.filter(|_| is_now);
-        let sides = sides.map(|ends| cut_by(ends[end.idx()]));
-        let planes = sides.into_iter().flatten();
-        marks.extend(planes.flat_map(|side| plane_at_work(&drawn.camera, side)));
+        if let Some(Event::Clip { ends }) = event {
+            let sides = cut_by(ends[end.idx()]);
+            marks.extend(sides.flat_map(|side| plane_at_work(&drawn.camera, side)));
+        }
         marks.push(Mark3::new(Role::Discarded, Shape3::Segment([given, cut])));
         let role = if is_now { Role::Signal } else { Role::Accent };
         let dot = Mark3::new(role, Shape3::Dot(cut));
@@ -222,9 +222,11 @@ pub fn raster(
         Some(Event::Pixel { at, .. }) => Some(at.map(|x| x as usize)),
         _ => None,
     };
-    let title = Message::new("raster-line");
+    let title = Message::new("raster-line")
+        .with("columns", columns)
+        .with("rows", rows);
     Raster {
-        title: Value::Message(title.with("columns", columns).with("rows", rows)),
+        title: Value::Message(title),
         size: [columns, rows],
         pixels,
         scale: None,
