@@ -63,8 +63,8 @@ pub fn run() {
         );
     };
     row(PEER, Target::None);
-    row(OWNED, Target::AtMost(0.65));
-    row(BORROWED, Target::AtMost(0.55));
+    row(OWNED, Target::AtMost(0.4));
+    row(BORROWED, Target::AtMost(0.33));
     row(WITH_AREA, Target::None);
     row(EXTENT, Target::None);
     row(TAUGHT, Target::None);

@@ -1,12 +1,12 @@
 //! Any finite numbers, however large, small or close together.
 
 use clipscope::{
-    algo::polygon::ClipRegion,
+    algo::polygon::{ClipRegion, Textured},
     geom::{ConvexPolygon, Point, Window},
 };
 use proptest::prelude::*;
 
-use super::check_promises;
+use super::{check_clipper, check_promises};
 
 /// A few units in the last place away.
 fn nudged(x: f64, ulps: i32) -> f64 {
@@ -33,6 +33,18 @@ fn coordinate() -> impl Strategy<Value = f64> {
 fn ring() -> impl Strategy<Value = Vec<Point>> {
     prop::collection::vec([coordinate(), coordinate()], 0..10)
         .prop_map(|outline| super::points(&outline))
+}
+
+/// Of any length, about the 64 vertices that the clipper looks at together too, with a place in a texture each.
+fn long_ring() -> impl Strategy<Value = Vec<Textured>> {
+    let vertex = || [coordinate(), coordinate(), coordinate(), coordinate()];
+    let n = prop_oneof![0..12_usize, 60..70_usize, 124..200_usize];
+    let textured = |[x, y, u, v]: [f64; 4]| Textured {
+        at: Point::new(x, y).expect("finite"),
+        uv: [u, v],
+    };
+    n.prop_flat_map(move |n| prop::collection::vec(vertex(), n))
+        .prop_map(move |ring| ring.into_iter().map(textured).collect())
 }
 
 fn window() -> impl Strategy<Value = ClipRegion> {
@@ -79,6 +91,17 @@ fn triangle() -> impl Strategy<Value = ClipRegion> {
 }
 
 proptest! {
+    #[test]
+    fn the_clipper_leaves_what_is_taught_of_a_ring_of_any_length(
+        region in prop_oneof![window(), regular(), triangle()],
+        ring in long_ring(),
+    ) {
+        check_clipper(&region, &ring, |ring: &[Textured]| {
+            let numbers = |v: &Textured| [v.at.x(), v.at.y(), v.uv[0], v.uv[1]];
+            ring.iter().map(|v| numbers(v).map(f64::to_bits)).collect()
+        });
+    }
+
     #[test]
     fn promises_against_a_window(region in window(), ring in ring()) {
         check_promises(&region, &ring);

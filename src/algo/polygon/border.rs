@@ -12,6 +12,8 @@
 //! axis the border coordinate is assigned and the sign of a distance is exact. On an oblique border both are rounded, so a crossing
 //! is settled inside by its own distances ([`Borders::settle`]): that is why clipping again changes nothing.
 
+use std::hint::select_unpredictable;
+
 use crate::{
     geom::{Axis, HalfPlane, Point, Segment, Wide},
     trace::Real,
@@ -123,44 +125,12 @@ impl Border {
     #[inline]
     fn as_computed<R: Real>(&self, p: Point) -> R {
         match self.line {
-            BorderLine::Upright { axis, c, is_max } => {
-                let [a, _] = split::<R>(p, axis);
-                let c = R::new(c);
-                if is_max { c - a } else { a - c }
-            }
+            BorderLine::Upright { axis, c, is_max } => upright_distance(axis, is_max, c, p),
             BorderLine::Oblique { normal, origin } => {
                 let ([px, py], [ex, ey]) = (p.to_array(), origin.to_array());
                 R::new(normal[0]) * (R::new(px) - R::new(ex))
                     + R::new(normal[1]) * (R::new(py) - R::new(ey))
             }
-        }
-    }
-
-    /// How many vertices from the first are inside, if `inside`; else how many are not.
-    #[inline]
-    pub fn run<V: Vertex>(&self, vertices: &[V], inside: bool) -> usize {
-        match self.line {
-            BorderLine::Upright {
-                axis: Axis::X,
-                c,
-                is_max: false,
-            } => run(vertices, inside, |p| p.x() >= c),
-            BorderLine::Upright {
-                axis: Axis::X,
-                c,
-                is_max: true,
-            } => run(vertices, inside, |p| p.x() <= c),
-            BorderLine::Upright {
-                axis: Axis::Y,
-                c,
-                is_max: false,
-            } => run(vertices, inside, |p| p.y() >= c),
-            BorderLine::Upright {
-                axis: Axis::Y,
-                c,
-                is_max: true,
-            } => run(vertices, inside, |p| p.y() <= c),
-            BorderLine::Oblique { .. } => run(vertices, inside, |p| self.distance::<f64>(p) >= 0.0),
         }
     }
 
@@ -183,15 +153,7 @@ impl Border {
     #[inline]
     fn share<R: Real>(&self, [p1, p2]: [Point; 2], [d1, d2]: [R; 2]) -> Share<R> {
         match self.line {
-            BorderLine::Upright { axis, c, .. } => {
-                let [[a1, _], [a2, _]] = [p1, p2].map(|p| split::<R>(p, axis));
-                let border = R::new(c);
-                Share {
-                    weights: [border - a1, a2 - border],
-                    whole: a2 - a1,
-                    raw: [a1.get(), a2.get(), c],
-                }
-            }
+            BorderLine::Upright { axis, c, .. } => upright_share([p1, p2], axis, c),
             BorderLine::Oblique { normal, .. } => {
                 let whole = d1 - d2;
                 let [d1, d2, whole] = if whole.get().is_finite() {
@@ -213,10 +175,27 @@ impl Border {
     }
 }
 
-#[inline]
-fn run<V: Vertex>(vertices: &[V], inside: bool, is_inside: impl Fn(Point) -> bool) -> usize {
-    let turns = |v: &V| is_inside(v.at()) != inside;
-    vertices.iter().position(turns).unwrap_or(vertices.len())
+#[inline(always)]
+fn upright_distance<R: Real>(axis: Axis, is_max: bool, c: f64, p: Point) -> R {
+    let ([a, _], c) = (split::<R>(p, axis), R::new(c));
+    if is_max { c - a } else { a - c }
+}
+
+#[inline(always)]
+fn upright_share<R: Real>(ends: [Point; 2], axis: Axis, c: f64) -> Share<R> {
+    let [[a1, _], [a2, _]] = ends.map(|p| split::<R>(p, axis));
+    let border = R::new(c);
+    Share {
+        weights: [border - a1, a2 - border],
+        whole: a2 - a1,
+        raw: [a1.get(), a2.get(), c],
+    }
+}
+
+#[inline(always)]
+fn upright_crossing<R: Real>(ends: [Point; 2], axis: Axis, c: f64, share: &Share<R>) -> Point {
+    let [[_, o1], [_, o2]] = ends.map(|p| split::<f64>(p, axis));
+    join(axis, c, share.mean(o1, o2))
 }
 
 /// All borders of a region, in the order in which they clip.
@@ -276,10 +255,7 @@ impl Borders {
         let [p1, p2] = [inside.at(), outside.at()];
         let share = border.share([p1, p2], along);
         let at = match border.line {
-            BorderLine::Upright { axis, c, .. } => {
-                let [[_, o1], [_, o2]] = [p1, p2].map(|p| split::<f64>(p, axis));
-                join(axis, c, share.mean(o1, o2))
-            }
+            BorderLine::Upright { axis, c, .. } => upright_crossing([p1, p2], axis, c, &share),
             BorderLine::Oblique { .. } => {
                 let [x, y] = [0, 1].map(|i| share.mean(p1.to_array()[i], p2.to_array()[i]));
                 Point::from_finite(x, y)
@@ -360,9 +336,45 @@ impl<V: Vertex> Limit<V> for NthBorder<'_> {
     fn crossing<R: Real>(&self, ends: [&V; 2], distances: [R; 2]) -> Option<Crossing<V>> {
         self.borders.crossing(self.idx, ends, distances)
     }
+}
+
+/// A border along an axis, whose axis and side are known when a pass is compiled: where its coordinate is. In a region without oblique
+/// ones.
+#[derive(Clone, Copy, Debug)]
+pub struct AlongAxis<const IS_Y: bool, const IS_MAX: bool>(pub f64);
+
+impl<const IS_Y: bool, const IS_MAX: bool> AlongAxis<IS_Y, IS_MAX> {
+    const AXIS: Axis = if IS_Y { Axis::Y } else { Axis::X };
+}
+
+impl<V: Vertex, const IS_Y: bool, const IS_MAX: bool> Limit<V> for AlongAxis<IS_Y, IS_MAX> {
+    /// Infinite where it is too large: only its sign is asked for.
+    #[inline]
+    fn distance<R: Real>(&self, vertex: &V) -> R {
+        upright_distance(Self::AXIS, IS_MAX, self.0, vertex.at())
+    }
 
     #[inline]
-    fn run(&self, vertices: &[V], inside: bool) -> usize {
-        self.border().run(vertices, inside)
+    fn inside(&self, vertices: &[V]) -> u64 {
+        let is_inside = |v: &V| {
+            let [a, _] = split::<f64>(v.at(), Self::AXIS);
+            if IS_MAX { a <= self.0 } else { a >= self.0 }
+        };
+        let put = |bits, v| bits << 1 | u64::from(is_inside(v));
+        vertices.iter().rev().fold(0, put)
+    }
+
+    #[inline]
+    fn crossing<R: Real>(&self, ends: [&V; 2], [d1, _]: [R; 2]) -> Option<Crossing<V>> {
+        let is_leaving = d1.get() > 0.0;
+        let pick = |a, b| select_unpredictable(is_leaving, a, b);
+        let [inside, outside] = [pick(ends[0], ends[1]), pick(ends[1], ends[0])];
+        let along = [inside.at(), outside.at()];
+        let share = upright_share::<R>(along, Self::AXIS, self.0);
+        let at = upright_crossing(along, Self::AXIS, self.0, &share);
+        (at != along[0]).then(|| Crossing {
+            at: inside.crossing(outside, at, &share),
+            t: share.ratio(is_leaving),
+        })
     }
 }

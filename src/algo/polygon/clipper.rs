@@ -32,9 +32,9 @@ use crate::{
 #[cfg(doc)]
 use super::SutherlandHodgman;
 use super::{
-    super::ring::{Clip, Right, put_in},
+    super::ring::{Clip, Limit, Right, put_in},
     ClipRegion, Vertex,
-    border::{Border, BorderLine, Borders, NthBorder},
+    border::{AlongAxis, Border, BorderLine, Borders, NthBorder},
     clipped_ring,
 };
 
@@ -131,7 +131,7 @@ impl<V: Vertex> Clipper<V> {
                 continue;
             }
             let input = if is_first { polygon } else { &list[..] };
-            pass(&self.borders, idx, input, output);
+            pass_border(&self.borders, idx, input, output);
             std::mem::swap(list, output);
             is_first = false;
             if list.is_empty() {
@@ -142,29 +142,51 @@ impl<V: Vertex> Clipper<V> {
     }
 }
 
-/// What is left of `input` behind one border: runs of vertices on one side are copied, or left out, as a whole.
-fn pass<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<V>) {
-    let Some((&first, mut following)) = input.split_first() else {
+/// Along an axis, the axis and the side are known when the pass is compiled.
+fn pass_border<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &mut Vec<V>) {
+    match borders.all()[idx].line() {
+        BorderLine::Upright { axis, c, is_max } if !borders.has_oblique() => match (axis, is_max) {
+            (Axis::X, false) => pass(&AlongAxis::<false, false>(c), input, output),
+            (Axis::X, true) => pass(&AlongAxis::<false, true>(c), input, output),
+            (Axis::Y, false) => pass(&AlongAxis::<true, false>(c), input, output),
+            (Axis::Y, true) => pass(&AlongAxis::<true, true>(c), input, output),
+        },
+        _ => pass(&NthBorder { borders, idx }, input, output),
+    }
+}
+
+/// What is left of `input` behind one border. Most edges stay on one side: only those that do not get the clipper's step, and what
+/// lies between two of them is copied, or left out, as a whole.
+#[inline]
+fn pass<V: Vertex>(limit: &impl Limit<V>, input: &[V], output: &mut Vec<V>) {
+    let Some((&first, &last)) = input.first().zip(input.last()) else {
         return;
     };
     output.clear();
-    let limit = NthBorder { borders, idx };
-    let mut clip = Clip::begin::<Right, f64>(&limit, first);
-    let Told::Continue(()) = clip.tell_first(&limit, &mut put_in(output));
-    loop {
-        let is_inside = clip.is_inside();
-        let (run, behind) = following.split_at(clip.run(&limit, following));
-        if is_inside {
-            output.extend_from_slice(run);
+    let mut clip = Clip::begin::<Right, f64>(limit, first);
+    let mut from = 0;
+    for (start, chunk) in (0..).step_by(64).zip(input.chunks(64)) {
+        let inside = limit.inside(chunk);
+        let before = inside << 1 | u64::from(clip.is_inside());
+        let mut turns = (inside ^ before) & (u64::MAX >> (64 - chunk.len()));
+        while turns != 0 {
+            let i = start + turns.trailing_zeros() as usize;
+            turns &= turns - 1;
+            if clip.is_inside() {
+                output.extend_from_slice(&input[from..i]);
+            }
+            clip.go_to(limit, input[i - 1]);
+            let vertex = ([0; 2], input[i]);
+            let Told::Continue(()) =
+                clip.vertex::<Right, f64, _>(limit, vertex, &mut put_in(output));
+            from = i + 1;
         }
-        let Some((&vertex, rest)) = behind.split_first() else {
-            break;
-        };
-        let vertex = ([0; 2], vertex);
-        let Told::Continue(()) = clip.vertex::<Right, f64, _>(&limit, vertex, &mut put_in(output));
-        following = rest;
     }
-    let Told::Continue(()) = clip.close::<Right, f64, _>(&limit, [0; 2], &mut put_in(output));
+    if clip.is_inside() {
+        output.extend_from_slice(&input[from..]);
+    }
+    clip.go_to(limit, last);
+    let Told::Continue(()) = clip.close::<Right, f64, _>(limit, [0; 2], &mut put_in(output));
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -180,17 +202,44 @@ struct Extent {
 }
 
 impl Extent {
+    const NOTHING: Self = Self {
+        min: [f64::INFINITY; 2],
+        max: [f64::NEG_INFINITY; 2],
+    };
+
     #[inline]
     fn of<V: Vertex>(polygon: &[V]) -> Self {
-        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for vertex in polygon {
-            let p = vertex.at().to_array();
-            for i in 0..2 {
-                min[i] = if p[i] < min[i] { p[i] } else { min[i] };
-                max[i] = if p[i] > max[i] { p[i] } else { max[i] };
+        let (fours, rest) = polygon.as_chunks::<4>();
+        // Four by themselves: each waits for the one before.
+        let mut parts = [Self::NOTHING; 4];
+        for vertices in fours {
+            for (part, vertex) in parts.iter_mut().zip(vertices) {
+                part.add(vertex.at());
             }
         }
-        Self { min, max }
+        let [mut whole, others @ ..] = parts;
+        for part in &others {
+            whole.join(part);
+        }
+        for vertex in rest {
+            whole.add(vertex.at());
+        }
+        whole
+    }
+
+    #[inline]
+    fn add(&mut self, p: Point) {
+        let p = p.to_array();
+        self.join(&Self { min: p, max: p });
+    }
+
+    #[inline]
+    fn join(&mut self, other: &Self) {
+        for i in 0..2 {
+            let ([min, max], [a, b]) = ([self.min[i], self.max[i]], [other.min[i], other.max[i]]);
+            self.min[i] = if a < min { a } else { min };
+            self.max[i] = if b > max { b } else { max };
+        }
     }
 
     /// Of a border along an axis. A polygon without vertices is outside.

@@ -56,10 +56,14 @@ pub trait Limit<V>: Copy {
         distance
     }
 
-    /// How many vertices from the first are inside, if `inside`; else how many are not.
-    fn run(&self, vertices: &[V], inside: bool) -> usize {
-        let turns = |v: &V| (self.distance::<f64>(v) >= 0.0) != inside;
-        vertices.iter().position(turns).unwrap_or(vertices.len())
+    /// Which of up to 64 vertices are inside: bit i is that of vertex i.
+    ///
+    /// Without a branch: nobody can guess where a ring turns.
+    #[inline]
+    fn inside(&self, vertices: &[V]) -> u64 {
+        vertices.iter().rev().fold(0, |bits, v| {
+            bits << 1 | u64::from(self.distance::<f64>(v) >= 0.0)
+        })
     }
 }
 
@@ -233,14 +237,10 @@ impl<V: Copy> Clip<V> {
         Told::Continue(())
     }
 
-    /// Takes all vertices up to the first on the other side, and returns how many: one rule for all. By the right rules only.
+    /// Goes on from `vertex`, which is on the same side as the one before the next.
     #[inline]
-    pub fn run(&mut self, limit: &impl Limit<V>, vertices: &[V]) -> usize {
-        let n = limit.run(vertices, self.previous.inside);
-        if let Some(i) = n.checked_sub(1) {
-            self.previous = Known::find::<Right, f64>(limit, vertices[i]);
-        }
-        n
+    pub fn go_to(&mut self, limit: &impl Limit<V>, vertex: V) {
+        self.previous = Known::find::<Right, f64>(limit, vertex);
     }
 
     pub const fn first(&self) -> V {
