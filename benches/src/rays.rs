@@ -192,7 +192,7 @@ pub fn spot() {
             "obvhs 0.4, eight wide",
         ],
         "obvhs 0.4, two by two",
-        &[("`Hierarchy::cast`", Target::AtMost(1.5))],
+        &[("`Hierarchy::cast`", Target::AtMost(1.05))],
     );
 }
 

@@ -162,7 +162,15 @@ impl Hierarchy {
         loop {
             if contents.are_boxes() {
                 let place = contents.first;
-                let (from, mut met) = self.nodes[place as usize].met(&in_boxes, limit);
+                let node = &self.nodes[place as usize];
+                let (from, mut met) = node.met(&in_boxes, limit);
+                if met.is_power_of_two() {
+                    let i = met.trailing_zeros() as usize & 3;
+                    if n_waiting == 0 || waiting[n_waiting - 1].0 >= from[i] {
+                        contents = node.contents[i];
+                        continue;
+                    }
+                }
                 while met != 0 {
                     let i = met.trailing_zeros() & 3;
                     met &= met - 1;

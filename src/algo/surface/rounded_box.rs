@@ -49,7 +49,7 @@ pub(super) struct Contents {
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RayInBoxes {
-    /// Not below the origin, and not above it.
+    /// Of each axis, as seen from the side by which it comes in and from the other: not before the origin, and not behind it.
     origin: [[f32; 2]; 3],
     inverse: [f32; 3],
     /// By which side of each axis it comes in: 1 is the upper one.
@@ -135,18 +135,19 @@ impl FourBoxes {
     }
 
     /// Where a ray comes into each, and a bit for each that it meets not beyond a limit. The eye may be inside.
-    #[inline]
+    #[inline(always)]
     pub fn met(&self, ray: &RayInBoxes, limit: f32) -> ([f32; 4], u32) {
         let (mut from, mut to) = ([0.0; 4], [f32::INFINITY; 4]);
         for axis in 0..3 {
             let near = ray.enters[axis] & 1;
             let far = 1 - near;
-            let (sides, origin, inverse) = (&self.sides[axis], ray.origin[axis], ray.inverse[axis]);
+            let (sides, inverse) = (&self.sides[axis], ray.inverse[axis]);
+            let [before, behind] = ray.origin[axis];
             for i in 0..4 {
-                from[i] = greater((sides[near][i] - origin[near]) * inverse, from[i]);
+                from[i] = greater((sides[near][i] - before) * inverse, from[i]);
             }
             for i in 0..4 {
-                to[i] = lesser((sides[far][i] - origin[far]) * inverse, to[i]);
+                to[i] = lesser((sides[far][i] - behind) * inverse, to[i]);
             }
         }
         let mut met = 0;
@@ -179,6 +180,9 @@ impl RayInBoxes {
                 },
             ];
             new.enters[axis] = usize::from(r < 0.0);
+            if r < 0.0 {
+                new.origin[axis].reverse();
+            }
             if rounded.abs() >= FARTHEST {
                 continue;
             }
