@@ -24,6 +24,8 @@ struct Pair<'a, V> {
 /// What this step does to the second list.
 #[derive(Clone, Copy, PartialEq)]
 enum Now<V> {
+    /// Nothing has been asked yet.
+    Begins,
     Looks,
     /// It finds a crossing that is to be put out.
     Finds(V),
@@ -54,7 +56,11 @@ pub fn lists<V: LabVertex>(now: &Picture<'_, V>) -> Lists {
             titles: ["sh-list-handed-on", "sh-list-output"],
             ..looks
         },
-        None | Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => looks,
+        None => Pair {
+            now: Now::Begins,
+            ..looks
+        },
+        Some(Event::Edge { .. } | Event::First { .. } | Event::Test { .. }) => looks,
         Some(Event::Cross(Crossing { at, .. })) => Pair {
             now: Now::Finds(at),
             ..looks
@@ -107,6 +113,11 @@ impl<V: LabVertex> Pair<'_, V> {
         }
     }
 
+    /// Until a distance is known, a vertex stands with both its places.
+    fn tells_both(&self) -> bool {
+        V::IS_TEXTURED && matches!(self.now, Now::Begins)
+    }
+
     fn is_inside(&self, i: usize) -> Option<bool> {
         self.sides.get(i).map(|&(_, is_inside)| is_inside)
     }
@@ -139,7 +150,13 @@ impl<V: LabVertex> Pair<'_, V> {
             let mut details = vec![Some(place(&self.input[i]))];
             if !is_last {
                 let distance = self.sides.get(i).map(|&(d, _)| Value::Number(d));
-                details.insert(usize::from(V::IS_TEXTURED), distance);
+                let point = || Value::Point(self.input[i].at().to_array());
+                let asked = if self.tells_both() {
+                    Some(point())
+                } else {
+                    distance
+                };
+                details.insert(usize::from(V::IS_TEXTURED), asked);
             }
             ListRow {
                 role: match is_inside {
@@ -156,7 +173,8 @@ impl<V: LabVertex> Pair<'_, V> {
         };
         let mut columns = vec![column::<V>()];
         if !is_last {
-            columns.insert(usize::from(V::IS_TEXTURED), name("d"));
+            let asked = name(if self.tells_both() { "(x, y)" } else { "d" });
+            columns.insert(usize::from(V::IS_TEXTURED), asked);
         }
         let (title, focus) = (Value::Term(self.titles[0]), self.current.last().copied());
         ListColumn {
@@ -174,7 +192,7 @@ impl<V: LabVertex> Pair<'_, V> {
             let (symbol, role) = match (self.output.get(i), self.now) {
                 (None, _) => ("I".to_owned(), Role::Signal),
                 (_, Now::Ends { is_wrong }) => (output_symbol(i), result_role(is_wrong)),
-                (_, Now::Passes | Now::Looks | Now::Finds(_) | Now::PutsOut) => {
+                (_, Now::Begins | Now::Passes | Now::Looks | Now::Finds(_) | Now::PutsOut) => {
                     (output_symbol(i), Role::Accent)
                 }
             };
