@@ -60,8 +60,8 @@ pub fn run() {
     };
     row(PEER, PEER, Target::None);
     row(COHEN_SUTHERLAND, PEER, Target::AtMost(1.1));
-    row(KERNEL, PEER, Target::AtMost(0.6));
-    row(BATCH, PEER, Target::AtMost(0.3));
+    row(KERNEL, PEER, Target::AtMost(0.45));
+    row(BATCH, PEER, Target::AtMost(0.18));
     row(COPY, PEER, Target::None);
     for taught in [LIANG_BARSKY, CYRUS_BECK, NICHOLL_LEE_NICHOLL, BRUTE_FORCE] {
         row(taught, PEER, Target::None);

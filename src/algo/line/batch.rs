@@ -16,6 +16,8 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
+use fearless_simd::{Level, dispatch};
+
 use crate::geom::{Segment, Window};
 
 use super::{
@@ -131,13 +133,27 @@ impl ClippedSegments {
 
 /// Clips every segment against `window`. `out` afterwards holds as many answers as there are segments.
 pub fn clip_all(window: &Window, segments: &Segments, out: &mut ClippedSegments) {
+    clip_all_at(Level::new(), window, segments, out);
+}
+
+/// With the vector instructions of a level that the machine has: the same operations in the same order, some lanes at a time.
+fn clip_all_at(level: Level, window: &Window, segments: &Segments, out: &mut ClippedSegments) {
     let n = segments.len();
     out.resize(n);
+    dispatch!(level, _ => clip_turns(window, segments, out));
+    for idx in n - n % N_LANES..n {
+        out.set(idx, kernel::clip(window, &segments.get(idx)));
+    }
+}
+
+/// All turns that are full; compiled once for each level.
+#[inline(always)]
+fn clip_turns(window: &Window, segments: &Segments, out: &mut ClippedSegments) {
     let borders = WindowBorders::new(window);
     let mut status = [0; N_LANES];
     let columns = segments.coordinates.each_ref();
     let turns = columns.map(|column| column.as_chunks::<N_LANES>().0);
-    for turn in 0..n / N_LANES {
+    for turn in 0..segments.len() / N_LANES {
         let [x1, y1, x2, y2] = &mut out.coordinates;
         let any = clip_turn(
             &borders,
@@ -153,9 +169,6 @@ pub fn clip_all(window: &Window, segments: &Segments, out: &mut ClippedSegments)
             }
         }
     }
-    for idx in n - n % N_LANES..n {
-        out.set(idx, kernel::clip(window, &segments.get(idx)));
-    }
 }
 
 /// Bits of a status, which is as wide as a coordinate, so that the loop has one width.
@@ -163,6 +176,7 @@ const HIDDEN: u64 = 1;
 const UNCERTAIN: u64 = 2;
 
 /// Clips one turn of segments; true where an answer is uncertain.
+#[inline(always)]
 fn clip_turn(
     borders: &WindowBorders,
     [x1, y1, x2, y2]: [&Lanes; 4],
@@ -182,4 +196,62 @@ fn clip_turn(
         all |= status[i];
     }
     all & UNCERTAIN != 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All that the machine has, the plainest first.
+    fn levels() -> Vec<Level> {
+        let best = Level::new();
+        #[cfg(target_arch = "x86_64")]
+        let between = best.as_sse4_2().map(fearless_simd::Simd::level);
+        #[cfg(not(target_arch = "x86_64"))]
+        let between = None;
+        let levels = std::iter::once(Level::baseline()).chain(between);
+        levels.chain([best]).collect()
+    }
+
+    /// Ties at corners and borders, and numbers of every size.
+    fn segments() -> Segments {
+        let small = |i: i32| f64::from(i % 7 - 3);
+        let on_grid = (0..7_i32.pow(4)).map(|i| [i, i / 7, i / 49, i / 343].map(small));
+        let mut state = 1_u64;
+        let mut number = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            f64::from_bits(state & !(3 << 61) | (state >> 9 & 1) << 61)
+        };
+        let of_any_size = (0..20_000).map(|i| {
+            let [a, b, c, d] = [(); 4].map(|()| number());
+            if i % 2 == 0 {
+                [a, b, c, d]
+            } else {
+                [a, b, c, d].map(|x| 3.0 * libm::sin(x))
+            }
+        });
+        let all = on_grid.chain(of_any_size.filter(|s| s.iter().all(|x| x.is_finite())));
+        all.map(|s| Segment::try_from(s).unwrap()).collect()
+    }
+
+    #[test]
+    fn every_level_answers_with_the_same_bits() {
+        let segments = segments();
+        let bits = |visible: Visible| visible.map(|s| s.to_array().map(f64::to_bits));
+        for window in [[-1.0, -1.0, 1.0, 1.0], [-2.0, 0.0, 3.0, 1e-300]] {
+            let window = Window::try_from(window).unwrap();
+            for level in levels() {
+                let mut out = ClippedSegments::default();
+                clip_all_at(level, &window, &segments, &mut out);
+                assert_eq!(out.len(), segments.len());
+                for (idx, visible) in out.iter().enumerate() {
+                    let segment = segments.get(idx);
+                    let expected = kernel::clip(&window, &segment);
+                    assert_eq!(bits(visible), bits(expected), "{level:?}: {segment:?}");
+                }
+            }
+        }
+    }
 }
