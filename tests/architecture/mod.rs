@@ -357,3 +357,44 @@ fn every_lab_is_in_every_table() {
         assert_eq!((lab.first_scene)().document().lab().id, id);
     }
 }
+
+/// The packages beside the program are built with `--locked`: their lock files know what the program is made of.
+#[test]
+fn every_lock_file_knows_what_the_program_needs() {
+    let read = |path: &str| {
+        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        text.parse::<toml::Table>().unwrap()
+    };
+    let manifest = read("Cargo.toml");
+    let targets = manifest["target"].as_table().unwrap().values();
+    let of_targets = targets.filter_map(|target| target.get("dependencies"));
+    let all = std::iter::once(&manifest["dependencies"]).chain(of_targets);
+    let all: Vec<_> = all.flat_map(|table| table.as_table().unwrap()).collect();
+    let is_optional = |needed: &toml::Value| needed.get("optional").is_some();
+    for (lock, has_window) in [
+        ("web", true),
+        ("benches", true),
+        ("fuzz", false),
+        ("tests/wasm", false),
+    ] {
+        // A registry's copy of the program has not all of them.
+        if !src().with_file_name(lock).is_dir() {
+            println!("{lock}: not here, not read");
+            continue;
+        }
+        let locked = read(&format!("{lock}/Cargo.lock"));
+        let packages = locked["package"].as_array().unwrap();
+        let ours = packages
+            .iter()
+            .find(|it| it["name"].as_str() == Some("clipscope"));
+        let known = ours.unwrap()["dependencies"].as_array().unwrap();
+        for (name, needed) in &all {
+            // Where two versions of one are used, its own follows its name.
+            let is_it = |it: &toml::Value| it.as_str().unwrap().split(' ').next() == Some(name);
+            assert!(
+                is_optional(needed) && !has_window || known.iter().any(is_it),
+                "{lock}/Cargo.lock does not know {name}: run `cargo update --workspace` there"
+            );
+        }
+    }
+}

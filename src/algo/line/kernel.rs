@@ -30,15 +30,10 @@ use super::{LiangBarsky, Visible, WindowInput};
 #[must_use]
 pub fn clip(window: &Window, segment: &Segment) -> Visible {
     let answer = closed_form(segment.to_array(), &WindowBorders::new(window));
-    // The ends are written whatever comes; only whether they count is chosen, without a branch.
-    let mut ends = Some(answer.ends);
-    if pick(answer.hidden, true, false) {
-        ends = None;
-    }
     if answer.uncertain {
         return clip_exactly(window, segment);
     }
-    ends.map(Segment::from_finite)
+    (!answer.hidden).then(|| Segment::from_finite(answer.ends))
 }
 
 /// [`clip`], the taught way.
@@ -62,18 +57,20 @@ const SHORTEST: f64 = 3.054_936_363_499_605e-151;
 pub(super) struct WindowBorders {
     min: [f64; 2],
     max: [f64; 2],
-    /// Of each axis, the farther border's distance from 0.
-    reach: [f64; 2],
+    /// No certain answer for a segment that is wider or higher than this.
+    longest: f64,
 }
 
 impl WindowBorders {
     #[inline]
     pub(super) fn new(window: &Window) -> Self {
         let [xmin, ymin, xmax, ymax] = window.to_array();
+        // Borders in range and distances in range make coordinates in range, wherever the two overlap.
+        let in_range = xmin >= -LONGEST && ymin >= -LONGEST && xmax <= LONGEST && ymax <= LONGEST;
         Self {
             min: [xmin, ymin],
             max: [xmax, ymax],
-            reach: [at_least(xmax, -xmin), at_least(ymax, -ymin)],
+            longest: if in_range { LONGEST } else { -1.0 },
         }
     }
 }
@@ -149,16 +146,10 @@ pub(super) fn closed_form([x1, y1, x2, y2]: [f64; 4], borders: &WindowBorders) -
     let touch = ((out_by_y == in_by_x) & (x1 != x.border[0]) & (y2 != y.border[1]))
         | ((out_by_x == in_by_y) & (y1 != y.border[0]) & (x2 != x.border[1]));
     let apart = (x.low > x.high) | (y.low > y.high);
-    // Borders in range and distances in range make coordinates in range, wherever the two overlap.
-    let [width, height] = [
-        at_least(x.length, borders.reach[0]),
-        at_least(y.length, borders.reach[1]),
-    ];
-    let longest = at_least(width, height);
     ClosedForm {
         ends: [p1[0], p1[1], p2[0], p2[1]],
         hidden: apart | (out_by_y > in_by_x) | (out_by_x > in_by_y),
-        uncertain: tie1 | tie2 | touch | (longest > LONGEST),
+        uncertain: tie1 | tie2 | touch | (at_least(x.length, y.length) > borders.longest),
     }
 }
 
