@@ -1,12 +1,13 @@
 //! Any finite numbers, however large, small or close together.
 
 use clipscope::{
-    algo::polygon::{ClipRegion, Textured},
+    algo::polygon::{ClipRegion, SutherlandHodgman, Textured},
     geom::{ConvexPolygon, Point, Window},
+    trace::silent,
 };
 use proptest::prelude::*;
 
-use super::{check_clipper, check_promises};
+use super::{check_clipper, check_promises, input};
 
 /// A few units in the last place away.
 fn nudged(x: f64, ulps: i32) -> f64 {
@@ -96,7 +97,8 @@ proptest! {
         region in prop_oneof![window(), regular(), triangle()],
         ring in long_ring(),
     ) {
-        check_clipper(&region, &ring, |ring: &[Textured]| {
+        let taught = silent::<SutherlandHodgman<Textured>>(&input(&region, ring.clone()));
+        check_clipper(&region, &ring, &taught, |ring: &[Textured]| {
             let numbers = |v: &Textured| [v.at.x(), v.at.y(), v.uv[0], v.uv[1]];
             ring.iter().map(|v| numbers(v).map(f64::to_bits)).collect()
         });

@@ -25,7 +25,7 @@ use super::{
         crossing::{join, split},
     },
     super::{
-        parameter::Share,
+        parameter::{Share, Upright},
         ring::{Crossing, Limit, Rules},
     },
     ClipRegion, Vertex,
@@ -153,7 +153,7 @@ impl Border {
     #[inline]
     fn share<R: Real>(&self, [p1, p2]: [Point; 2], [d1, d2]: [R; 2]) -> Share<R> {
         match self.line {
-            BorderLine::Upright { axis, c, .. } => upright_share([p1, p2], axis, c),
+            BorderLine::Upright { axis, c, is_max } => upright_share([p1, p2], axis, is_max, c),
             BorderLine::Oblique { normal, .. } => {
                 let whole = d1 - d2;
                 let [d1, d2, whole] = if whole.get().is_finite() {
@@ -175,6 +175,19 @@ impl Border {
     }
 }
 
+/// The crossing of an edge, given by its inside end first; `None` at that end.
+#[inline(always)]
+fn unless_at_end<R: Real, V: Vertex>(
+    [inside, outside]: [&V; 2],
+    at: Point,
+    (share, is_leaving): (&Share<R>, bool),
+) -> Option<Crossing<V>> {
+    (at != inside.at()).then(|| Crossing {
+        at: inside.crossing(outside, at, share),
+        t: share.ratio(is_leaving),
+    })
+}
+
 #[inline(always)]
 fn upright_distance<R: Real>(axis: Axis, is_max: bool, c: f64, p: Point) -> R {
     let ([a, _], c) = (split::<R>(p, axis), R::new(c));
@@ -182,14 +195,9 @@ fn upright_distance<R: Real>(axis: Axis, is_max: bool, c: f64, p: Point) -> R {
 }
 
 #[inline(always)]
-fn upright_share<R: Real>(ends: [Point; 2], axis: Axis, c: f64) -> Share<R> {
-    let [[a1, _], [a2, _]] = ends.map(|p| split::<R>(p, axis));
-    let border = R::new(c);
-    Share {
-        weights: [border - a1, a2 - border],
-        whole: a2 - a1,
-        raw: [a1.get(), a2.get(), c],
-    }
+fn upright_share<R: Real>(ends: [Point; 2], axis: Axis, is_max: bool, at: f64) -> Share<R> {
+    let ends = ends.map(|p| split::<f64>(p, axis)[0]);
+    Upright { ends, at, is_max }.share()
 }
 
 #[inline(always)]
@@ -266,11 +274,7 @@ impl Borders {
         } else {
             self.settle(idx, at, p1)
         };
-        let t = share.ratio(is_leaving);
-        (at != p1).then(|| Crossing {
-            at: inside.crossing(outside, at, &share),
-            t,
-        })
+        unless_at_end([inside, outside], at, (&share, is_leaving))
     }
 
     /// Moves a crossing towards the middle of the region, by ulps and then twice as far each time, until it is inside this border and
@@ -355,13 +359,9 @@ impl<V: Vertex, const IS_Y: bool, const IS_MAX: bool> Limit<V> for AlongAxis<IS_
     }
 
     #[inline]
-    fn inside(&self, vertices: &[V]) -> u64 {
-        let is_inside = |v: &V| {
-            let [a, _] = split::<f64>(v.at(), Self::AXIS);
-            if IS_MAX { a <= self.0 } else { a >= self.0 }
-        };
-        let put = |bits, v| bits << 1 | u64::from(is_inside(v));
-        vertices.iter().rev().fold(0, put)
+    fn is_inside(&self, vertex: &V) -> bool {
+        let [a, _] = split::<f64>(vertex.at(), Self::AXIS);
+        if IS_MAX { a <= self.0 } else { a >= self.0 }
     }
 
     #[inline]
@@ -370,11 +370,8 @@ impl<V: Vertex, const IS_Y: bool, const IS_MAX: bool> Limit<V> for AlongAxis<IS_
         let pick = |a, b| select_unpredictable(is_leaving, a, b);
         let [inside, outside] = [pick(ends[0], ends[1]), pick(ends[1], ends[0])];
         let along = [inside.at(), outside.at()];
-        let share = upright_share::<R>(along, Self::AXIS, self.0);
+        let share = upright_share::<R>(along, Self::AXIS, IS_MAX, self.0);
         let at = upright_crossing(along, Self::AXIS, self.0, &share);
-        (at != along[0]).then(|| Crossing {
-            at: inside.crossing(outside, at, &share),
-            t: share.ratio(is_leaving),
-        })
+        unless_at_end([inside, outside], at, (&share, is_leaving))
     }
 }

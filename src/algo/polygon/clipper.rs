@@ -45,6 +45,9 @@ pub struct Clipper<V = Point> {
     lists: [Vec<V>; 2],
 }
 
+/// As many vertices are looked at together as a number has bits.
+const TOGETHER: usize = u64::BITS as usize;
+
 /// What is left of a polygon, borrowed from it or from the clipper.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Clipped<'a, V = Point> {
@@ -165,10 +168,10 @@ fn pass<V: Vertex>(limit: &impl Limit<V>, input: &[V], output: &mut Vec<V>) {
     output.clear();
     let mut clip = Clip::begin::<Right, f64>(limit, first);
     let mut from = 0;
-    for (start, chunk) in (0..).step_by(64).zip(input.chunks(64)) {
+    for (start, chunk) in (0..).step_by(TOGETHER).zip(input.chunks(TOGETHER)) {
         let inside = limit.inside(chunk);
         let before = inside << 1 | u64::from(clip.is_inside());
-        let mut turns = (inside ^ before) & (u64::MAX >> (64 - chunk.len()));
+        let mut turns = (inside ^ before) & (u64::MAX >> (TOGETHER - chunk.len()));
         while turns != 0 {
             let i = start + turns.trailing_zeros() as usize;
             turns &= turns - 1;

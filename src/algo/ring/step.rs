@@ -56,14 +56,17 @@ pub trait Limit<V>: Copy {
         distance
     }
 
-    /// Which of up to 64 vertices are inside: bit i is that of vertex i.
-    ///
-    /// Without a branch: nobody can guess where a ring turns.
+    /// Is a vertex inside, or on the border?
+    #[inline]
+    fn is_inside(&self, vertex: &V) -> bool {
+        self.distance::<f64>(vertex) >= 0.0
+    }
+
+    /// Which of up to 64 vertices are inside: bit i is that of vertex i. Without a branch: nobody can guess where a ring turns.
     #[inline]
     fn inside(&self, vertices: &[V]) -> u64 {
-        vertices.iter().rev().fold(0, |bits, v| {
-            bits << 1 | u64::from(self.distance::<f64>(v) >= 0.0)
-        })
+        let put = |bits, vertex| bits << 1 | u64::from(self.is_inside(vertex));
+        vertices.iter().rev().fold(0, put)
     }
 }
 

@@ -32,6 +32,12 @@ use super::{
 /// Enough for some 100,000 triangles.
 const FEW_WAITING: usize = 40;
 
+/// Boxes that wait, the nearest last: where each begins, and its number.
+struct Waiting<const N: usize> {
+    boxes: [(f32, u32); N],
+    n: usize,
+}
+
 /// Triangles in boxes in boxes.
 pub struct Hierarchy {
     near: NearOne,
@@ -40,6 +46,43 @@ pub struct Hierarchy {
     /// Those that can be seen at all, in the order of the last boxes.
     edges: Vec<RoughEdges>,
     triangles: Vec<RayTriangle>,
+}
+
+impl<const N: usize> Waiting<N> {
+    const NONE: Self = Self {
+        boxes: [(0.0, 0); N],
+        n: 0,
+    };
+
+    /// Do all that wait begin there, or behind?
+    #[inline(always)]
+    fn are_behind(&self, begins: f32) -> bool {
+        self.n == 0 || self.boxes[self.n - 1].0 >= begins
+    }
+
+    #[inline(always)]
+    fn put(&mut self, begins: f32, number: u32) {
+        let mut k = self.n;
+        while k > 0 && self.boxes[k - 1].0 < begins {
+            self.boxes[k] = self.boxes[k - 1];
+            k -= 1;
+        }
+        self.boxes[k] = (begins, number);
+        self.n += 1;
+    }
+
+    /// The nearest, if it begins within a limit; what begins beyond goes.
+    #[inline(always)]
+    fn nearest(&mut self, limit: f32) -> Option<u32> {
+        while self.n > 0 {
+            self.n -= 1;
+            let (begins, number) = self.boxes[self.n];
+            if begins <= limit {
+                return Some(number);
+            }
+        }
+        None
+    }
 }
 
 impl Hierarchy {
@@ -141,7 +184,7 @@ impl Hierarchy {
         Told::Continue(output)
     }
 
-    /// From the outermost boxes inward, with a list of those that wait, the nearest last: where each begins, and its number.
+    /// From the outermost boxes inward.
     #[inline]
     fn descend<R: Real, const N: usize>(
         &self,
@@ -153,8 +196,7 @@ impl Hierarchy {
         let mut limit = f32::INFINITY;
         let line = RoughLine::new(surfaces.sight_line(ray.at(1.0)));
         let in_boxes = RayInBoxes::new(ray);
-        let mut waiting = [(0.0, 0); N];
-        let mut n_waiting = 0;
+        let mut waiting = Waiting::<N>::NONE;
         let mut contents = Contents::boxes(0);
         if self.nodes.is_empty() {
             return (None, 0);
@@ -166,7 +208,7 @@ impl Hierarchy {
                 let (from, mut met) = node.met(&in_boxes, limit);
                 if met.is_power_of_two() {
                     let i = met.trailing_zeros() as usize & 3;
-                    if n_waiting == 0 || waiting[n_waiting - 1].0 >= from[i] {
+                    if waiting.are_behind(from[i]) {
                         contents = node.contents[i];
                         continue;
                     }
@@ -174,14 +216,7 @@ impl Hierarchy {
                 while met != 0 {
                     let i = met.trailing_zeros() & 3;
                     met &= met - 1;
-                    let begins = from[i as usize];
-                    let mut k = n_waiting;
-                    while k > 0 && waiting[k - 1].0 < begins {
-                        waiting[k] = waiting[k - 1];
-                        k -= 1;
-                    }
-                    waiting[k] = (begins, 4 * place + i);
-                    n_waiting += 1;
+                    waiting.put(from[i as usize], 4 * place + i);
                 }
             } else {
                 let range = contents.range();
@@ -200,16 +235,10 @@ impl Hierarchy {
                     }
                 }
             }
-            contents = loop {
-                if n_waiting == 0 {
-                    return (nearest, n_asked);
-                }
-                n_waiting -= 1;
-                let (begins, number) = waiting[n_waiting];
-                if begins <= limit {
-                    break self.nodes[number as usize / 4].contents[number as usize % 4];
-                }
+            let Some(number) = waiting.nearest(limit) else {
+                return (nearest, n_asked);
             };
+            contents = self.nodes[number as usize / 4].contents[number as usize % 4];
         }
     }
 }
