@@ -22,7 +22,7 @@ use halves::{Half, halves, headings};
 #[cfg(not(target_arch = "wasm32"))]
 pub use page::PAGE_MARGINS;
 use page::{Page, lost};
-pub use picture::{Options, Picture, Steps};
+pub use picture::{Before, Options, Picture, Steps};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and then enlarged to its size in
 /// pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26 high, the text 17, the caption 19, the margin 64.
@@ -99,7 +99,7 @@ fn shown<'a>(album: &'a Album, picture: &Picture<'_>) -> Vec<Half<'a>> {
 
 fn alternative(halves: &[Half<'_>], picture: &Picture<'_>) -> String {
     let catalog = Catalog::of(picture.options.lang);
-    let headings = headings(halves, catalog, picture.options.asks);
+    let headings = headings(halves, picture);
     let columns = halves.iter().flat_map(|half| &half.columns);
     let sentence = |(column, name): (&Column, &String)| {
         let said = column.frame.caption.text(catalog);

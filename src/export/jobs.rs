@@ -12,7 +12,7 @@ use crate::{
 
 use super::{
     animation::Reel,
-    figure::{Options, Picture, Steps, Studio},
+    figure::{Before, Options, Picture, Steps, Studio},
     format::Format,
     shapes::{Made, Shapes, shapes},
     vector::Letters,
@@ -182,7 +182,10 @@ impl Job<'_> {
             },
             step: self.position,
             before: match self.source {
-                Source::Step(_, step) => step.before.as_ref(),
+                Source::Step(lesson, step) => step.before.as_ref().map(|stop| Before {
+                    stop,
+                    sides: lesson.step_sides(step, options.lang),
+                }),
                 Source::File(_) => None,
             },
             foot: None,

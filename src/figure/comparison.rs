@@ -232,13 +232,24 @@ fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
     frame.views.retain(|view| view.need().is_drawing());
     frame.views.push(costs);
     for view in &mut frame.views {
-        let Body::Plane(marks) = &mut view.body else {
-            continue;
-        };
-        for other in others {
-            let more = other.marks().iter().filter(|mark| !is_there(marks, mark));
-            let more: Vec<Mark> = more.cloned().collect();
-            marks.extend(more);
+        match &mut view.body {
+            Body::Plane(marks) => {
+                for other in others {
+                    let more = other.marks().iter().filter(|mark| !is_there(marks, mark));
+                    let more: Vec<Mark> = more.cloned().collect();
+                    marks.extend(more);
+                }
+            }
+            Body::Raster(raster) => {
+                for other in others {
+                    if let Some(Body::Raster(other)) = other.body(view.id) {
+                        let more = other.over.iter().filter(|mark| !raster.over.contains(mark));
+                        let more: Vec<RasterMark> = more.cloned().collect();
+                        raster.over.extend(more);
+                    }
+                }
+            }
+            _ => {}
         }
     }
     frame

@@ -60,6 +60,12 @@ impl Lesson {
         Some(written.claim(self.steps.get(step_idx)?, &self.scenes, lang))
     }
 
+    /// What stands over how it was and how it is, where that is written.
+    pub fn step_sides(&self, step: &LessonStep, lang: Lang) -> Option<&[String; 2]> {
+        let text = self.step_text(self.step_index(&step.id)?, lang)?;
+        text.sides.as_ref()
+    }
+
     /// What stands over a step: what it shows, once that may be told, else its title.
     pub fn step_heading(&self, step_idx: usize, lang: Lang, is_told: bool) -> Option<&str> {
         if is_told {

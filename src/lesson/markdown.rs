@@ -56,6 +56,8 @@ pub struct StepText {
     pub title: String,
     /// What is shown: the step's finding, in a sentence.
     pub claim: Option<String>,
+    /// What stands over how it was and how it is, where a step shows both.
+    pub sides: Option<[String; 2]>,
     pub body: Vec<Block>,
     /// What the speaker is told.
     pub note: Vec<Block>,
@@ -378,6 +380,11 @@ const SOFT_BREAK: char = '\u{2028}';
 pub(super) fn stray_claim(span: Range<usize>, sink: &Sink<'_>) {
     let expected = [Message::new("expect-claim")];
     sink.error(span, Message::new("problem-stray-claim"), expected);
+}
+
+pub(super) fn stray_sides(span: Range<usize>, sink: &Sink<'_>) {
+    let expected = [Message::new("expect-sides")];
+    sink.error(span, Message::new("problem-stray-sides"), expected);
 }
 
 fn unsupported(span: Range<usize>, sink: &Sink<'_>) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     card::{self, Card},
-    markdown::{self, Block, StepText, TextPart, stray_claim},
+    markdown::{self, Block, StepText, TextPart, stray_claim, stray_sides},
     prelude::*,
     reference::{Braces, WrittenStep, WrittenText},
 };
@@ -14,6 +14,7 @@ struct Section {
     id: String,
     title: String,
     claim: Option<String>,
+    sides: Option<[String; 2]>,
     body: Vec<Block>,
     span: Range<usize>,
     /// The places of references in its title and its body.
@@ -109,6 +110,7 @@ impl Splitter {
             id: id.to_owned(),
             title: title.to_owned(),
             claim: None,
+            sides: None,
             body: Vec::new(),
             span,
             references: Vec::new(),
@@ -122,7 +124,12 @@ impl Splitter {
         }
         let section = self.sections.last_mut().filter(|_| self.card.is_none());
         match section.filter(|it| it.claim.is_none() && it.body.is_empty()) {
-            Some(section) => section.claim = Some(claim),
+            Some(section) => match with_sides(&claim) {
+                Some((claim, sides)) => {
+                    (section.claim, section.sides) = (Some(claim.to_owned()), sides);
+                }
+                None => stray_sides(span, sink),
+            },
             None => stray_claim(span, sink),
         }
     }
@@ -167,6 +174,15 @@ impl Splitter {
 fn bad_card(span: Range<usize>, sink: &Sink<'_>) {
     let expected = [Message::new("expect-card")];
     sink.error(span, Message::new("problem-bad-card"), expected);
+}
+
+/// A claim, and what the line `=| … | …` under it names.
+fn with_sides(text: &str) -> Option<(&str, Option<[String; 2]>)> {
+    let Some((claim, sides)) = text.split_once(" =| ") else {
+        return Some((text, None));
+    };
+    let (was, is) = sides.split_once(" | ")?;
+    Some((claim, Some([was.to_owned(), is.to_owned()])))
 }
 
 /// `id: Title`, with a colon as any keyboard types it.
@@ -214,6 +230,7 @@ fn in_order(
             let text = StepText {
                 title: section.title,
                 claim: section.claim,
+                sides: section.sides,
                 body: section.body,
                 note: Vec::new(),
             };

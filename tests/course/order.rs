@@ -29,6 +29,7 @@ fn sentences(lesson: &Lesson, step: usize) -> Vec<String> {
     let text = lesson.step_text(step, Lang::En).expect("a text a step");
     let mut all = vec![text.title.clone()];
     all.extend(text.claim.clone());
+    all.extend(text.sides.iter().flatten().cloned());
     said(&text.body, &mut all);
     all
 }

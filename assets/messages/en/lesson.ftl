@@ -115,6 +115,8 @@ problem-stale-translation = The English of “{ $name }” has changed since it 
 expect-translated = Translate it anew, then run “clipscope check FOLDER --translated”.
 problem-stray-claim = This claim does not stand under a step's heading.
 expect-claim = Write one paragraph that begins with “=> ” right under the heading “## id: Title”.
+problem-stray-sides = The line “=| … | …” does not name the two drawings of a step.
+expect-sides = Under the claim of a step with `before`, write “=| ” and two names with “ | ” between them: how it was, how it is.
 problem-bad-card = This is no card.
 expect-card = Write “## card” at the end of the file, and under it a list: rule, formula, cost, two or more times pitfall, and can, such as “- rule: …”. A card has no references.
 problem-stray-note = This note for the speaker would be read by all.

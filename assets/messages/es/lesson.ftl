@@ -115,6 +115,8 @@ problem-stale-translation = El inglés de «{ $name }» ha cambiado desde que se
 expect-translated = Tradúcelo de nuevo y ejecuta después «clipscope check CARPETA --translated».
 problem-stray-claim = Esta conclusión no está bajo el título de un paso.
 expect-claim = Escribe un párrafo que empiece por «=> » justo debajo del título «## id: Título».
+problem-stray-sides = La línea «=| … | …» no nombra los dos dibujos de un paso.
+expect-sides = Debajo de la conclusión de un paso con `before`, escribe «=| » y dos nombres separados por « | »: cómo era y cómo es.
 problem-bad-card = Esto no es una ficha.
 expect-card = Escribe «## card» al final del archivo y, debajo, una lista: rule, formula, cost, pitfall dos o más veces y can; por ejemplo, «- rule: …». Una ficha no tiene referencias.
 problem-stray-note = Esta nota para quien presenta la leería todo el mundo.

@@ -115,6 +115,8 @@ problem-stale-translation = O inglês de “{ $name }” mudou desde que foi tra
 expect-translated = Traduza-o de novo e depois execute “clipscope check PASTA --translated”.
 problem-stray-claim = Esta conclusão não está sob o título de um passo.
 expect-claim = Escreva um parágrafo que comece com “=> ” logo abaixo do título “## id: Título”.
+problem-stray-sides = A linha “=| … | …” não dá nome aos dois desenhos de um passo.
+expect-sides = Abaixo da conclusão de um passo com `before`, escreva “=| ” e dois nomes separados por “ | ”: como era e como é.
 problem-bad-card = Isto não é uma ficha.
 expect-card = Escreva “## card” no fim do arquivo e, abaixo, uma lista: rule, formula, cost, pitfall duas ou mais vezes e can; por exemplo, “- rule: …”. Uma ficha não tem referências.
 problem-stray-note = Esta nota para quem apresenta seria lida por todos.

@@ -111,6 +111,8 @@ problem-stale-translation = “{ $name }”的英文在翻译之后又改过。
 expect-translated = 请重新翻译，然后运行“clipscope check 文件夹 --translated”。
 problem-stray-claim = 这条结论没有写在某一步的标题下面。
 expect-claim = 请紧接在“## id: 标题”下面写一段，以“=> ”开头。
+problem-stray-sides = “=| … | …”这一行没有给某一步的两幅图命名。
+expect-sides = 请在有 `before` 的步骤的结论下一行写“=| ”和两个名称，中间用“ | ”隔开：先前的和现在的。
 problem-bad-card = 这不是一张小结卡。
 expect-card = 请在文件末尾写“## card”，下面是一个列表：依次是 rule、formula、cost、两条以上的 pitfall 和 can，例如“- rule: …”。小结卡里不能有引用。
 problem-stray-note = 这条给讲者的备注会被所有人看到。

@@ -1,5 +1,6 @@
 //! What stands beside each other in a figure: the methods of a scene, or how it was and how it is.
 
+use super::picture::{Options, Picture};
 use crate::{
     figure::Eyes,
     labs::Scene,
@@ -37,11 +38,16 @@ pub fn halves<'a>(
 }
 
 /// What stands over each column.
-pub fn headings(halves: &[Half<'_>], catalog: &Catalog, asks: bool) -> Vec<String> {
+pub fn headings(halves: &[Half<'_>], picture: &Picture<'_>) -> Vec<String> {
+    let Options { lang, asks, .. } = picture.options;
+    let catalog = Catalog::of(lang);
     match halves {
-        [_, _] => ["figure-before", "figure-now"]
-            .map(|key| catalog.term(key))
-            .to_vec(),
+        [_, _] => match picture.before.and_then(|before| before.sides) {
+            Some(sides) => sides.to_vec(),
+            None => ["figure-before", "figure-now"]
+                .map(|key| catalog.term(key))
+                .to_vec(),
+        },
         _ => {
             let columns = halves.iter().flat_map(|half| &half.columns);
             let name = |column: &Column| catalog.term(column.method.name_asked(asks));

@@ -111,7 +111,7 @@ impl<'a> Page<'a> {
     /// Draws it, and says where everything stands.
     pub fn show(&self, ui: &mut Ui) -> Layout {
         let area = ui.max_rect().shrink2(vec2(0.0, MARGIN_PTS));
-        let headings = headings(&self.halves, self.look.catalog, self.picture.options.asks);
+        let headings = headings(&self.halves, self.picture);
         let composition = Composition {
             look: self.look,
             spacing: match self.halves[..] {

@@ -30,6 +30,13 @@ pub struct Options {
     pub asks: bool,
 }
 
+/// How it was, and what that and how it is are called.
+#[derive(Clone, Copy, Debug)]
+pub struct Before<'a> {
+    pub stop: &'a Stop,
+    pub sides: Option<&'a [String; 2]>,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// The idea in words, over everything.
@@ -40,7 +47,7 @@ pub struct Picture<'a> {
     /// Events folded so far.
     pub step: usize,
     /// How it was: what is shown beside the scene.
-    pub before: Option<&'a Stop>,
+    pub before: Option<Before<'a>>,
     /// What stands in its foot: a link, say, where it is printed.
     pub foot: Option<&'a str>,
     pub options: Options,
@@ -50,7 +57,7 @@ impl Picture<'_> {
     /// How it was, if that is shown, and how it is.
     pub fn stops(&self) -> Vec<(&Scene, usize)> {
         let was = self.before;
-        let was = was.and_then(|stop| Some((&*stop.scene, stop.position()?)));
+        let was = was.and_then(|was| Some((&*was.stop.scene, was.stop.position()?)));
         was.into_iter().chain([(self.scene, self.step)]).collect()
     }
 

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::{
     lesson::{
         Card, Goal, LessonStep,
-        markdown::{Block, StepText},
+        markdown::{Block, StepText, stray_sides},
         mentions,
         prelude::*,
     },
@@ -83,6 +83,9 @@ impl WrittenStep {
                 sink.error(span.clone(), what, []);
             }
         }
+        if self.text.sides.is_some() && step.before.is_none() {
+            stray_sides(0..0, sink);
+        }
         let is_goal = |block: &&Block| matches!(block, Block::Goal { .. });
         let count = self.text.body.iter().filter(is_goal).count();
         let parts = step.goal.as_ref().map_or(0, Goal::n_parts);
@@ -122,6 +125,8 @@ impl WrittenStep {
             };
             let title = filler.fill(&self.text.title);
             let claim = self.text.claim.as_ref().map(|it| filler.fill(it));
+            let sides = self.text.sides.as_ref();
+            let sides = sides.map(|it| it.each_ref().map(|side| filler.fill(side)));
             let blocks = filler.blocks(&self.text.body).into_iter();
             let is_note = |block: &Block| matches!(block, Block::Note(_));
             let (note, mut body): (Vec<_>, Vec<_>) = blocks.partition(is_note);
@@ -129,6 +134,7 @@ impl WrittenStep {
             StepText {
                 title,
                 claim,
+                sides,
                 body,
                 note,
             }
