@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::labs::Scene;
+use crate::{figure::Eyes, labs::Scene};
 
-use super::history::History;
+use super::{history::History, sight::Sight};
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 pub enum Page {
@@ -70,8 +70,21 @@ impl SceneAct {
 pub struct Work {
     pub history: History<Scene>,
     pub position: usize,
+    /// How it was seen; none where that is to be found.
+    pub seen: Option<(Eyes, Sight)>,
     /// Is it another scene than the page's own? A free scene is always the reader's.
     pub is_changed: bool,
+}
+
+impl Work {
+    pub const fn new(history: History<Scene>, position: usize, is_changed: bool) -> Self {
+        Self {
+            history,
+            position,
+            seen: None,
+            is_changed,
+        }
+    }
 }
 
 /// Work as it outlives the window: its past does not.

@@ -102,11 +102,7 @@ impl App {
     }
 
     fn make_scene(&mut self, free: &FreeScene, scene: Scene, position: usize) {
-        let work = Work {
-            history: History::new(scene),
-            position,
-            is_changed: true,
-        };
+        let work = Work::new(History::new(scene), position, true);
         self.desk.works.insert(free.page(), work);
         self.open_page(&free.page());
     }

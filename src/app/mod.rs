@@ -69,6 +69,7 @@ mod said;
 mod settings;
 mod shelf;
 mod shown;
+mod sight;
 mod speaker;
 mod stage;
 mod stage_state;

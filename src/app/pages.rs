@@ -60,11 +60,7 @@ impl App {
         }
         let page = self.bookmark.page();
         let work = page.as_ref().and_then(|page| self.desk.works.remove(page));
-        let at_first = |(scene, position)| Work {
-            history: History::new(scene),
-            position,
-            is_changed: false,
-        };
+        let at_first = |(scene, position)| Work::new(History::new(scene), position, false);
         let work = work.or_else(|| self.own().map(at_first));
         let before = work.map(|work| self.show(work));
         (self.shown.lists_lessons, self.shown.is_answered) = (false, false);
@@ -101,12 +97,18 @@ impl App {
 
     /// Shows this in the place of what is shown, which it answers.
     fn show(&mut self, work: Work) -> Work {
+        let eyes = self.playback.eyes.clone();
         let before = Work {
             position: self.left_at(),
+            seen: eyes.map(|eyes| (eyes, self.stage.sight().clone())),
             history: std::mem::replace(&mut self.history, work.history),
             ..work
         };
         self.record_page(work.position);
+        if let Some((eyes, sight)) = work.seen.filter(|_| self.pending.is_none()) {
+            self.playback.eyes = Some(eyes);
+            self.stage.see(sight);
+        }
         before
     }
 
@@ -388,11 +390,7 @@ impl App {
                 path,
                 document: (!work.is_unsaved).then(|| history.now().clone()),
             }));
-            let laid_out = Work {
-                history,
-                position: work.position,
-                is_changed,
-            };
+            let laid_out = Work::new(history, work.position, is_changed);
             self.desk.works.insert(work.page, laid_out);
         }
     }

@@ -1,5 +1,6 @@
 //! What is asked, under the stage: the question with what might come; then what was said, and what comes. As high as the highest of
-//! what is asked here from the start on, so that the stage stays where it is.
+//! what is asked here from the start on, so that the stage stays where it is; one row, once the scene is the
+//! reader's.
 
 mod cards;
 
@@ -44,7 +45,11 @@ pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
     let room = ui.available_size_before_wrap();
     let most = MOST * room.y;
     let width = room.x - around.x;
-    let height = kept_height(app, ui, width).min(most);
+    let height = if is_idle && !app.is_untouched() {
+        row_height(ui) + BELOW
+    } else {
+        kept_height(app, ui, width).min(most)
+    };
     Panel::bottom("practice")
         .frame(frame.inner_margin(MARGIN))
         .exact_size(height + around.y)
@@ -52,6 +57,7 @@ pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
             ScrollArea::vertical()
                 .id_salt("practice")
                 .auto_shrink(false)
+                .min_scrolled_height(0.0)
                 .show(ui, |ui| match &practice.asked {
                     Some(asked) if asked.chosen.is_none() => question(app, ui, asked, lit),
                     Some(asked) => {
@@ -337,9 +343,9 @@ fn at_the_end(app: &App, ui: &mut Ui) {
         };
         let words = |ui: &mut Ui| {
             ui.label(RichText::new(&stands).color(look.theme.soft));
+            told(app, ui);
         };
         line(ui, words, again);
-        told(app, ui);
         return;
     }
     let transport = &app.playback.transport;

@@ -13,6 +13,7 @@ use super::{
     playback::Playback,
     prelude::*,
     run_room::{RunRoom, Verdicts, WatchRooms},
+    sight::{Sight, Turned},
     typing::Typing,
 };
 
@@ -27,16 +28,11 @@ pub struct WaysOut {
 /// What the stage remembers between frames. None of it is part of the document.
 #[derive(Default)]
 pub struct StageState {
-    /// Views that were panned or zoomed, the same for two methods side by side; others fit `bounds`.
-    moved: BTreeMap<ViewId, PanZoom>,
-    /// Eyes that were turned; others stand where their view has them.
-    turned: Vec<Turned>,
+    sight: Sight,
     /// The eye that a link has, until its drawing is there.
     linked: Option<Orbit>,
     /// Where the views that were drawn last have their eyes.
     homes: BTreeMap<ViewId, Orbit>,
-    /// What was to be seen when the scene was opened: dragging a handle does not move the view.
-    bounds: [[f64; 2]; 2],
     pub lit: Option<Link>,
     pub pointed_on_stage: Option<Link>,
     pub pointed_in_inspector: Option<Link>,
@@ -69,13 +65,6 @@ pub struct StageState {
     layers: Vec<Layers>,
 }
 
-/// An eye that was turned away from where its view has it. A view that shows one space after the other has one for each.
-struct Turned {
-    id: ViewId,
-    home: Orbit,
-    now: Orbit,
-}
-
 /// The marks of one column, kept until something changes: a large scene is not clipped again every frame.
 struct Layers {
     under: (u64, &'static str, bool),
@@ -86,20 +75,33 @@ struct Layers {
 
 impl StageState {
     pub fn new(bounds: [[f64; 2]; 2]) -> Self {
-        Self {
+        let sight = Sight {
             bounds,
+            ..Sight::default()
+        };
+        Self {
+            sight,
             ..Self::default()
         }
     }
 
+    pub const fn sight(&self) -> &Sight {
+        &self.sight
+    }
+
+    /// As it was seen before.
+    pub fn see(&mut self, sight: Sight) {
+        self.sight = sight;
+    }
+
     pub fn fit(&mut self, bounds: [[f64; 2]; 2]) {
-        self.moved.clear();
-        self.turned.clear();
-        self.bounds = bounds;
+        self.sight.moved.clear();
+        self.sight.turned.clear();
+        self.sight.bounds = bounds;
     }
 
     pub const fn bounds(&self) -> [[f64; 2]; 2] {
-        self.bounds
+        self.sight.bounds
     }
 
     pub fn chosen(&self) -> Option<Handle> {
@@ -125,8 +127,10 @@ impl StageState {
         let Some(&home) = self.homes.get(&id) else {
             return;
         };
-        self.turned.retain(|it| (it.id, it.home) != (id, home));
-        self.turned.push(Turned { id, home, now });
+        self.sight
+            .turned
+            .retain(|it| (it.id, it.home) != (id, home));
+        self.sight.turned.push(Turned { id, home, now });
     }
 
     /// The eye of the drawing, where it was turned.
@@ -141,7 +145,7 @@ impl StageState {
 
     fn turned(&self, id: ViewId) -> Option<Orbit> {
         let home = *self.homes.get(&id)?;
-        let mut turned = self.turned.iter();
+        let mut turned = self.sight.turned.iter();
         let found = turned.find(|it| (it.id, it.home) == (id, home));
         found.map(|it| it.now)
     }
@@ -149,8 +153,8 @@ impl StageState {
     /// As far as the scene stays to be found again.
     pub fn move_to(&mut self, id: ViewId, to: PanZoom) {
         let seen = self.seen.get(&id);
-        let bounded = seen.map(|seen| to.bounded(&Viewport::fit(seen.rect, self.bounds)));
-        self.moved.insert(id, bounded.unwrap_or(to));
+        let bounded = seen.map(|seen| to.bounded(&Viewport::fit(seen.rect, self.sight.bounds)));
+        self.sight.moved.insert(id, bounded.unwrap_or(to));
     }
 
     pub fn ways_out(&mut self, scene: &Scene, revision: u64) -> &WaysOut {
@@ -171,19 +175,19 @@ impl StageState {
     }
 
     pub fn is_moved(&self, id: ViewId) -> bool {
-        self.moved.contains_key(&id) || self.turned(id).is_some()
+        self.sight.moved.contains_key(&id) || self.turned(id).is_some()
     }
 
     /// What is to be seen: all of a scene that does not lie well in what was to be seen.
     pub fn refitted(&self, scene: &Scene) -> [[f64; 2]; 2] {
-        let ([min, max], [now_min, now_max]) = (self.bounds, scene.document().frame());
+        let ([min, max], [now_min, now_max]) = (self.sight.bounds, scene.document().frame());
         let lies_well = (0..2).all(|i| {
             let (size, now) = (max[i] - min[i], now_max[i] - now_min[i]);
             let beyond = (min[i] - now_min[i]).max(now_max[i] - max[i]);
             beyond <= 0.1 * size && now >= 0.5 * size
         });
         if lies_well {
-            self.bounds
+            self.sight.bounds
         } else {
             scene.document().frame()
         }
@@ -225,10 +229,10 @@ impl StageState {
 
     pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {
         let bounds = match lens {
-            Lens::Plane => self.bounds,
+            Lens::Plane => self.sight.bounds,
             Lens::Eye(_) | Lens::Camera(_) => return picture_viewport(rect, &lens),
         };
-        let moved = self.moved.get(&id);
+        let moved = self.sight.moved.get(&id);
         moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))
     }
 

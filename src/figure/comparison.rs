@@ -241,18 +241,41 @@ fn together(first: &Frame, others: &[Frame], names: &[Value]) -> Frame {
                 }
             }
             Body::Raster(raster) => {
-                for other in others {
-                    if let Some(Body::Raster(other)) = other.body(view.id) {
-                        let more = other.over.iter().filter(|mark| !raster.over.contains(mark));
-                        let more: Vec<RasterMark> = more.cloned().collect();
-                        raster.over.extend(more);
-                    }
-                }
+                let others = others.iter().filter_map(|other| other.body(view.id));
+                let is_bare = raster.pixels.iter().all(|pixel| pixel.value.is_none());
+                others.for_each(|other| look_on(raster, other, is_bare));
             }
             _ => {}
         }
     }
     frame
+}
+
+/// What another method is at, in the picture of the first: its outlines, its pixel, and while that is bare, its names.
+fn look_on(raster: &mut Raster, other: &Body, is_bare: bool) {
+    let Body::Raster(other) = other else {
+        return;
+    };
+    let middle = |[column, row]: [usize; 2]| [column as f64 + 0.5, row as f64 + 0.5];
+    let at = other.current.filter(|at| Some(*at) != raster.current);
+    let at = at.map(|at| RasterMark {
+        role: Role::Signal,
+        shape: RasterShape::Ring(middle(at)),
+    });
+    let more: Vec<RasterMark> = other.over.iter().cloned().chain(at).collect();
+    raster.over.extend(more);
+    for (pixel, named) in (0..).zip(&other.pixels) {
+        let name = named.value.as_ref().filter(|_| is_bare);
+        let is_new = |name: &&Value| {
+            !raster
+                .pixels
+                .iter()
+                .any(|it| it.value.as_ref() == Some(name))
+        };
+        if let Some(name) = name.filter(is_new) {
+            raster.pixels[pixel].value = Some(name.clone());
+        }
+    }
 }
 
 /// What methods ask on their way stands where their costs come to stand, and is widest in the end. Where they do not say it, their

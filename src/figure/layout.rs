@@ -39,6 +39,8 @@ const SAME: f32 = 0.99;
 const SEATED: f32 = 0.8;
 /// In a window, of a drawing's side.
 const READ: f32 = 0.6;
+/// There, a side of a drawing beside another method's, in points: it gives no more than that for text.
+const BESIDE: f32 = 200.0;
 /// The white space of a page, or of the window's stage.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spacing {
@@ -142,7 +144,9 @@ impl Sheet {
         let plain = wanting([false, false]);
         let least = plain.1.scale * READ.powi(stages.len() as i32);
         let is_read = |(needs, arranged): &(Vec<Vec<Need>>, Arranged)| {
-            arranged.reads_all(needs) && arranged.scale >= least
+            arranged.reads_all(needs)
+                && arranged.scale >= least
+                && (stages.len() < 2 || arranged.least >= BESIDE || arranged.scale >= plain.1.scale)
         };
         let mut tried = SIDES.into_iter().filter(|_| has_more).map(wanting);
         tried.find(is_read).unwrap_or(plain)

@@ -83,6 +83,13 @@ impl Segment {
         Self { p1, p2 }
     }
 
+    /// Of any numbers, NaN included: a value that is thrown away where they are not finite.
+    #[inline]
+    pub(crate) const fn from_any([x1, y1, x2, y2]: [f64; 4]) -> Self {
+        let (p1, p2) = (Point { x: x1, y: y1 }, Point { x: x2, y: y2 });
+        Self { p1, p2 }
+    }
+
     /// Are both ends the same?
     #[must_use]
     pub fn is_point(&self) -> bool {

@@ -40,7 +40,7 @@ pub(super) fn read(
         match part {
             TextPart::Heading { level: 1, title } => file.title(title.trim(), span, sink),
             TextPart::Heading { title, .. } => file.section(&title, span, sink),
-            TextPart::Claim(claim) => file.claim(claim, span, sink),
+            TextPart::Claim(claim) => file.claim(&claim, span, sink),
             TextPart::Block(block) => file.block(block, span, sink),
         }
     }
@@ -118,13 +118,13 @@ impl Splitter {
     }
 
     /// It stands under the heading of a step, once, over all else.
-    fn claim(&mut self, claim: String, span: Range<usize>, sink: &Sink<'_>) {
+    fn claim(&mut self, claim: &str, span: Range<usize>, sink: &Sink<'_>) {
         if self.is_lost {
             return;
         }
         let section = self.sections.last_mut().filter(|_| self.card.is_none());
         match section.filter(|it| it.claim.is_none() && it.body.is_empty()) {
-            Some(section) => match with_sides(&claim) {
+            Some(section) => match with_sides(claim) {
                 Some((claim, sides)) => {
                     (section.claim, section.sides) = (Some(claim.to_owned()), sides);
                 }

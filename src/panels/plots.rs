@@ -1,20 +1,26 @@
 //! Plots of costs: bars without axes, and counts or times over a number, both by their logarithms.
 
-use egui::{Align2, Color32, Rect, RichText, Stroke, TextStyle, Ui, Vec2, Vec2b, vec2};
+use egui::{Align2, Color32, Rect, RichText, Sense, Stroke, TextStyle, Ui, Vec2, Vec2b, vec2};
 use egui_plot::{BarChart, Line, LineStyle, Plot, PlotBounds, PlotPoint, Text};
 
 use crate::widgets::Look;
 
-fn still_plot(key: &str) -> Plot<'static> {
+/// Nothing in it can be moved, so that the Tab key does not stop at it.
+fn fixed_plot(key: &str) -> Plot<'static> {
     Plot::new(key)
-        .show_axes(false)
-        .show_grid(false)
+        .sense(Sense::hover())
         .show_background(false)
         .allow_drag(false)
         .allow_zoom(false)
         .allow_scroll(false)
         .allow_boxed_zoom(false)
         .allow_double_click_reset(false)
+}
+
+fn still_plot(key: &str) -> Plot<'static> {
+    fixed_plot(key)
+        .show_axes(false)
+        .show_grid(false)
         .show_x(false)
         .show_y(false)
         .cursor_color(Color32::TRANSPARENT)
@@ -61,13 +67,8 @@ pub fn power_plot(
     lines: &[PowerLine],
 ) {
     let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
-    let plot = Plot::new(id)
+    let plot = fixed_plot(id)
         .height(height)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .show_background(false)
         .x_axis_label(look.say(axes[0]))
         .y_axis_label(look.say(axes[1]))
         .x_axis_formatter(move |mark, _| whole(mark.value, power))

@@ -1,5 +1,9 @@
 //! The names of handles in space, beside them: of those in use with their numbers, of those that the lesson asks for.
 
+use std::sync::Arc;
+
+use egui::Galley;
+
 use crate::paint::Placed;
 
 use super::{
@@ -10,6 +14,12 @@ use super::{
 /// From the middle of a handle, or from the pointer, to its name.
 const BESIDE: f32 = 18.0;
 const PLATE: Vec2 = vec2(4.0, 2.0);
+const SIDES: [(Align2, Vec2); 4] = [
+    (Align2::LEFT_CENTER, vec2(BESIDE, 0.0)),
+    (Align2::RIGHT_CENTER, vec2(-BESIDE, 0.0)),
+    (Align2::CENTER_BOTTOM, vec2(0.0, -BESIDE)),
+    (Align2::CENTER_TOP, vec2(0.0, BESIDE)),
+];
 
 impl Handles<'_> {
     /// While one is dragged its name stands beside the pointer. Those under it are named only where that `is_read`.
@@ -41,8 +51,15 @@ impl Handles<'_> {
             } else {
                 continue;
             };
+            let in_use = held == Some(i) || near == Some(i) || focused == Some(self.id_of(i));
+            let tag = Tag::new(painter, self.look, said);
             let room = self.viewport.rect;
-            taken.push(name(painter, (room, &taken), (self.look, at), said));
+            // A name that nobody waits for covers no other.
+            let place = tag.place(at, room, &taken);
+            if let Some(plate) = place.or_else(|| in_use.then(|| tag.nearest(at, room))) {
+                tag.paint(painter, self.look, plate);
+                taken.push(plate);
+            }
         }
     }
 
@@ -61,33 +78,42 @@ impl Handles<'_> {
     }
 }
 
-fn name(
-    painter: &Painter,
-    (room, taken): (Rect, &[Rect]),
-    (look, at): (Look<'_>, Pos2),
-    said: String,
-) -> Rect {
-    const SIDES: [(Align2, Vec2); 4] = [
-        (Align2::LEFT_CENTER, vec2(BESIDE, 0.0)),
-        (Align2::RIGHT_CENTER, vec2(-BESIDE, 0.0)),
-        (Align2::CENTER_BOTTOM, vec2(0.0, -BESIDE)),
-        (Align2::CENTER_TOP, vec2(0.0, BESIDE)),
-    ];
-    let theme = look.theme;
-    let font = FontId::proportional(theme.pts(12.0, theme.text_scale));
-    let text = painter.layout_no_wrap(said, font, theme.ink);
-    let place = |(align, aside): (Align2, Vec2)| {
-        let place = align.anchor_size(at + aside, text.size());
+struct Tag(Arc<Galley>);
+
+impl Tag {
+    fn new(painter: &Painter, look: Look<'_>, said: String) -> Self {
+        let font = FontId::proportional(look.theme.pts(12.0, look.theme.text_scale));
+        Self(painter.layout_no_wrap(said, font, look.theme.ink))
+    }
+
+    /// Where it can stand beside a handle, within the room.
+    fn places(&self, at: Pos2, room: Rect) -> impl Iterator<Item = Rect> {
+        let place = move |(align, aside)| self.beside(at, align, aside);
+        let is_inside = move |place: &Rect| room.contains_rect(*place);
+        SIDES.into_iter().map(place).filter(is_inside)
+    }
+
+    fn beside(&self, at: Pos2, align: Align2, aside: Vec2) -> Rect {
+        let place = align.anchor_size(at + aside, self.0.size());
         place.expand2(PLATE)
-    };
-    let mut inside = SIDES
-        .map(place)
-        .into_iter()
-        .filter(|it| room.contains_rect(*it));
-    let first = inside.clone().next();
-    let free = inside.find(|place| !taken.iter().any(|other| other.intersects(*place)));
-    let plate = free.or(first).unwrap_or_else(|| place(SIDES[0]));
-    painter.rect_filled(plate, PLATE.x, theme.background);
-    painter.galley(plate.min + PLATE, text, theme.ink);
-    plate
+    }
+
+    /// The first of them that covers nothing.
+    fn place(&self, at: Pos2, room: Rect, taken: &[Rect]) -> Option<Rect> {
+        let is_free = |place: &Rect| !taken.iter().any(|other| other.intersects(*place));
+        self.places(at, room).find(is_free)
+    }
+
+    /// The first of them, whatever it covers.
+    fn nearest(&self, at: Pos2, room: Rect) -> Rect {
+        let [(align, aside), ..] = SIDES;
+        let first = self.places(at, room).next();
+        first.unwrap_or_else(|| self.beside(at, align, aside))
+    }
+
+    fn paint(&self, painter: &Painter, look: Look<'_>, plate: Rect) {
+        let theme = look.theme;
+        painter.rect_filled(plate, PLATE.x, theme.background);
+        painter.galley(plate.min + PLATE, self.0.clone(), theme.ink);
+    }
 }

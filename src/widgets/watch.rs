@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use egui::Role;
+use egui::{FontFamily, Role};
 
 use crate::figure::{Watch, WatchRow, WatchSection};
 
@@ -106,12 +106,22 @@ impl SectionRoom {
         [names, names + values]
     }
 
+    fn room(&self, width: f32) -> f32 {
+        width - DOT_ROOM - GAP * self.columns.len() as f32
+    }
+
     /// The width of names, and what part of its natural size all text has.
     fn fit(&self, width: f32) -> [f32; 2] {
-        let room = width - DOT_ROOM - GAP * self.columns.len() as f32;
+        let room = self.room(width);
         let [names, text] = self.wanted(room);
         let scale = (room / text).clamp(self.least, 1.0);
         [scale * names, scale]
+    }
+
+    /// Has all of it room, as small as it may be?
+    fn fits(&self, width: f32) -> bool {
+        let room = self.room(width);
+        self.least * self.wanted(room)[1] <= room
     }
 
     /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
@@ -222,7 +232,7 @@ impl<'a> Table<'a> {
 
     fn sections(&mut self, ui: &mut Ui, asked: &WatchTable<'_>, shown: &mut WatchShown) {
         let room = asked.room.0;
-        let natural = self.mono.size;
+        let natural = self.mono.clone();
         let width = ui.available_width();
         ui.spacing_mut().item_spacing.y = 0.0;
         for (i, section) in asked.watch.iter().enumerate() {
@@ -232,8 +242,16 @@ impl<'a> Table<'a> {
             if i > 0 && !(section.rows.is_empty() && section.header.is_empty()) {
                 ui.add_space(SECTION_GAP);
             }
-            // Where the columns do not fit, smaller digits are better than digits in each other's place.
-            self.mono.size = natural * known.fit(width)[1];
+            // Where the columns do not fit, smaller digits are better than digits in each other's place; and if those would be too
+            // small to read, digits of the type of words, which are less wide.
+            self.mono = FontId {
+                size: natural.size * known.fit(width)[1],
+                family: if known.fits(width) {
+                    natural.family.clone()
+                } else {
+                    FontFamily::Proportional
+                },
+            };
             let columns = known.columns(width);
             if !section.header.is_empty() {
                 self.header(ui, section, &columns);

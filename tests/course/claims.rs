@@ -46,6 +46,21 @@ fn every_step_has_a_claim_of_its_own() {
 }
 
 #[test]
+fn what_two_drawings_of_a_step_differ_in_is_named() {
+    for lesson in &Course::embedded().lessons {
+        for (lang, step) in Lang::ALL
+            .into_iter()
+            .flat_map(|lang| lesson.steps.iter().map(move |step| (lang, step)))
+        {
+            let place = format!("{lang} {}/{}", lesson.id, step.id);
+            let sides = lesson.step_sides(step, lang);
+            assert_eq!(sides.is_some(), step.before.is_some(), "{place}");
+            assert!(sides.is_none_or(|[was, is]| was != is), "{place}");
+        }
+    }
+}
+
+#[test]
 fn every_lesson_ends_with_a_card() {
     for lesson in &Course::embedded().lessons {
         for lang in Lang::ALL {

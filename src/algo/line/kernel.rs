@@ -30,10 +30,15 @@ use super::{LiangBarsky, Visible, WindowInput};
 #[must_use]
 pub fn clip(window: &Window, segment: &Segment) -> Visible {
     let answer = closed_form(segment.to_array(), &WindowBorders::new(window));
-    if answer.uncertain {
-        return clip_exactly(window, segment);
+    // Written whatever comes, so that whether it counts is chosen without a branch.
+    let mut visible = Some(Segment::from_any(answer.ends));
+    if pick(answer.hidden, true, false) {
+        visible = None;
     }
-    (!answer.hidden).then(|| Segment::from_finite(answer.ends))
+    if answer.uncertain {
+        visible = clip_exactly(window, segment);
+    }
+    visible
 }
 
 /// [`clip`], the taught way.
@@ -57,20 +62,18 @@ const SHORTEST: f64 = 3.054_936_363_499_605e-151;
 pub(super) struct WindowBorders {
     min: [f64; 2],
     max: [f64; 2],
-    /// No certain answer for a segment that is wider or higher than this.
-    longest: f64,
+    /// How far from zero the borders lie, by axis: these, too, have to be in range.
+    reach: [f64; 2],
 }
 
 impl WindowBorders {
     #[inline]
     pub(super) fn new(window: &Window) -> Self {
         let [xmin, ymin, xmax, ymax] = window.to_array();
-        // Borders in range and distances in range make coordinates in range, wherever the two overlap.
-        let in_range = xmin >= -LONGEST && ymin >= -LONGEST && xmax <= LONGEST && ymax <= LONGEST;
         Self {
             min: [xmin, ymin],
             max: [xmax, ymax],
-            longest: if in_range { LONGEST } else { -1.0 },
+            reach: [at_least(xmax, -xmin), at_least(ymax, -ymin)],
         }
     }
 }
@@ -145,11 +148,14 @@ pub(super) fn closed_form([x1, y1, x2, y2]: [f64; 4], borders: &WindowBorders) -
     let (out_by_x, in_by_y) = (y.own[0] * x.own[1], x.other[1] * y.other[0]);
     let touch = ((out_by_y == in_by_x) & (x1 != x.border[0]) & (y2 != y.border[1]))
         | ((out_by_x == in_by_y) & (y1 != y.border[0]) & (x2 != x.border[1]));
+    // Borders in range and distances in range make coordinates in range, wherever the two overlap.
+    let far_x = at_least(x.length, borders.reach[0]);
+    let far_y = at_least(y.length, borders.reach[1]);
     let apart = (x.low > x.high) | (y.low > y.high);
     ClosedForm {
         ends: [p1[0], p1[1], p2[0], p2[1]],
         hidden: apart | (out_by_y > in_by_x) | (out_by_x > in_by_y),
-        uncertain: tie1 | tie2 | touch | (at_least(x.length, y.length) > borders.longest),
+        uncertain: tie1 | tie2 | touch | (at_least(far_x, far_y) > LONGEST),
     }
 }
 

@@ -51,6 +51,19 @@ fn a_tab_comes_back_to_where_it_was_left() {
 }
 
 #[test]
+fn a_scene_that_was_changed_is_seen_as_it_was_after_another_lab() {
+    let mut bench = Bench::course(SIZE);
+    bench.command(Command::Lab("frustum"));
+    bench.key(Key::F8);
+    bench.command(Command::Zoom(1.5));
+    let turned = bench.app.stage.turned_eye();
+    assert!(turned.is_some());
+    bench.command(Command::Lab("lines"));
+    bench.command(Command::Lab("frustum"));
+    assert_eq!(bench.app.stage.turned_eye(), turned);
+}
+
+#[test]
 fn everything_is_there_again_after_a_restart() {
     let mut bench = Bench::course(SIZE);
     let [own, changed] = change(&mut bench);

@@ -20,6 +20,8 @@ pub struct Arranged {
     n_narrow: usize,
     /// How long the sides of the drawings are, in points, multiplied: of two, none is large at the cost of the other.
     pub scale: f32,
+    /// The shortest side of a column's drawing, in points.
+    pub least: f32,
 }
 
 impl Arranged {
@@ -65,7 +67,10 @@ impl Arranged {
         };
         let is_whole = views.iter().all(|views| !views.is_empty());
         let n_views = views.iter().map(Vec::len).sum();
+        let drawings = views.iter().filter_map(|views| views.first());
+        let sides = drawings.flat_map(|(_, slot)| slot.size());
         Self {
+            least: sides.fold(f32::MAX, f32::min),
             how: Some(how),
             scale,
             n_views: if is_whole { n_views } else { 0 },

@@ -280,6 +280,32 @@ fn what_has_no_room_is_left_out_from_the_last_on() {
 }
 
 #[test]
+fn beside_another_method_a_drawing_is_no_strip_for_the_sake_of_text() {
+    let plane = Need {
+        aspect: Some(1.5),
+        ..need("plane", Stand::Drawing, [22.0, 7.5], [30.0, 24.0])
+    };
+    let axis = need("axis", Stand::Under, [14.0, 4.0], [20.0, 5.0]);
+    let table = Need {
+        whole: [26.0, 20.0],
+        ..need("table", Stand::Beside, [20.0, 9.0], [26.0, 20.0])
+    };
+    let codes = need("codes", Stand::Beside, [20.0, 9.0], [26.0, 12.0]);
+    let sheet = Sheet {
+        spacing: WINDOW,
+        caption: 0.0,
+        title: 0.0,
+        ..sheet([768.0, 480.0], 13.0)
+    };
+    let layout = sheet.lay_out(&[vec![plane, codes], vec![plane, axis, table]]);
+    let columns = layout.columns.iter();
+    let sides = columns.clone().flat_map(|column| column.views[0].1.size());
+    assert!(sides.fold(f32::MAX, f32::min) >= BESIDE);
+    let n_views: Vec<usize> = columns.map(|column| column.views.len()).collect();
+    assert_eq!(n_views, [2, 3], "nothing goes");
+}
+
+#[test]
 fn an_inset_stands_on_its_drawing_in_its_own_proportions() {
     let mut needs = needs();
     needs.push(need("inset", Stand::Inset, [9.6, 6.0], [16.0, 10.0]));

@@ -79,6 +79,8 @@ const BROKEN_TEXTS: &str = r"
 - one => !>Wait => 11:1 stray-note
 - one => - one\n\n=> It goes. => 13:1 stray-claim
 - one\n- two\n => \n=> It goes.\n\n=> It goes on.\n\nText.\n => 14:1 stray-claim
+- one\n- two\n => \n=> It goes.\n=| One\n\nText.\n => 12:1 stray-sides
+- one\n- two\n => \n=> It goes.\n=| One | two\n\nText.\n => 1:1 stray-sides
 - two => - two\n\n## card\n\n- rule: Go on. => 14:1 bad-card
 - two => - two\n\n## card\n\nRules. => 16:1 bad-card
 ";

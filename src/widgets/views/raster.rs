@@ -211,10 +211,17 @@ impl<'r> Pixels<'r> {
 
     fn write_under(&self, slate: &mut Slate<'_>) {
         let top = self.whole().bottom() + slate.pts(6.0);
-        for (column, value) in self.raster.under.iter().enumerate() {
-            let text = slate.low(value, (Face::Mono, LARGEST, slate.theme().ink));
-            let at = pos2(self.square([column, 0]).center().x, top);
-            slate.put(&text, at, Align2::CENTER_TOP);
+        let set = |value| slate.low(value, (Face::Mono, LARGEST, slate.theme().ink));
+        let texts: Vec<Typeset> = self.raster.under.iter().map(set).collect();
+        let widest = texts.iter().map(|text| text.size().x).fold(0.0, f32::max);
+        // Where they would run into each other, the one of the pixel that the step is about.
+        let has_room = widest < self.square([0, 0]).width();
+        for (column, text) in texts.iter().enumerate() {
+            let is_current = self.raster.current.is_some_and(|at| at[0] == column);
+            if has_room || is_current {
+                let at = pos2(self.square([column, 0]).center().x, top);
+                slate.put(text, at, Align2::CENTER_TOP);
+            }
         }
     }
 
