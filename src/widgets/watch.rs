@@ -106,28 +106,18 @@ impl SectionRoom {
         [names, names + values]
     }
 
-    fn room(&self, width: f32) -> f32 {
-        width - DOT_ROOM - GAP * self.columns.len() as f32
-    }
-
-    /// The width of names, and what part of its natural size all text has.
-    fn fit(&self, width: f32) -> [f32; 2] {
-        let room = self.room(width);
+    /// The width of names, and what part of its natural size all text has; and has it room, as small as it may be?
+    fn fit(&self, width: f32) -> ([f32; 2], bool) {
+        let room = width - DOT_ROOM - GAP * self.columns.len() as f32;
         let [names, text] = self.wanted(room);
         let scale = (room / text).clamp(self.least, 1.0);
-        [scale * names, scale]
-    }
-
-    /// Has all of it room, as small as it may be?
-    fn fits(&self, width: f32) -> bool {
-        let room = self.room(width);
-        self.least * self.wanted(room)[1] <= room
+        ([scale * names, scale], self.least * text <= room)
     }
 
     /// Offsets of the value columns from the left of the row: evenly apart, or where that would put a
     /// value onto the next, each as far along as the values before it need.
     fn columns(&self, width: f32) -> Vec<f32> {
-        let [names, scale] = self.fit(width);
+        let ([names, scale], _) = self.fit(width);
         let first = DOT_ROOM + GAP + names;
         let n = self.columns.len();
         let step = ((width - first) / n.max(1) as f32).max(24.0);
@@ -244,13 +234,12 @@ impl<'a> Table<'a> {
             }
             // Where the columns do not fit, smaller digits are better than digits in each other's place; and if those would be too
             // small to read, digits of the type of words, which are less wide.
-            self.mono = FontId {
-                size: natural.size * known.fit(width)[1],
-                family: if known.fits(width) {
-                    natural.family.clone()
-                } else {
-                    FontFamily::Proportional
-                },
+            let ([_, scale], fits) = known.fit(width);
+            self.mono.size = natural.size * scale;
+            self.mono.family = if fits {
+                natural.family.clone()
+            } else {
+                FontFamily::Proportional
             };
             let columns = known.columns(width);
             if !section.header.is_empty() {
