@@ -1,6 +1,6 @@
 //! What is asked, under the stage: the question with what might come; then what was said, and what comes. As high as the highest of
-//! what is asked here from the start on, so that the stage stays where it is; one row, once the scene is the
-//! reader's.
+//! what is asked here from the start on, so that the stage stays where it is; one row, once the
+//! scene is the reader’s.
 
 mod cards;
 

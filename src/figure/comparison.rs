@@ -264,16 +264,16 @@ fn look_on(raster: &mut Raster, other: &Body, is_bare: bool) {
     });
     let more: Vec<RasterMark> = other.over.iter().cloned().chain(at).collect();
     raster.over.extend(more);
-    for (pixel, named) in (0..).zip(&other.pixels) {
-        let name = named.value.as_ref().filter(|_| is_bare);
-        let is_new = |name: &&Value| {
-            !raster
-                .pixels
-                .iter()
-                .any(|it| it.value.as_ref() == Some(name))
-        };
-        if let Some(name) = name.filter(is_new) {
-            raster.pixels[pixel].value = Some(name.clone());
+    let named = other.pixels.iter().enumerate();
+    let named = named.filter_map(|(i, pixel)| Some((i, pixel.value.clone()?)));
+    for (i, name) in named.filter(|_| is_bare) {
+        let mut known = raster
+            .pixels
+            .iter()
+            .filter_map(|pixel| pixel.value.as_ref());
+        let is_new = known.all(|known| *known != name);
+        if let Some(pixel) = raster.pixels.get_mut(i).filter(|_| is_new) {
+            pixel.value = Some(name);
         }
     }
 }

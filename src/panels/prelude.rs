@@ -6,7 +6,7 @@ pub(super) use crate::{
     labs::{self, Edit, Lab},
     paint::theme,
     text::{Message, Value},
-    widgets::{Look, form_button, menu_button},
+    widgets::{Look, form_button, menu_button, quiet_button},
 };
 
 pub(super) use super::bench::{self, Bench, Measuring};

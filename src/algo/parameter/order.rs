@@ -44,6 +44,7 @@ impl<R: Real, B: Copy> Param<R, B> {
     }
 
     /// Which of two parameters comes first? Exact. `distances` gives a border's signed distances from both ends.
+    // Compiled into each place that asks, it makes Liang–Barsky slower (BENCHMARKS.md).
     #[inline(never)]
     pub fn compare(&self, other: &Self, distances: impl Fn(B) -> [f64; 2]) -> Ordering {
         let quotients = self.u.partial_cmp(&other.u);

@@ -58,7 +58,7 @@ impl Bench for LinesPanel {
                 self.measure = scene.map(|scene| Measure::new(scene, self.batch.seed));
                 ui.ctx().request_repaint();
             }
-            !ui.button(look.say("action-close")).clicked()
+            !quiet_button(ui, look, Button::new(look.say("action-close"))).clicked()
         })
         .inner
     }

@@ -113,7 +113,7 @@ impl<C: StreetCosts> Bench for SpacePanel<C> {
         let height = (ui.ctx().content_rect().height() - 330.0).clamp(120.0, 380.0);
         (self.view)(ui, look, costs, height);
         bench::note(ui, look, look.say(C::NOTE_KEY));
-        !ui.button(look.say("action-close")).clicked()
+        !quiet_button(ui, look, Button::new(look.say("action-close"))).clicked()
     }
 
     fn work(&mut self, clock: &dyn Fn() -> f64) -> bool {
