@@ -341,7 +341,8 @@ impl App {
             commands.extend(practice::keys(self, ctx));
         }
         commands.extend(keys::commands(ctx, focus, may));
-        if focus == keys::Focus::Free && self.shown.dialog.is_none() {
+        let is_over = ctx.memory(|memory| memory.top_modal_layer().is_some());
+        if focus == keys::Focus::Free && !is_over {
             keys::tab_to(ctx, self.stage.handle_ids.first().copied());
         }
         let is_held = self.stage.focused.is_some() || egui::Popup::is_any_open(ctx);

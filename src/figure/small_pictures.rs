@@ -145,6 +145,8 @@ pub enum StoryFate {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Raster {
     pub title: Value,
+    /// What stands in its place where its numbers have no room.
+    pub bare: Option<Value>,
     /// Columns and rows, each at least 1.
     pub size: [usize; 2],
     pub pixels: Vec<Pixel>,
@@ -222,6 +224,7 @@ mod tests {
         });
         let raster = Raster {
             title: Value::Count(6),
+            bare: None,
             size: [3, 2],
             pixels: pixels.collect(),
             scale: None,

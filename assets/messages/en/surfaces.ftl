@@ -73,13 +73,16 @@ depth-done = Done: { $fragments ->
    *[other] { $pixels } pixels
   }. Average times each pixel was computed:
 raster-brightness = Brightness in thousandths
+raster-brightness-bare = Brightness
 
 ## Views
 
 practice-then = what stands there then
 raster-depth = Depth in thousandths
+raster-depth-bare = Depth
 raster-depth-unit = Depth in units of { $unit }
 raster-straight = Distance from near plane to far plane, in thousandths
+raster-straight-bare = Distance from near plane to far plane
 raster-depth-steps = Depth in { $bits } bits: 0 to { $last }
 raster-distance = Distance from the camera
 raster-counts-none = Times each pixel is computed

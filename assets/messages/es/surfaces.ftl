@@ -73,13 +73,16 @@ depth-done = Terminado: { $fragments ->
    *[other] { $pixels } píxeles
   }. Veces que se calculó cada píxel, en promedio:
 raster-brightness = Brillo en milésimas
+raster-brightness-bare = Brillo
 
 ## Views
 
 practice-then = lo que quedaría ahí
 raster-depth = Profundidad en milésimas
+raster-depth-bare = Profundidad
 raster-depth-unit = Profundidad en unidades de { $unit }
 raster-straight = Distancia del plano cercano al lejano, en milésimas
+raster-straight-bare = Distancia del plano cercano al lejano
 raster-depth-steps = Profundidad en { $bits } bits: 0 a { $last }
 raster-distance = Distancia a la cámara
 raster-counts-none = Veces que se calcula cada píxel

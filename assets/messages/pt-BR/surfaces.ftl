@@ -73,13 +73,16 @@ depth-done = Pronto: { $fragments ->
    *[other] { $pixels } pixels
   }. Em média, quantas vezes cada pixel foi calculado:
 raster-brightness = Brilho em milésimos
+raster-brightness-bare = Brilho
 
 ## Views
 
 practice-then = o que ficaria ali
 raster-depth = Profundidade em milésimos
+raster-depth-bare = Profundidade
 raster-depth-unit = Profundidade em unidades de { $unit }
 raster-straight = Distância do plano próximo ao distante, em milésimos
+raster-straight-bare = Distância do plano próximo ao distante
 raster-depth-steps = Profundidade em { $bits } bits: 0 a { $last }
 raster-distance = Distância até a câmera
 raster-counts-none = Vezes que cada pixel é calculado

@@ -55,13 +55,16 @@ depth-fragment-lost-to-nothing = 像素 { $at } 虽然还空着，{ $triangle } 
 depth-nothing = 空
 depth-done = 完成：{ $fragments } 个片元，写入 { $writes } 次，占 { $pixels } 个像素。平均每个像素计算的次数：
 raster-brightness = 亮度，以千分之一计
+raster-brightness-bare = 亮度
 
 ## Views
 
 practice-then = 之后存的值
 raster-depth = 深度，以千分之一计
+raster-depth-bare = 深度
 raster-depth-unit = 深度，以 { $unit } 为单位
 raster-straight = 近平面到远平面的距离，以千分之一计
+raster-straight-bare = 近平面到远平面的距离
 raster-depth-steps = { $bits } 位深度：0 到 { $last }
 raster-distance = 到相机的距离
 raster-counts-none = 每个像素计算的次数

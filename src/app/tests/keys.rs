@@ -78,6 +78,19 @@ fn tab_walks_the_bar_from_left_to_right_and_stops_at_nothing_that_is_disabled() 
 }
 
 #[test]
+fn tab_stays_in_what_is_open_over_the_window() {
+    for lab in ["lines", "frustum"] {
+        let mut bench = Bench::course(SIZE);
+        bench.command(Command::Lab(lab));
+        bench.command(Command::Measure(true));
+        let stops = stops(&mut bench, 6);
+        assert_eq!(stops.len(), 6, "{lab}: something has the focus after each");
+        let is_over = |it: &egui::Response| it.layer_id.order == egui::Order::Foreground;
+        assert!(stops.iter().all(is_over), "{lab}: {stops:?}");
+    }
+}
+
+#[test]
 fn shift_and_tab_walk_back_over_the_stage_even_where_a_frame_takes_long() {
     let mut bench = Bench::course(SIZE);
     let mut stops = Vec::new();

@@ -217,6 +217,7 @@ impl Sheet {
             pixels: places.map(pixel).collect(),
             scale: None,
             under: Vec::new(),
+            bare: None,
             current: None,
             over,
         };

@@ -34,8 +34,9 @@ impl OnSlate for Raster {
     }
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
-        slate.title(&self.title, rect);
         let pixels = Pixels::new(slate, rect, self);
+        let bare = self.bare.as_ref().filter(|_| !pixels.has_numbers(slate));
+        slate.title(bare.unwrap_or(&self.title), rect);
         pixels.fill(slate);
         pixels.lines(slate);
         let over = self.over.iter();
@@ -260,6 +261,11 @@ impl<'r> Pixels<'r> {
     fn number_pts(&self, slate: &Slate<'_>, n_characters: usize) -> f32 {
         let wide = CHARACTER * n_characters as f32 + AROUND;
         (self.width / (wide * slate.pts(1.0))).min(LARGEST.max(slate.least_size()))
+    }
+
+    /// Are its numbers large enough to be read?
+    fn has_numbers(&self, slate: &Slate<'_>) -> bool {
+        self.number_pts(slate, self.n_digits) >= smallest(slate)
     }
 
     fn is_written(&self, slate: &Slate<'_>, at: [f64; 2]) -> bool {

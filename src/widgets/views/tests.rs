@@ -6,7 +6,7 @@ pub mod data;
 
 use super::{body_of, prelude::*};
 use crate::{
-    figure::{Body, Run, Tiles, View, notation},
+    figure::{Body, Pixel, Raster, Run, Tiles, View, notation},
     lesson::{Course, Lesson, LessonStep},
     paint::{Headless, ThemeKind, crosses},
     text::{Catalog, Lang, Notation},
@@ -207,4 +207,36 @@ fn nothing_overlaps_in_the_figures_of_the_course() {
         }
     });
     assert!(faults.is_empty(), "{faults:#?}");
+}
+
+#[test]
+fn a_raster_whose_numbers_have_no_room_is_not_titled_with_their_unit() {
+    let pixel = Pixel {
+        value: Some(Value::Count(742)),
+        ..Pixel::EMPTY
+    };
+    let raster = Raster {
+        title: Value::Term("raster-depth"),
+        bare: Some(Value::Term("raster-depth-bare")),
+        size: [16, 12],
+        pixels: vec![pixel; 16 * 12],
+        scale: None,
+        under: Vec::new(),
+        current: None,
+        over: Vec::new(),
+    };
+    let mut table = Headless::new(ThemeKind::Light);
+    let mut texts = |room: Vec2| {
+        let mut texts = Vec::new();
+        table.draw(room, 1.0, |ui| {
+            let mut slate = raster.slate(Slate::new(ui.painter(), look()), room);
+            let rect = Rect::from_min_size(Pos2::ZERO, room);
+            raster.draw(&mut slate, rect, &mut Links::default());
+            texts.clone_from(&slate.texts);
+        });
+        texts
+    };
+    let [large, small] = [vec2(640.0, 520.0), vec2(160.0, 150.0)].map(&mut texts);
+    assert_eq!([large.len(), small.len()], [1 + 16 * 12, 1]);
+    assert!(small[0].width() < large[0].width(), "{small:?} {large:?}");
 }

@@ -71,6 +71,7 @@ pub fn bright(surfaces: &Surfaces, brightness: &[f64], over: Vec<RasterMark>) ->
     };
     Raster {
         title: Value::Term("raster-brightness"),
+        bare: Some(Value::Term("raster-brightness-bare")),
         ..raster_so_far(surfaces, brightness.iter().map(pixel).collect(), over)
     }
 }

@@ -317,6 +317,7 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
         pixels,
         scale: None,
         under: Vec::new(),
+        bare: None,
         current: None,
         over,
     }
@@ -331,6 +332,7 @@ pub fn with_crosses(mut raster: Raster, names: Option<&Picture>, wrong: &[usize]
         clear_of_names(&mut raster, picture, wrong);
     }
     raster.title = Value::Message(Message::new("raster-wrong").with("count", wrong.len()));
+    raster.bare = None;
     let width = raster.size[0];
     let cross = |&place| mark(Role::Signal, RasterShape::Cross(middle_at(place, width)));
     raster.over.extend(wrong.iter().map(cross));

@@ -93,6 +93,7 @@ impl<'a> Lens<'a> {
             pixels: pixels.collect(),
             scale: None,
             under: self.under(),
+            bare: None,
             current: Some([0, 1].map(|i| (at[i] - self.first[i]) as usize)),
             over,
         }

@@ -231,6 +231,7 @@ pub fn raster(
         pixels,
         scale: None,
         under: Vec::new(),
+        bare: None,
         current,
         over: over(known, put, event),
     }

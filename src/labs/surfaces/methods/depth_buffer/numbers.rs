@@ -198,13 +198,17 @@ impl<'a> Shades<'a> {
         self.plan.is_toned_alone().then_some(ends)
     }
 
-    pub fn title<L: Variant>(&self) -> Value {
+    /// With its unit, and without.
+    pub fn titles<L: Variant>(&self) -> (Value, Option<Value>) {
         if self.tells_distance() {
-            Value::Term("raster-distance")
+            (Value::Term("raster-distance"), None)
         } else if L::STRAIGHT_DISTANCE {
-            Value::Term("raster-straight")
+            let bare = Value::Term("raster-straight-bare");
+            (Value::Term("raster-straight"), Some(bare))
         } else {
-            self.numbers.title()
+            let bare = Value::Term("raster-depth-bare");
+            let bare = self.numbers.unit.is_some().then_some(bare);
+            (self.numbers.title(), bare)
         }
     }
 }

@@ -126,21 +126,23 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         return in_brightness(at, so_far);
     }
     let names_triangles = scene.beside.len() > 1 || scene.raster.tones == Tones::Triangles;
-    let (title, scale, pixels) = if names_triangles {
+    let (titles, scale, pixels) = if names_triangles {
         let letters = lettered(&so_far.picture, |id| name_of(at.scenery, id));
         let pixels = pixels(&so_far.picture, current, letters);
-        (Value::Term("raster-so-far"), None, pixels)
+        ((Value::Term("raster-so-far"), None), None, pixels)
     } else {
         let shades = Shades::of::<L>(own, &scene.raster);
         let pixels = toned::<L>(so_far, current, &shades);
         // It has not been cleared yet.
         let is_unknown = at.step.past.is_empty();
         let pixels = pixels.filter(|_| !is_unknown).collect();
-        (shades.title::<L>(), shades.scale(), pixels)
+        (shades.titles::<L>(), shades.scale(), pixels)
     };
     let over = current.map_or_else(Vec::new, |id| outline(&own.surfaces, id, Role::Accent));
+    let (title, bare) = titles;
     let raster = Raster {
         title,
+        bare,
         scale,
         current: pixel_of(at).map(|pixel| pixel.map(|x| x as usize)),
         ..raster_so_far(&own.surfaces, pixels, over)
@@ -219,6 +221,7 @@ pub fn after<L: Variant>(at: &At<'_, DepthBuffer<L>>, is_written: bool) -> Optio
         pixels: places.map(|at| pixel(at).unwrap_or(Pixel::EMPTY)).collect(),
         scale: None,
         under: Vec::new(),
+        bare: None,
         current: Some([AROUND as usize; 2]),
         over: Vec::new(),
     })
