@@ -35,7 +35,8 @@ impl OnSlate for Raster {
 
     fn draw(&self, slate: &mut Slate<'_>, rect: Rect, links: &mut Links) {
         let pixels = Pixels::new(slate, rect, self);
-        let bare = self.bare.as_ref().filter(|_| !pixels.has_numbers(slate));
+        let has_numbers = self.scale.is_some() || pixels.has_numbers(slate);
+        let bare = self.bare.as_ref().filter(|_| !has_numbers);
         slate.title(bare.unwrap_or(&self.title), rect);
         pixels.fill(slate);
         pixels.lines(slate);

@@ -236,7 +236,7 @@ fn a_raster_whose_numbers_have_no_room_is_not_titled_with_their_unit() {
         });
         texts
     };
-    let [large, small] = [vec2(640.0, 520.0), vec2(160.0, 150.0)].map(&mut texts);
+    let [large, small] = [vec2(640.0, 520.0), vec2(100.0, 110.0)].map(&mut texts);
     assert_eq!([large.len(), small.len()], [1 + 16 * 12, 1]);
     assert!(small[0].width() < large[0].width(), "{small:?} {large:?}");
 }
