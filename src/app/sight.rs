@@ -15,6 +15,16 @@ pub struct Sight {
     pub bounds: [[f64; 2]; 2],
 }
 
+impl Sight {
+    /// As nobody has moved or turned anything yet.
+    pub fn new(bounds: [[f64; 2]; 2]) -> Self {
+        Self {
+            bounds,
+            ..Self::default()
+        }
+    }
+}
+
 /// An eye that was turned away from where its view has it. A view that shows one space after the other has one for each.
 #[derive(Clone)]
 pub struct Turned {

@@ -75,12 +75,8 @@ struct Layers {
 
 impl StageState {
     pub fn new(bounds: [[f64; 2]; 2]) -> Self {
-        let sight = Sight {
-            bounds,
-            ..Sight::default()
-        };
         Self {
-            sight,
+            sight: Sight::new(bounds),
             ..Self::default()
         }
     }
@@ -95,9 +91,7 @@ impl StageState {
     }
 
     pub fn fit(&mut self, bounds: [[f64; 2]; 2]) {
-        self.sight.moved.clear();
-        self.sight.turned.clear();
-        self.sight.bounds = bounds;
+        self.sight = Sight::new(bounds);
     }
 
     pub const fn bounds(&self) -> [[f64; 2]; 2] {

@@ -38,7 +38,7 @@ impl Handles<'_> {
         let near = pointer.and_then(|at| self.near(ui, at));
         for spot in self.spots.iter().filter(|spot| !spot.locked) {
             let (i, centre) = (spot.index, self.viewport.to_screen(spot.at));
-            let mut at = centre;
+            let (mut at, mut in_use) = (centre, true);
             let said = if held == Some(i) {
                 at = canvas.interact_pointer_pos().unwrap_or(centre);
                 self.told(spot)
@@ -47,11 +47,11 @@ impl Handles<'_> {
             } else if focused == Some(self.id_of(i)) {
                 self.told(spot)
             } else if spot.asked {
+                in_use = false;
                 spot.name.clone()
             } else {
                 continue;
             };
-            let in_use = held == Some(i) || near == Some(i) || focused == Some(self.id_of(i));
             let tag = Tag::new(painter, self.look, said);
             let room = self.viewport.rect;
             // A name that nobody waits for covers no other.
