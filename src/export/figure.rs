@@ -22,7 +22,9 @@ use halves::{Half, halves, headings};
 #[cfg(not(target_arch = "wasm32"))]
 pub use page::PAGE_MARGINS;
 use page::{Page, lost};
-pub use picture::{Before, Options, Picture, Steps};
+#[cfg(not(target_arch = "wasm32"))]
+pub use picture::Before;
+pub use picture::{Options, Picture, Steps};
 
 /// A figure is laid out on a page of this size in points, or larger along one side as its shape asks, and then enlarged to its size in
 /// pixels: text keeps its proportion to the picture. At 1280 × 720 pixels the title is 26 high, the text 17, the caption 19, the margin 64.

@@ -126,6 +126,7 @@ fn plane(marks: &mut Vec<Mark>, right: &[Mark]) {
             && !own.contains(at)
         {
             label.text = not_so(with_what("is-missing", label.text.clone()));
+            (mark.shape, mark.role) = (Shape::Ring(*at), Role::Signal);
         }
         // Of what is on the same side and has another name the line is enough.
         if let Shape::HalfPlane(ends) = mark.shape {
@@ -181,8 +182,11 @@ fn solids(space: &mut Space, right: &Space) {
     let signal = |shape| Mark3::new(Role::Signal, shape);
     let dashes = edges.iter().map(|it| signal(Shape3::Segment(it.ends)));
     space.marks.extend(dashes.map(|it| it.edge().dashed()));
-    // Who goes round sees solids that are left out; which of their faces are, the camera sees.
-    let is_said = matches!(space.seer, Seer::Camera(_)) || !edges.is_empty();
+    // Who goes round sees solids that are left out, by what is crossed there; which of their faces are, the camera sees.
+    let names_why =
+        |mark: &Mark3| mark.is_dashed && mark.role == Role::Signal && mark.label.is_some();
+    let is_seen_around = !edges.is_empty() && !space.marks.iter().any(names_why);
+    let is_said = matches!(space.seer, Seer::Camera(_)) || is_seen_around;
     let object = |it: &Facet| it.link.and_then(|link| link.number_of("object"));
     for (i, (facet, _)) in facets.iter().enumerate() {
         let mut wash = signal(Shape3::Wash(facet.corners.clone()));

@@ -57,15 +57,10 @@ impl Costs {
         self.counts.len() > MOST_WITH_KINDS
     }
 
-    /// The most of any kind: the bars' full length. The total is not one, and has its own scale.
+    /// The bars' full length: the largest total, so that bars add up to it. Of many, a kind has its own scale.
     fn most(&self, kind: &Kind) -> u64 {
-        let of = |kind: &Kind| self.counts.iter().map(kind.2).max();
-        let is_total = kind.0 == TOTAL.0;
-        let most = if is_total || self.is_crowd() {
-            of(kind)
-        } else {
-            KINDS.iter().filter_map(of).max()
-        };
+        let of = if self.is_crowd() { kind.2 } else { TOTAL.2 };
+        let most = self.counts.iter().map(of).max();
         most.unwrap_or_default().max(1)
     }
 

@@ -55,7 +55,7 @@ impl Telling for BoxCull {
         in_vain: Event::Meets { meets: false } => Row::new(Phase, 3, "box-in-vain").answers("meets");
         none_out: Event::Done { class: Inside } => within(Row::new(Accept, 4, "box-done-inside"));
         culled: Event::Done { class: Outside } =>
-            beyond(Row::new(Reject, 4, "planes-done-outside"));
+            beyond(Row::new(Reject, 2, "planes-done-outside"));
         drawn_in_vain: Event::Done { class: Straddles } if step.held.false_positive =>
             across(Row::new(Accept, 4, "box-done-in-vain"));
         cut: Event::Done { class: Straddles } => across(Row::new(Accept, 4, "box-done-straddles"));

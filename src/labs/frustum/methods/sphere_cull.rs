@@ -70,7 +70,7 @@ impl Telling for SphereCull {
         cut: Event::Done { class: Straddles } =>
             across(Row::new(Accept, 4, "sphere-done-straddles").so(R));
         culled: Event::Done { class: Outside } =>
-            beyond(Row::new(Reject, 4, "planes-done-outside").so(R));
+            beyond(Row::new(Reject, 2, "planes-done-outside").so(R));
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {

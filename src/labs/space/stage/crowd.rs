@@ -56,8 +56,8 @@ impl Built {
     /// Each face by its look or by its object's fate, and so the edges that are drawn one by one.
     pub fn looking(
         &self,
-        fate: impl Fn(usize) -> Option<Fate>,
-        look: impl Fn(usize, usize) -> FaceLook,
+        fate: &dyn Fn(usize) -> Option<Fate>,
+        look: &dyn Fn(usize, usize) -> FaceLook,
     ) -> (Facets, Arc<[Edge3]>) {
         let looks = self.facets.iter().enumerate().map(|(i, facet)| {
             let Some(&[object, face]) = self.faces.get(i) else {
@@ -79,7 +79,7 @@ impl Built {
         } else {
             let edges = self.edges.iter();
             edges
-                .filter_map(|edge| self.edge(edge, &fate, &look))
+                .filter_map(|edge| self.edge(edge, fate, look))
                 .collect()
         };
         (self.facets.looking(looks), edges)
@@ -89,8 +89,8 @@ impl Built {
     fn edge(
         &self,
         edge: &Edge3,
-        fate: &impl Fn(usize) -> Option<Fate>,
-        look: &impl Fn(usize, usize) -> FaceLook,
+        fate: &dyn Fn(usize) -> Option<Fate>,
+        look: &dyn Fn(usize, usize) -> FaceLook,
     ) -> Option<Edge3> {
         let face_of = |facet: u32| self.faces.get(facet as usize).copied();
         let [object, _] = edge.facets.into_iter().flatten().find_map(face_of)?;

@@ -64,10 +64,10 @@ impl Solids {
     pub fn object(
         &mut self,
         object: &Object,
-        link: impl Fn(usize) -> Link,
+        link: &dyn Fn(usize) -> Link,
         fate: Fate,
         planes: &[Plane; 6],
-        look: impl Fn(usize) -> FaceLook,
+        look: &dyn Fn(usize) -> FaceLook,
     ) -> Vec<Option<u32>> {
         let mesh = object.model().mesh();
         let (first_facet, first_edge) = (self.facets.len(), self.edges.len());

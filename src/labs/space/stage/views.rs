@@ -62,8 +62,8 @@ impl Scenery {
     /// What the observer sees, objects without their numbers.
     pub fn seen(
         &self,
-        fate: &impl Fn(usize) -> Fate,
-        look: &impl Fn(usize, usize) -> FaceLook,
+        fate: &dyn Fn(usize) -> Fate,
+        look: &dyn Fn(usize, usize) -> FaceLook,
         own: Vec<Mark3>,
     ) -> Space {
         let (facets, edges) = self.solids(fate, look, true);
@@ -88,12 +88,21 @@ impl Scenery {
         look: impl Fn(usize, usize) -> FaceLook,
         marks: Vec<Mark3>,
     ) -> View {
+        self.seen_by_camera(&fate, &look, marks)
+    }
+
+    fn seen_by_camera(
+        &self,
+        fate: &dyn Fn(usize) -> Fate,
+        look: &dyn Fn(usize, usize) -> FaceLook,
+        marks: Vec<Mark3>,
+    ) -> View {
         let is_frozen = self.scene.frozen.is_some();
         let seen = |i: usize| match fate(i) {
             Fate::Cut if !is_frozen => Fate::Kept,
             other => other,
         };
-        let (facets, edges) = self.solids(&seen, &look, false);
+        let (facets, edges) = self.solids(&seen, look, false);
         let frozen = self.scene.frozen.iter();
         let mut own: Vec<Mark3> = frozen.flat_map(|f| volume(f.camera())).collect();
         own.extend(marks);
@@ -133,8 +142,8 @@ impl Scenery {
 
     fn solids(
         &self,
-        fate: &impl Fn(usize) -> Fate,
-        look: &impl Fn(usize, usize) -> FaceLook,
+        fate: &dyn Fn(usize) -> Fate,
+        look: &dyn Fn(usize, usize) -> FaceLook,
         is_observed: bool,
     ) -> (Facets, Arc<[Edge3]>) {
         let objects = Some(self.scene.objects()).filter(|_| self.scene.shows_objects());
@@ -148,22 +157,23 @@ impl Scenery {
                     Fate::Cut => Fate::Cut,
                     Fate::ToCome | Fate::Kept | Fate::Culled => Fate::ToCome,
                 };
-                self.built(0..objects.len(), fate, |_, _| FaceLook::Whole, is_observed)
+                let whole = |_, _| FaceLook::Whole;
+                self.built(&mut (0..objects.len()), &fate, &whole, is_observed)
             });
             let fate = |i: usize| Some(i).filter(is_there).map(|i| fates[i]);
-            return built.looking(fate, look);
+            return built.looking(&fate, look);
         }
-        let shown = (0..objects.len()).filter(is_there);
-        let (solids, _) = self.built(shown, |i| fates[i], look, is_observed);
+        let mut shown = (0..objects.len()).filter(is_there);
+        let (solids, _) = self.built(&mut shown, &|i| fates[i], look, is_observed);
         (solids.facets.into(), solids.edges.into())
     }
 
     /// Some of the objects and, for the observer, the cameras; of each facet of an object, which face it is of.
     fn built(
         &self,
-        objects: impl Iterator<Item = usize>,
-        fate: impl Fn(usize) -> Fate,
-        look: impl Fn(usize, usize) -> FaceLook,
+        objects: &mut dyn Iterator<Item = usize>,
+        fate: &dyn Fn(usize) -> Fate,
+        look: &dyn Fn(usize, usize) -> FaceLook,
         is_observed: bool,
     ) -> (Solids, Vec<[usize; 2]>) {
         let mut solids = Solids::default();
@@ -171,7 +181,7 @@ impl Scenery {
         for i in objects {
             let object = &self.scene.objects()[i];
             let (look, link) = (|face| look(i, face), |face| self.link(i, face));
-            let firsts = solids.object(object, link, fate(i), &self.planes, look);
+            let firsts = solids.object(object, &link, fate(i), &self.planes, &look);
             let there = firsts.iter().enumerate();
             for (face, first) in there.filter_map(|(face, &first)| Some((face, first?))) {
                 faces.resize(first as usize, faces.last().copied().unwrap_or_default());
@@ -235,11 +245,10 @@ fn is_named_by(own: &[Mark3], mark: &Mark3) -> bool {
     is_name && others.any(|label| Some(&label.text) == mark.label.as_ref().map(|label| &label.text))
 }
 
-/// Over an object; of one triangle, on it.
+/// Over an object; of one triangle, at its highest corner: its middle may lie behind another.
 fn label_place(object: &Object) -> Option<[f64; 3]> {
     if let (1, Some(corners)) = (object.model().mesh().faces().len(), object.face(0)) {
-        let sum: DVec3 = corners.map(DVec3::from).iter().sum();
-        return Some((sum / 3.0).into());
+        return corners.into_iter().max_by(|a, b| a[1].total_cmp(&b[1]));
     }
     let bounds = object.bounds().ok()?;
     let [min, max] = [bounds.min(), bounds.max()];
@@ -334,8 +343,8 @@ mod tests {
                 let (fate, look) = of_step(step);
                 let (facets, edges) = scenery.solids(&fate, &look, is_observed);
                 let there = |i: &usize| is_observed || fate(*i) != Fate::Culled;
-                let there = (0..scene.objects().len()).filter(there);
-                let (anew, _) = scenery.built(there, fate, look, is_observed);
+                let mut there = (0..scene.objects().len()).filter(there);
+                let (anew, _) = scenery.built(&mut there, &fate, &look, is_observed);
                 assert_eq!(shown(&facets), shown(&anew.facets.into()));
                 let lines = |edges: &[Edge3]| -> Vec<_> {
                     edges.iter().map(|edge| (edge.ends, edge.role)).collect()

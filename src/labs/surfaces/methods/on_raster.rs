@@ -290,9 +290,9 @@ pub fn middle_at(place: usize, width: usize) -> [f64; 2] {
 }
 
 pub fn outline(surfaces: &Surfaces, id: u32, role: Role) -> Vec<RasterMark> {
-    let places = seen_corners(surfaces, id);
-    let lines = pairs_around(&places).map(|ends| mark(role, RasterShape::Line(ends)));
-    lines.collect()
+    let corners = seen_corners(surfaces, id);
+    let line = |ends| mark(role, RasterShape::Line(ends));
+    pairs_around(&corners).map(line).collect()
 }
 
 /// Of a segment in view space what is seen of it, over the pixels.
@@ -333,9 +333,11 @@ pub fn with_crosses(mut raster: Raster, names: Option<&Picture>, wrong: &[usize]
     }
     raster.title = Value::Message(Message::new("raster-wrong").with("count", wrong.len()));
     raster.bare = None;
-    let width = raster.size[0];
-    let cross = |&place| mark(Role::Signal, RasterShape::Cross(middle_at(place, width)));
-    raster.over.extend(wrong.iter().map(cross));
+    for &place in wrong {
+        let at = middle_at(place, raster.size[0]);
+        raster.over.push(mark(Role::Signal, RasterShape::Cross(at)));
+        raster.pixels[place].role = raster.pixels[place].role.and(Some(Role::Signal));
+    }
     raster
 }
 
@@ -367,9 +369,8 @@ pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<usize> {
 
 /// Where what is shown is not the truth, in order.
 pub fn differing<T: PartialEq>(shown: &[T], truth: &[T]) -> Vec<usize> {
-    let pairs = shown.iter().zip(truth).enumerate();
-    let wrong = pairs.filter(|(_, (shown, truth))| shown != truth);
-    wrong.map(|(place, _)| place).collect()
+    let is_wrong = |&place: &usize| shown[place] != truth[place];
+    (0..shown.len()).filter(is_wrong).collect()
 }
 
 /// A pixel on the near plane, and the line of sight through its middle as far as t.
@@ -389,11 +390,10 @@ pub fn sight(surfaces: &Surfaces, camera: &Camera, pixel: [u32; 2], t: f64) -> V
 
 fn on_near(surfaces: &Surfaces, camera: &Camera, [column, row]: [u32; 2]) -> [[f64; 3]; 4] {
     let [width, height] = surfaces.size().map(f64::from);
-    let corners = camera.corners_in_world();
+    let [a, b, c, ..] = camera.corners_in_world();
     let corner = |dx: u32, dy: u32| {
         let u = f64::from(column + dx) / width;
         let v = 1.0 - f64::from(row + dy) / height;
-        let [a, b, c] = [corners[0], corners[1], corners[2]];
         std::array::from_fn(|i| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]))
     };
     [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)]

@@ -138,6 +138,9 @@ pub fn is_rejected(shown: &LineStep<'_, 4, ClipSpace>) -> bool {
     shown.verdict == Some(None) || shown.bounds[0] > shown.bounds[1]
 }
 
+/// The ends' images.
+pub const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
+
 /// Both ends, and what they have become: of the coordinate across the side in hand, else of x.
 pub fn points_table(shown: &LineStep<'_, 4, ClipSpace>) -> Table {
     let side = shown.in_hand().unwrap_or(VolumeSide::Right);
@@ -147,7 +150,13 @@ pub fn points_table(shown: &LineStep<'_, 4, ClipSpace>) -> Table {
     let given = End::BOTH.map(|end| {
         let is_behind = ends[end.idx()][3] < 0.0;
         let role = if is_behind { Role::Signal } else { Role::Ink };
-        row(end_name(end), end, ends, side, role)
+        let is_given = ends[end.idx()] == shown.input.ends[end.idx()];
+        let name = if is_given {
+            end_name(end)
+        } else {
+            Value::Name(DIVIDED[end.idx()].into())
+        };
+        row(name, end, ends, side, role)
     });
     let is_left = !is_rejected(shown);
     let left = left_so_far(shown);

@@ -14,7 +14,7 @@ use crate::{
     labs::frustum::prelude::*,
 };
 
-use super::marks::{interval_marks, is_rejected, left_so_far, on_line};
+use super::marks::{DIVIDED, interval_marks, is_rejected, left_so_far, on_line};
 
 pub const SCREENS_VIEW: &str = "screens";
 /// Images farther out are not marked.
@@ -89,7 +89,6 @@ pub fn square() -> Vec<Mark> {
     ]
 }
 
-const DIVIDED: [&str; 2] = ["P₁ / w", "P₂ / w"];
 const CUT: [&str; 2] = ["P₁′", "P₂′"];
 const CUT_DIVIDED: [&str; 2] = ["P₁′ / w", "P₂′ / w"];
 

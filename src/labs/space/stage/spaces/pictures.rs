@@ -70,7 +70,7 @@ impl SpacePlaces<'_> {
         let own = is_own.then(|| Object::new(object.model().clone(), [0.0; 3], [0.0; 3], 1.0));
         let own = own.and_then(Result::ok);
         let object = own.as_ref().unwrap_or(object);
-        solids.object(object, |_| link, Fate::Kept, planes, look);
+        solids.object(object, &|_| link, Fate::Kept, planes, &look);
         let solids = solids.settled();
         let is_divided = matches!(space, PictureSpace::Ndc | PictureSpace::Screen);
         let seen_by = self.camera.planes_in_world();

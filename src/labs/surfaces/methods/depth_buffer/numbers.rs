@@ -213,8 +213,13 @@ impl<'a> Shades<'a> {
     }
 }
 
-/// A distance with at most three digits: a pixel has no room for more.
+/// A distance in at most three characters, up to a thousand: a pixel has no room for more.
 fn short(distance: f64) -> Value {
-    let parts = if distance.abs() < 100.0 { 10.0 } else { 1.0 };
-    Value::Formula(Formula::decimals().num((distance * parts).round() / parts))
+    let in_tenths = (distance * 10.0).round() / 10.0;
+    let said = if in_tenths < 10.0 {
+        in_tenths
+    } else {
+        distance.round()
+    };
+    Value::Formula(Formula::decimals().num(said))
 }
