@@ -24,15 +24,12 @@
 //! # Ok::<(), clipscope::geom::GeomError>(())
 //! ```
 
-use crate::{
-    geom::{Axis, Point},
-    trace::Told,
-};
+use crate::geom::{Axis, Point};
 
 #[cfg(doc)]
 use super::SutherlandHodgman;
 use super::{
-    super::ring::{Clip, Limit, Right, put_in},
+    super::ring::{Right, pass},
     ClipRegion, Vertex,
     border::{AlongAxis, Border, BorderLine, Borders, NthBorder},
     clipped_ring,
@@ -44,9 +41,6 @@ pub struct Clipper<V = Point> {
     borders: Borders,
     lists: [Vec<V>; 2],
 }
-
-/// As many vertices are looked at together as a number has bits.
-const TOGETHER: usize = u64::BITS as usize;
 
 /// What is left of a polygon, borrowed from it or from the clipper.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -156,40 +150,6 @@ fn pass_border<V: Vertex>(borders: &Borders, idx: usize, input: &[V], output: &m
         },
         _ => pass(&NthBorder { borders, idx }, input, output),
     }
-}
-
-/// What is left of `input` behind one border. Most edges stay on one side: only those that do not get the clipper's step, and what
-/// lies between two of them is copied, or left out, as a whole.
-#[inline]
-fn pass<V: Vertex>(limit: &impl Limit<V>, input: &[V], output: &mut Vec<V>) {
-    let Some((&first, &last)) = input.first().zip(input.last()) else {
-        return;
-    };
-    output.clear();
-    let mut clip = Clip::begin::<Right, f64>(limit, first);
-    let mut from = 0;
-    for (start, chunk) in (0..).step_by(TOGETHER).zip(input.chunks(TOGETHER)) {
-        let inside = limit.inside(chunk);
-        let before = inside << 1 | u64::from(clip.is_inside());
-        let mut turns = (inside ^ before) & (u64::MAX >> (TOGETHER - chunk.len()));
-        while turns != 0 {
-            let i = start + turns.trailing_zeros() as usize;
-            turns &= turns - 1;
-            if clip.is_inside() {
-                output.extend_from_slice(&input[from..i]);
-            }
-            clip.go_to(limit, input[i - 1]);
-            let vertex = ([0; 2], input[i]);
-            let Told::Continue(()) =
-                clip.vertex::<Right, f64, _>(limit, vertex, &mut put_in(output));
-            from = i + 1;
-        }
-    }
-    if clip.is_inside() {
-        output.extend_from_slice(&input[from..]);
-    }
-    clip.go_to(limit, last);
-    let Told::Continue(()) = clip.close::<Right, f64, _>(limit, [0; 2], &mut put_in(output));
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -18,6 +18,14 @@ pub trait Ring {
     /// Appends a vertex.
     fn push(&mut self, vertex: Self::Vertex);
 
+    /// Appends vertices.
+    #[inline]
+    fn append(&mut self, vertices: &[Self::Vertex]) {
+        for &vertex in vertices {
+            self.push(vertex);
+        }
+    }
+
     /// Takes all vertices away.
     fn clear(&mut self);
 }
@@ -36,6 +44,11 @@ impl<V: Copy> Ring for Vec<V> {
     }
 
     #[inline]
+    fn append(&mut self, vertices: &[V]) {
+        self.extend_from_slice(vertices);
+    }
+
+    #[inline]
     fn clear(&mut self) {
         self.clear();
     }
@@ -44,8 +57,8 @@ impl<V: Copy> Ring for Vec<V> {
 /// Two lists that change places: the one that is clipped and the one that grows.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Lists<P> {
-    pair: [P; 2],
-    n_passed: usize,
+    pub(super) pair: [P; 2],
+    pub(super) n_passed: usize,
 }
 
 impl<P> Lists<P> {
@@ -181,19 +194,6 @@ pub fn clip_ring<M: RingClipper, R: Real, T: Tell<M>>(
     }
     let idx = [ring.end - 1, ring.start];
     clip.close::<M::Rules, R, _>(limit, idx, &mut |happening| note(held, happening))
-}
-
-/// Appends what is put out to a list, and tells nobody.
-#[inline]
-pub fn put_in<V: Copy>(
-    output: &mut Vec<V>,
-) -> impl FnMut(Happening<V>) -> Told<std::convert::Infallible> {
-    |happening| {
-        if let Happening::Output(vertex) = happening {
-            output.push(vertex);
-        }
-        Told::Continue(())
-    }
 }
 
 /// An event of a clipper of rings: what happens to a vertex or an edge, or something between limits.

@@ -2,11 +2,13 @@
 //! a plane or a side of clip space is known by what it says of a vertex and of an edge (`Limit`).
 
 mod clipper;
+mod pass;
 mod step;
 
 pub use clipper::{Lists, Ring, RingEvent};
 pub use step::{Crossing, EdgeTest, Happening, Known, Right, Rule, Rules};
 pub(super) use {
-    clipper::{RingClipper, clip_ring, put_in, ring_events},
+    clipper::{RingClipper, clip_ring, ring_events},
+    pass::pass,
     step::{Clip, Limit},
 };

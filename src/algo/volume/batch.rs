@@ -15,9 +15,11 @@
 //! assert_eq!(left[0], inside);
 //! ```
 
-use crate::trace::{Method, Silent, Told};
+use crate::{algo::ring::Lists, geom::VolumeSide};
 
-use super::{Attributes, ClipVertex, HomogeneousTriangle, SideCode, space_vertex::independent};
+use super::{
+    Attributes, ClipVertex, SideCode, clip_vertex::ClipPolygon, space_vertex::independent,
+};
 
 /// Appends what is left of each triangle, in order.
 pub fn clip_triangles<A: Attributes>(
@@ -25,7 +27,8 @@ pub fn clip_triangles<A: Attributes>(
     left: &mut Vec<[ClipVertex<A>; 3]>,
 ) {
     let Some(first) = given.first() else { return };
-    let mut held = HomogeneousTriangle::<A>::begin(first);
+    let polygon = ClipPolygon::of(first);
+    let mut lists = Lists::new([polygon, polygon.emptied()]);
     for triangle in given {
         let [a, b, c] = triangle;
         let [code_a, code_b, code_c] = [SideCode::of(a.at), SideCode::of(b.at), SideCode::of(c.at)];
@@ -38,10 +41,27 @@ pub fn clip_triangles<A: Attributes>(
                 left.push(*triangle);
             }
         } else {
-            held.list_mut().begin(triangle);
-            let Told::Continue(()) =
-                HomogeneousTriangle::<A>::clip_by_sides::<f64, _>(or, &mut held, &mut Silent);
-            left.extend(held.list().triangles());
+            lists.list_mut().begin(triangle);
+            clip_by_sides(or, &mut lists);
+            left.extend(lists.list().triangles());
+        }
+    }
+}
+
+/// Each side is known when its pass is compiled.
+fn clip_by_sides<A: Attributes>(named: SideCode, lists: &mut Lists<ClipPolygon<A>>) {
+    use VolumeSide::{Bottom, Far, Left, Near, Right, Top};
+    for side in VolumeSide::ALL {
+        if !named.has(side) {
+            continue;
+        }
+        match side {
+            Left => lists.pass(&Left),
+            Right => lists.pass(&Right),
+            Bottom => lists.pass(&Bottom),
+            Top => lists.pass(&Top),
+            Near => lists.pass(&Near),
+            Far => lists.pass(&Far),
         }
     }
 }

@@ -10,10 +10,10 @@ use std::slice;
 use crate::{
     algo::{
         parameter::{Ratio, Share, clamp_between},
-        ring::{Clip, Crossing, Limit, Right, put_in},
+        ring::{Crossing, Limit, pass},
     },
     geom::Plane,
-    trace::{Real, Told},
+    trace::Real,
 };
 
 use super::point_plane::{bounded_sum, is_plain, scaled_sums, signed_distance, weighted_sum};
@@ -191,17 +191,7 @@ impl Limit<[f64; 3]> for Plane {
 #[must_use]
 pub fn clipped(polygon: &[[f64; 3]], plane: &Plane) -> Vec<[f64; 3]> {
     let mut left = Vec::with_capacity(polygon.len() + 1);
-    let Some((&first, following)) = polygon.split_first() else {
-        return left;
-    };
-    let mut clip = Clip::begin::<Right, f64>(plane, first);
-    let Told::Continue(()) = clip.tell_first(plane, &mut put_in(&mut left));
-    for &vertex in following {
-        let vertex = ([0; 2], vertex);
-        let Told::Continue(()) =
-            clip.vertex::<Right, f64, _>(plane, vertex, &mut put_in(&mut left));
-    }
-    let Told::Continue(()) = clip.close::<Right, f64, _>(plane, [0; 2], &mut put_in(&mut left));
+    pass(plane, polygon, &mut left);
     if left.len() < 3 {
         left.clear();
     }
