@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     labs::telling::Telling,
-    trace::{Listening, Method, Told},
+    trace::{Method, Told, told},
 };
 
 use super::{prelude::*, solve::Solve};
@@ -76,14 +76,14 @@ where
 {
     let (mut held, mut events) = (W::begin(input), Vec::new());
     let most = W::max_events(input).min(Detail::MOST_STEPS);
-    let mut keeping = Listening(|_: &W::Held, event: W::Event| {
+    let mut keep = |_: &W::Held, event: W::Event| {
         if events.len() == most || !A::NUMBERS.have_all_of(&event) {
             return Told::Break(());
         }
         events.push(json!(event));
         Told::Continue(())
-    });
-    match W::run::<f64, _>(input, &mut held, &mut keeping) {
+    };
+    match told::<W>(input, &mut held, &mut keep) {
         Told::Continue(()) => Some((json!(A::told(input, &W::output(held))), events)),
         Told::Break(()) => None,
     }

@@ -5,7 +5,7 @@ use std::{any::Any, io};
 use crate::{
     figure::Run,
     labs::{MethodCard, recorded::Recorded},
-    trace::{Counted, Listening, Told, silent},
+    trace::{Counted, Told, silent, told},
 };
 
 use super::{
@@ -147,15 +147,14 @@ fn check_range<A: Solve>(
     if fields.detail() == Detail::Answers {
         return Ok(());
     }
-    let mut looking = Listening(|_: &A::Held, event| {
+    let mut look = |_: &A::Held, event| {
         if A::NUMBERS.have_all_of(&event) {
             Told::Continue(())
         } else {
             Told::Break(())
         }
-    });
-    let told = A::run::<f64, _>(input, &mut A::begin(input), &mut looking);
-    match told {
+    };
+    match told::<A>(input, &mut A::begin(input), &mut look) {
         Told::Continue(()) => Ok(()),
         Told::Break(()) => Err(fields.beyond_range("case-step-beyond-range")),
     }

@@ -52,7 +52,7 @@ impl CpuPainter {
     ) -> Image {
         let mut canvas = Painting {
             width: size_px[0],
-            pixels: vec![background.to_array(); size_px[0] * size_px[1]],
+            pixels: [background.to_array()].repeat(size_px[0] * size_px[1]),
         };
         for it in primitives {
             if let Primitive::Mesh(mesh) = &it.primitive

@@ -113,6 +113,24 @@ impl<M: Method, S, F: FnMut(&M::Held, M::Event) -> Told<S>> Tell<M> for Listenin
     }
 }
 
+/// Who is told of every event: of what is held after it, and of the event itself.
+pub type Hear<'a, M> = &'a mut dyn FnMut(&<M as Method>::Held, <M as Method>::Event) -> Told<()>;
+
+struct Heard<'a, M: Method>(Hear<'a, M>);
+
+impl<M: Method> Tell<M> for Heard<'_, M> {
+    type Stop = ();
+
+    fn tell(&mut self, held: &M::Held, event: M::Event) -> Told<()> {
+        (self.0)(held, event)
+    }
+}
+
+/// Runs a method until the end, or until who hears it has heard enough. It is compiled once for all of them.
+pub fn told<M: Method>(input: &M::Input, held: &mut M::Held, hear: Hear<'_, M>) -> Told<()> {
+    M::run::<f64, _>(input, held, &mut Heard::<M>(hear))
+}
+
 /// The answer and nothing else, as a program asks for it.
 #[inline]
 pub fn silent<M: Method>(input: &M::Input) -> M::Output {

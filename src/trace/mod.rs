@@ -18,6 +18,6 @@ mod recording;
 mod transport;
 
 pub use counts::{Counted, Counts, Real, wide_quotient};
-pub use method::{Includes, Listening, Method, Silent, Tell, Told, held_after, silent};
+pub use method::{Hear, Includes, Listening, Method, Silent, Tell, Told, held_after, silent, told};
 pub use recording::{Recording, Step};
 pub use transport::Transport;

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 
 use super::{
     Counted, Counts,
-    method::{Listening, Method, Tell, Told},
+    method::{Method, Tell, Told, told},
 };
 
 /// A step to be shown.
@@ -44,16 +44,18 @@ pub struct Recording<M: Method> {
     rests: Rests<M::Held>,
 }
 
+type Look<'a, M> = &'a mut dyn FnMut(&Step<'_, M>);
+
 /// Keeps everything that is told, and shows each step once.
-struct Keeping<'a, M: Method, F> {
+struct Keeping<'a, M: Method> {
     input: &'a M::Input,
-    look: F,
+    look: Look<'a, M>,
     events: Vec<M::Event>,
     counts: Vec<Counts>,
     rests: Rests<M::Held>,
 }
 
-impl<M: Method, F: FnMut(&Step<'_, M>)> Tell<M> for Keeping<'_, M, F> {
+impl<M: Method> Tell<M> for Keeping<'_, M> {
     type Stop = Infallible;
 
     fn tell(&mut self, held: &M::Held, event: M::Event) -> Told<Infallible> {
@@ -77,7 +79,11 @@ impl<M: Method> Recording<M> {
     }
 
     /// The same; `look` sees each step once, while it is recorded.
-    pub fn looking(input: M::Input, look: impl FnMut(&Step<'_, M>)) -> Self {
+    pub fn looking(input: M::Input, mut look: impl FnMut(&Step<'_, M>)) -> Self {
+        Self::seen_by(input, &mut look)
+    }
+
+    fn seen_by(input: M::Input, look: Look<'_, M>) -> Self {
         let mut keeping = Keeping {
             input: &input,
             look,
@@ -156,23 +162,25 @@ impl<M: Method> Recording<M> {
     ) -> Option<S> {
         let n_steps = self.events.len();
         let to = to.min(n_steps);
+        let mut found = None;
         let mut see = |n: usize, held: &M::Held| {
             let (input, past) = (&self.input, &self.events[..n]);
-            look(n, &Step { input, held, past })
+            let seen = look(n, &Step { input, held, past });
+            seen.map_break(|it| found = Some(it))
         };
-        let seen = if from >= n_steps {
+        let _ = if from >= n_steps {
             see(to, &self.held)
         } else {
             self.run_through([from, to], &mut see)
         };
-        seen.break_value()
+        found
     }
 
-    fn run_through<S>(
+    fn run_through(
         &self,
         [from, to]: [usize; 2],
-        see: &mut impl FnMut(usize, &M::Held) -> Told<S>,
-    ) -> Told<S> {
+        see: &mut dyn FnMut(usize, &M::Held) -> Told<()>,
+    ) -> Told<()> {
         if from == 0 {
             see(0, &M::begin(&self.input))?;
         }
@@ -182,22 +190,19 @@ impl<M: Method> Recording<M> {
         // At a rest, locals of the step before are gone already: so a rest strictly before `from`.
         let rest = self.rests.before(from.saturating_sub(1));
         let (mut n, mut held) = rest.map_or_else(|| (0, M::begin(&self.input)), Clone::clone);
-        let mut listening = Listening(|held: &M::Held, _| {
+        let mut hear = |held: &M::Held, _| {
             n += 1;
             if n < from {
                 return Told::Continue(());
             }
-            see(n, held).map_break(Some)?;
+            see(n, held)?;
             if n == to {
-                Told::Break(None)
+                Told::Break(())
             } else {
                 Told::Continue(())
             }
-        });
-        let seen = M::run::<f64, _>(&self.input, &mut held, &mut listening);
-        seen.break_value()
-            .flatten()
-            .map_or(Told::Continue(()), Told::Break)
+        };
+        told::<M>(&self.input, &mut held, &mut hear)
     }
 
     /// Shows one step.
@@ -218,18 +223,20 @@ impl<M: Method> Recording<M> {
     #[must_use]
     pub fn first_difference<B: Method<Input = M::Input, Event = M::Event>>(&self) -> Option<usize> {
         let mut n = 0;
-        let mut comparing = Listening(|_: &B::Held, event| {
+        let mut hear = |_: &B::Held, event| {
             n += 1;
-            let is_same = self.event_at(n) == Some(event);
-            if is_same {
+            if self.event_at(n) == Some(event) {
                 Told::Continue(())
             } else {
-                Told::Break(n)
+                Told::Break(())
             }
-        });
+        };
         let mut held = B::begin(&self.input);
-        let differs = B::run::<f64, _>(&self.input, &mut held, &mut comparing).break_value();
-        differs.or_else(|| (n < self.events.len()).then_some(n + 1))
+        let is_different = told::<B>(&self.input, &mut held, &mut hear).is_break();
+        let is_shorter = n < self.events.len();
+        is_different
+            .then_some(n)
+            .or_else(|| is_shorter.then_some(n + 1))
     }
 }
 
