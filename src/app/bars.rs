@@ -239,9 +239,9 @@ fn hall(app: &App, ui: &mut Ui) {
         }
         return;
     }
+    menus::method(app, ui);
     practise(app, ui);
-    let leave = Button::new(soft(look, "action-present-leave"));
-    if ui.add(leave).clicked() {
+    if ui.button(look.say("action-present-leave")).clicked() {
         app.push(Command::Present);
     }
     let is_on = look.theme.kind == ThemeKind::Projector;
@@ -378,9 +378,10 @@ pub fn timeline(app: &App, ui: &mut Ui) {
 
 const LEAST_TIMELINE: f32 = 48.0;
 /// In a presentation the step's number and the timeline have so much before what else there is stands in a row, before any scale.
-const TIMELINE: f32 = 280.0;
+const TIMELINE: f32 = 340.0;
 /// What else there is.
-const HALL: [&str; 4] = [
+const HALL: [&str; 5] = [
+    "panel-algorithm",
     "practice",
     "action-present-leave",
     "theme-projector",

@@ -6,8 +6,8 @@ use crate::{
     figure::{CodeLinks, Frame, unseen},
     labs::CodeLine,
     widgets::{
-        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
-        quiet_button, rule, section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, explained,
+        most_of_a_kind, quiet_button, rule, section, watch,
     },
 };
 
@@ -263,7 +263,7 @@ fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
     let Some(verdict) = verdict else { return };
     rule(ui, look);
     section(ui, look, &look.say("verdict-title"));
-    ui.label(caption_text(look.catalog, &verdict.why));
+    explained(ui, look, &verdict.why);
     for note in &verdict.notes {
         ui.label(look.catalog.message(note));
     }

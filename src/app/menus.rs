@@ -4,7 +4,7 @@ use egui::Popup;
 
 use crate::{
     figure::Stand,
-    panels::{PanelAsk, compare_choices},
+    panels::{PanelAsk, compare_choices, method_choices},
     widgets::{language_menu, menu_style, speed_menu, text_menu, theme_menu},
 };
 
@@ -99,7 +99,8 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
     if !has_compare_in_the_bar(ui.ctx()) {
         menu_button(ui, look.say("cost-compare"), |ui| {
-            let edit = compare_choices(ui, look, app.scene(), app.hides_mistakes());
+            // Beside the menu there is room for one column.
+            let edit = compare_choices(ui, look, (app.scene(), app.hides_mistakes()), 1);
             app.push_all(edit.map(|edit| Command::Edit(edit, None)));
         });
     }
@@ -142,6 +143,15 @@ fn scene(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let progress = Command::Show(Some(Dialog::Progress(false)));
     action(ui, look, ("progress-title", ""), true).then(|| app.push(progress));
     action(ui, look, ("action-help", "?"), true).then(|| app.push(Command::Help));
+}
+
+/// For who presents, who has no bar.
+pub fn method(app: &App, ui: &mut Ui) {
+    let look = app.look();
+    menu_button(ui, look.say("panel-algorithm"), |ui| {
+        let edit = method_choices(ui, look, app.scene(), 1);
+        app.push_all(edit.map(|edit| Command::Edit(edit, None)));
+    });
 }
 
 /// What a lab has: sections of what can be set lead to the inspector.

@@ -27,8 +27,9 @@ const MOST: f32 = 0.45;
 /// The last option's rim is seen whole.
 const BELOW: f32 = 4.0;
 const MARGIN: Margin = Margin::symmetric(24, 10);
-/// What is longer stands in a line of its own.
+/// What is longer stands in a line of its own, among so few.
 const LONG: usize = 48;
+const FEW: usize = 4;
 const AROUND: Vec2 = vec2(8.0, 4.0);
 const GAP: f32 = 6.0;
 
@@ -102,7 +103,7 @@ struct Options {
 }
 
 impl Options {
-    /// Beside each other, as many as have room; each by itself where they are long, or too many for digits.
+    /// Beside each other, as many as have room; each by itself where few are long, or where they are too many for digits.
     fn of(app: &App, ui: &Ui, choice: &Choice, width: f32) -> Self {
         let theme = app.look().theme;
         let said = &choice.said(app.look().catalog);
@@ -118,7 +119,8 @@ impl Options {
             return Self { boxes, height };
         }
         let is_long = |text: &String| text.chars().count() > LONG;
-        let is_list = said.len() > DIGITS.len() || said.iter().any(is_long);
+        let are_few = said.len() <= FEW;
+        let is_list = said.len() > DIGITS.len() || are_few && said.iter().any(is_long);
         let chip = chip(None, 0).size(theme);
         let around = 2.0 * AROUND + vec2(chip.x + GAP, 0.0);
         let (mut boxes, mut at, mut height) = (Vec::new(), Pos2::ZERO, 0.0_f32);
@@ -342,7 +344,7 @@ fn at_the_end(app: &App, ui: &mut Ui) {
             }
         };
         let words = |ui: &mut Ui| {
-            ui.label(RichText::new(&stands).color(look.theme.soft));
+            ui.add(Label::new(RichText::new(&stands).color(look.theme.soft)).truncate());
             told(app, ui);
         };
         line(ui, words, again);
@@ -377,7 +379,11 @@ fn told(app: &App, ui: &mut Ui) {
         let message = Message::new("practice-told")
             .with("right", Value::Count(right))
             .with("count", Value::Count(all));
-        let text = RichText::new(app.look().catalog.message(&message));
-        ui.label(text.color(app.look().theme.soft));
+        let text = app.look().catalog.message(&message);
+        let whole = words(ui, app.look(), (&text, TextStyle::Body), f32::INFINITY);
+        // Beside a sentence and a button there may be no room.
+        if whole.size().x <= ui.available_width() {
+            ui.label(RichText::new(text).color(app.look().theme.soft));
+        }
     }
 }

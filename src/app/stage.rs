@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use egui::InputState;
+use egui::{InputState, TextStyle};
 
 use crate::{
     figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer, Stand},
@@ -53,9 +53,6 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let step = app.bookmark.step();
     let locks = app.locks(&handles);
     let asked = step.map_or(&[][..], |step| &step.drags);
-    let focused = state.focused.take();
-    state.canvas_ids.clear();
-    state.handle_ids.clear();
     let look = app.look_on_stage();
     let headings: Vec<String> = methods.iter().map(|it| app.name_of(it)).collect();
     let composition = Composition {
@@ -64,7 +61,12 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
         headings: &headings,
         difference: app.difference_told(),
     };
-    let layout = lay_out(app, ui, state, (rect, &composition));
+    // What is dragged stays under the pointer: all else has its new place when it is let go.
+    let held = state.laid.take().filter(|_| state.is_dragged(ui));
+    let layout = held.unwrap_or_else(|| lay_out(app, ui, state, (rect, &composition)));
+    let focused = state.focused.take();
+    state.canvas_ids.clear();
+    state.handle_ids.clear();
     let columns = frames.iter().zip(methods).zip(&layout.columns);
     for (i, ((frame, method), places)) in columns.enumerate() {
         let whole = rect_of(places.whole);
@@ -97,6 +99,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
         });
         column.show_ends(ui, whole, layout.board);
     }
+    state.laid = Some(layout);
 }
 
 fn lay_out(
@@ -381,7 +384,9 @@ impl Column<'_> {
 fn fit(app: &App, ui: &mut Ui, rect: Rect) {
     let look = app.look();
     let text = accent(look, "action-fit");
-    let size = vec2(64.0, 24.0) * look.theme.text_scale.sqrt();
+    let font = TextStyle::Button.resolve(ui.style());
+    let name = (ui.painter()).layout_no_wrap(look.say("action-fit"), font, look.theme.ink);
+    let size = name.size() + 2.0 * vec2(ui.spacing().button_padding.x + 2.0, 4.0);
     let place = Align2::RIGHT_TOP.anchor_size(rect.right_top() + vec2(-8.0, 32.0), size);
     let button = ui.put(place, Button::new(text).fill(look.theme.background));
     let button = button.on_hover_text(look.say("action-reset-view"));

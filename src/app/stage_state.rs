@@ -3,7 +3,7 @@
 use std::{borrow::Cow, collections::BTreeMap};
 
 use crate::{
-    figure::{Body, CodeLinks, Frame, Mark, Seer, Slot, View},
+    figure::{Body, CodeLinks, Frame, Layout, Mark, Seer, Slot, View},
     labs::Own,
     widgets::picture_viewport,
 };
@@ -62,6 +62,7 @@ pub struct StageState {
     pub ways_out_at: Option<Rect>,
     /// Where the views of the stage stood last, column by column.
     pub places: Vec<(ViewId, Slot)>,
+    pub laid: Option<Layout>,
     layers: Vec<Layers>,
 }
 
@@ -96,6 +97,13 @@ impl StageState {
 
     pub const fn bounds(&self) -> [[f64; 2]; 2] {
         self.sight.bounds
+    }
+
+    /// Is a drawing or a handle of the last frame being dragged?
+    pub fn is_dragged(&self, ui: &Ui) -> bool {
+        let mut ids = self.canvas_ids.iter().chain(&self.handle_ids);
+        let dragged = ui.ctx().dragged_id();
+        dragged.is_some_and(|dragged| ids.any(|&id| id == dragged))
     }
 
     pub fn chosen(&self) -> Option<Handle> {

@@ -19,7 +19,7 @@ pub use bench::Bench;
 pub use form::Form;
 pub use lab_panel::{LabPanel, PanelAsk, panel_of, work};
 pub use moved::moved_to;
-pub use pickers::{compare_choices, compare_picker, list, method_picker};
+pub use pickers::{compare_choices, compare_picker, list, method_choices, method_picker};
 pub use spots::{Reach, spots};
 
 pub fn all() -> Vec<Box<dyn LabPanel>> {

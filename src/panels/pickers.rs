@@ -1,7 +1,7 @@
 //! Which methods are on stage: the same for every lab.
 
 use egui::{
-    Align, Color32, ComboBox, Layout, Rect, Sense, Shape, Stroke, Ui, UiBuilder, Vec2,
+    Align, Color32, ComboBox, Layout, Rect, ScrollArea, Sense, Shape, Stroke, Ui, UiBuilder, Vec2,
     style::{StyleModifier, WidgetVisuals},
     vec2,
 };
@@ -22,13 +22,18 @@ pub fn method_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> 
     let now = *scene.document().methods().first()?;
     let shown = look.say(now.name_asked(asks));
     let whole = format!("{}: {shown}", look.say("panel-algorithm"));
-    let combo = list(ui, "method", shown).truncate().show_ui(ui, |ui| {
-        let methods = (scene.document().lab().methods)().into_iter();
-        let right = methods.filter(|card| !card.is_faulty).collect();
-        choices(ui, look, right, |card| card.id == now.id)
-    });
+    let combo = list(ui, "method", shown).truncate();
+    let combo = combo.show_ui(ui, |ui| method_choices(ui, look, scene, usize::MAX));
     combo.response.on_hover_text(whole);
-    combo.inner.flatten().map(|card| Edit::Method(card.id))
+    combo.inner.flatten()
+}
+
+pub fn method_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene, most: usize) -> Option<Edit> {
+    let now = *scene.document().methods().first()?;
+    let methods = (scene.document().lab().methods)().into_iter();
+    let right = methods.filter(|card| !card.is_faulty).collect();
+    let chosen = choices(ui, look, (right, most), |card| card.id == now.id);
+    chosen.map(|card| Edit::Method(card.id))
 }
 
 /// Where `asks` first, the faulty one that stands beside is not told.
@@ -40,12 +45,19 @@ pub fn compare_picker(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) ->
     } else {
         names.join(" + ")
     };
-    let combo = list(ui, "compare", shown).show_ui(ui, |ui| compare_choices(ui, look, scene, asks));
+    let choices = |ui: &mut Ui| compare_choices(ui, look, (scene, asks), usize::MAX);
+    let combo = list(ui, "compare", shown).show_ui(ui, choices);
     combo.response.on_hover_text(look.say("cost-compare"));
     combo.inner.flatten()
 }
 
-pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -> Option<Edit> {
+/// In `most` columns at most.
+pub fn compare_choices(
+    ui: &mut Ui,
+    look: Look<'_>,
+    (scene, asks): (&Scene, bool),
+    most: usize,
+) -> Option<Edit> {
     let mut asked = None;
     let methods = scene.document().methods();
     let (main, beside) = methods.split_first()?;
@@ -56,7 +68,7 @@ pub fn compare_choices(ui: &mut Ui, look: Look<'_>, scene: &Scene, asks: bool) -
     let others = (scene.document().lab().methods)().into_iter();
     let others = others.filter(|card| card.id != main.id).collect();
     let is_beside = |card: &MethodCard| beside.iter().any(|beside| beside.id == card.id);
-    let chosen = choices(ui, look, others, |card| {
+    let chosen = choices(ui, look, (others, most), |card| {
         is_beside(card) && !(asks && card.is_faulty)
     });
     chosen.map(|card| Edit::Compare(Some(card.id))).or(asked)
@@ -67,11 +79,12 @@ enum Row {
     Choice(&'static MethodCard),
 }
 
-/// The methods under their headings, in rows of one height and as many columns as show them all; which one was pressed.
+/// The methods under their headings, in rows of one height and as many columns as show them all, or `most`, which scroll; which
+/// one was pressed.
 fn choices(
     ui: &mut Ui,
     look: Look<'_>,
-    methods: Vec<&'static MethodCard>,
+    (methods, most): (Vec<&'static MethodCard>, usize),
     is_chosen: impl Fn(&MethodCard) -> bool,
 ) -> Option<&'static MethodCard> {
     let groups = grouped(methods);
@@ -92,11 +105,11 @@ fn choices(
     let padding = 2.0 * ui.spacing().button_padding.x;
     let width = widths.fold(0.0, f32::max) + padding;
     let room = ui.ctx().content_rect().size() - AROUND;
-    let most = (room.x / (width + BETWEEN_COLUMNS)) as usize;
+    let most = most.min((room.x / (width + BETWEEN_COLUMNS)) as usize);
     let n_columns = (rows().count() as f32 * height / room.y).ceil() as usize;
     let n_columns = n_columns.clamp(1, most.max(1));
     let mut pressed = None;
-    ui.horizontal_top(|ui| {
+    let show = |ui: &mut Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN_COLUMNS;
         for column in columns(groups, n_columns) {
             ui.vertical(|ui| {
@@ -123,7 +136,9 @@ fn choices(
                 }
             });
         }
-    });
+    };
+    let area = ScrollArea::vertical().max_height(room.y);
+    area.show(ui, |ui| ui.horizontal_top(show));
     pressed
 }
 

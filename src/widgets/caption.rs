@@ -89,13 +89,8 @@ fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) ->
         FontId::new(part * font.size, font.family)
     };
     let set = |(formulas, part): (Vec<Vec<Piece>>, f32)| {
-        let Look { theme, catalog, .. } = look;
-        let strong = font(theme::caption_strong(), part);
-        let decision = catalog.message_pieces(&caption.decision);
-        let decision = Span::upright(decision, strong, theme.ink);
-        let face = font(theme::caption(), part);
-        let arithmetic = Span::upright(in_a_row(formulas), face, theme.soft);
-        Typeset::wrapped(painter, &[decision, arithmetic], room.x)
+        let fonts = [theme::caption_strong(), theme::caption()].map(|of| font(of, part));
+        Typeset::wrapped(painter, &spans(look, caption, formulas, fonts), room.x)
     };
     let [.., smallest] = SMALLER;
     let mut shorter = shorter_and_shorter(look.catalog, caption);
@@ -107,6 +102,31 @@ fn in_lines(painter: &Painter, look: Look<'_>, caption: &Caption, room: Vec2) ->
         .chain(shorter)
         .find(|(lines, _)| lines.size().y <= room.y);
     fitting.unwrap_or_else(|| (set((Vec::new(), smallest)), false))
+}
+
+fn spans(
+    look: Look<'_>,
+    caption: &Caption,
+    formulas: Vec<Vec<Piece>>,
+    [strong, plain]: [FontId; 2],
+) -> [Span; 2] {
+    let decision = look.catalog.message_pieces(&caption.decision);
+    [
+        Span::upright(decision, strong, look.theme.ink),
+        Span::upright(in_a_row(formulas), plain, look.theme.soft),
+    ]
+}
+
+/// The same as running text, as wide as there is room.
+pub fn explained(ui: &mut Ui, look: Look<'_>, shown: &Caption) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let formulas = shown.arithmetic.iter();
+    let formulas = formulas.map(|f| look.catalog.formula_pieces(f)).collect();
+    let spans = spans(look, shown, formulas, [font.clone(), font]);
+    let lines = Typeset::wrapped(ui.painter(), &spans, ui.available_width());
+    let label = ui.add(Label::new(lines.galley()).selectable(true));
+    let said = caption_text(look.catalog, shown);
+    (ui.ctx()).accesskit_node_builder(label.id, |node| node.set_value(&*said));
 }
 
 /// All of a caption's formulas, then fewer: those in the middle are left out first, then the steps in the middle of the

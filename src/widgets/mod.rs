@@ -29,7 +29,7 @@ pub use crate::paint::Look;
 pub use album::{Album, Column, Medium, Recorded, wanted};
 pub use boundary::{BoundaryMoved, boundary};
 pub use canvas::{Canvas, CanvasShown, Seized, StageClick, place_at};
-pub use caption::{caption, caption_text, height_for_all};
+pub use caption::{caption, caption_text, explained, height_for_all};
 pub use composed::{Composition, rect_of};
 pub use cost::{Bars, Cost, cost, most_of_a_kind};
 pub use fingers::{TARGET, reach, target};

@@ -6,6 +6,7 @@ mod composing;
 mod course;
 mod crowds;
 mod depth;
+mod dragged;
 mod files;
 mod frames;
 mod free_scenes;

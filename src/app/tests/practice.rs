@@ -77,7 +77,7 @@ fn a_wrong_answer_is_told_what_comes_and_one_that_is_shown_counts_for_nothing() 
     bench.ctx.enable_accesskit();
     let (steps, asked, wrong) = answer_wrongly(&mut bench);
     let said = asked.said(Catalog::of(Lang::En));
-    let told = format!("× {}. Not: {}.", said[asked.right], said[wrong]);
+    let told = format!("× {}. Right: {}.", said[wrong], said[asked.right]);
     bench.frame(0.1, Vec::new());
     let names: Vec<&String> = bench.names.iter().map(|(name, _)| name).collect();
     assert!(names.contains(&&told), "{told}: {names:?}");
