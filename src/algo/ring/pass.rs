@@ -45,7 +45,7 @@ pub fn pass<P: Ring>(limit: &impl Limit<P::Vertex>, input: &[P::Vertex], output:
 
 impl<P: Ring> Lists<P> {
     /// Clips the list against one limit, and tells nobody.
-    #[inline(always)]
+    #[inline]
     pub(in crate::algo) fn pass(&mut self, limit: &impl Limit<P::Vertex>) {
         let [first, second] = &mut self.pair;
         if self.n_passed.is_multiple_of(2) {

@@ -42,26 +42,10 @@ pub fn clip_triangles<A: Attributes>(
             }
         } else {
             lists.list_mut().begin(triangle);
-            clip_by_sides(or, &mut lists);
+            for side in VolumeSide::ALL.into_iter().filter(|&side| or.has(side)) {
+                lists.pass(&side);
+            }
             left.extend(lists.list().triangles());
-        }
-    }
-}
-
-/// Each side is known when its pass is compiled.
-fn clip_by_sides<A: Attributes>(named: SideCode, lists: &mut Lists<ClipPolygon<A>>) {
-    use VolumeSide::{Bottom, Far, Left, Near, Right, Top};
-    for side in VolumeSide::ALL {
-        if !named.has(side) {
-            continue;
-        }
-        match side {
-            Left => lists.pass(&Left),
-            Right => lists.pass(&Right),
-            Bottom => lists.pass(&Bottom),
-            Top => lists.pass(&Top),
-            Near => lists.pass(&Near),
-            Far => lists.pass(&Far),
         }
     }
 }
