@@ -47,7 +47,9 @@ impl App {
             }
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
-            Command::TypeChosen => self.start_typing(self.stage.chosen(), None),
+            Command::TypeChosen => {
+                self.start_typing(self.stage.chosen().or(self.stage.clicked), None);
+            }
             Command::Typed => self.apply_typed(ctx, now),
             Command::DrawNth(nth) => {
                 if let Some(outline) = self.history.now().document().lab().outlines.get(nth) {
@@ -326,7 +328,8 @@ impl App {
             return;
         }
         self.shown.room = Room::Stage;
-        (self.stage.selected, self.stage.asked) = (None, None);
+        (self.stage.selected, self.stage.clicked) = (None, None);
+        self.stage.asked = None;
     }
 
     pub(super) fn is_untouched(&self) -> bool {

@@ -60,8 +60,8 @@ fn help(app: &App, ctx: &Context) {
             .min_scrolled_height(height)
             .show(ui, |ui| {
                 scroll_by_keys(ui, height);
-                let others = OTHER_KEYS.map(|(keys, help)| (keys.to_owned(), help));
-                for (keys, help) in lines(ctx).into_iter().chain(others) {
+                let others = OTHER_KEYS.map(|(keys, help)| (in_language(look, keys), help));
+                for (keys, help) in lines(look, ctx).into_iter().chain(others) {
                     ui.horizontal_top(|ui| {
                         let keys = RichText::new(keys).monospace().color(look.theme.ink);
                         let column = vec2(KEYS * width, 0.0);
@@ -127,11 +127,11 @@ fn heading(app: &App, ui: &mut Ui, key: &str) {
     });
 }
 
-fn lines(ctx: &Context) -> Vec<(String, &'static str)> {
+fn lines(look: Look<'_>, ctx: &Context) -> Vec<(String, &'static str)> {
     let mut lines: Vec<(String, &'static str)> = Vec::new();
     let shown = BINDINGS.iter().filter(|(_, key, ..)| *key != Key::Equals);
     for &(modifiers, key, _, help) in shown {
-        let key = written(ctx, modifiers, key);
+        let key = written(look, ctx, modifiers, key);
         match lines.last_mut() {
             Some((known, of)) if *of == help => *known = format!("{known}  {key}"),
             _ => lines.push((key, help)),
@@ -140,17 +140,46 @@ fn lines(ctx: &Context) -> Vec<(String, &'static str)> {
     lines
 }
 
-fn written(ctx: &Context, modifiers: Modifiers, key: Key) -> String {
-    let sign = match key {
-        Key::ArrowLeft => "←",
-        Key::ArrowRight => "→",
-        Key::Questionmark => "?",
-        Key::Plus => "+",
-        Key::Minus => "−",
-        _ => return ctx.format_shortcut(&KeyboardShortcut::new(modifiers, key)),
+fn written(look: Look<'_>, ctx: &Context, modifiers: Modifiers, key: Key) -> String {
+    let name = match key {
+        Key::ArrowLeft => Some("←".to_owned()),
+        Key::ArrowRight => Some("→".to_owned()),
+        Key::Questionmark => Some("?".to_owned()),
+        Key::Plus => Some("+".to_owned()),
+        Key::Minus => Some("−".to_owned()),
+        _ => named(key).map(|name| look.say(name)),
     };
-    let whole = ctx.format_shortcut(&KeyboardShortcut::new(modifiers, Key::A));
-    format!("{}{sign}", whole.trim_end_matches('A'))
+    let shortcut = |key: Key| {
+        let whole = ctx.format_shortcut(&KeyboardShortcut::new(modifiers, key));
+        in_language(look, &whole)
+    };
+    let Some(name) = name else {
+        return shortcut(key);
+    };
+    let whole = shortcut(Key::A);
+    format!("{}{name}", whole.trim_end_matches('A'))
+}
+
+fn in_language(look: Look<'_>, keys: &str) -> String {
+    let keys = keys.replace("Shift", &look.say("key-shift"));
+    keys.replace("Enter", &look.say("key-enter"))
+}
+
+/// What is written on a key, in each language.
+const fn named(key: Key) -> Option<&'static str> {
+    Some(match key {
+        Key::Space => "key-space",
+        Key::Enter => "key-enter",
+        Key::Escape => "key-escape",
+        Key::Delete => "key-delete",
+        Key::Insert => "key-insert",
+        Key::Home => "key-home",
+        Key::End => "key-end",
+        Key::PageUp => "key-page-up",
+        Key::PageDown => "key-page-down",
+        Key::Backspace => "key-backspace",
+        _ => return None,
+    })
 }
 
 fn path_dialog(app: &App, ctx: &Context, dialog: &Dialog) {

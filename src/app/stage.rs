@@ -89,8 +89,10 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
             let shown = column.show(ui, state);
             let focused = shown.focused.and_then(|i| handles.get(i).copied());
             state.focused = state.focused.or(focused);
-            if shown.clicked.is_some() {
+            if let Some(click) = &shown.clicked {
                 state.inspected = i;
+                let handle = click.spot.and_then(|spot| handles.get(spot));
+                state.clicked = handle.copied().or(state.clicked);
             }
             match &state.sketch {
                 Some(drawn) => clicks::ask_of_sketch(app, ui, &shown, drawn),

@@ -41,6 +41,8 @@ pub struct StageState {
     pub focused: Option<Handle>,
     /// The vertex that was clicked or dragged last: what Insert and Delete are about.
     pub selected: Option<Handle>,
+    /// The handle that was clicked last.
+    pub clicked: Option<Handle>,
     /// What was clicked last, to be told why it was kept or dropped.
     pub asked: Option<Link>,
     pub sketch: Option<Sketch>,

@@ -365,3 +365,14 @@ fn a_triangle_is_taken_hold_of_in_its_middle_and_follows_the_pointer() {
     let off = (bench.handle_at(nth) - from - by).length();
     assert!(off < 16.0, "to round numbers near the pointer: {off}");
 }
+
+#[test]
+fn what_was_clicked_is_what_f2_types() {
+    let mut bench = Bench::new(ROOMY);
+    bench.key(Key::F2);
+    assert!(bench.app.stage.typing.is_none(), "nothing was clicked");
+    let at = bench.on_screen(ends(&bench)[1]);
+    bench.press_at(at);
+    bench.key(Key::F2);
+    assert!(bench.app.stage.typing.is_some());
+}
