@@ -61,8 +61,8 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
         headings: &headings,
         difference: app.difference_told(),
     };
-    // What is dragged stays under the pointer: all else has its new place when it is let go.
-    let held = state.laid.take().filter(|_| state.is_dragged(ui));
+    // What is dragged stays under the pointer: all else has its new place when it has been let go.
+    let held = state.laid.take().filter(|_| state.holds_layout(ui));
     let layout = held.unwrap_or_else(|| lay_out(app, ui, state, (rect, &composition)));
     let focused = state.focused.take();
     state.canvas_ids.clear();

@@ -65,6 +65,7 @@ pub struct StageState {
     /// Where the views of the stage stood last, column by column.
     pub places: Vec<(ViewId, Slot)>,
     pub laid: Option<Layout>,
+    is_dragged: bool,
     layers: Vec<Layers>,
 }
 
@@ -101,11 +102,16 @@ impl StageState {
         self.sight.bounds
     }
 
-    /// Is a drawing or a handle of the last frame being dragged?
-    pub fn is_dragged(&self, ui: &Ui) -> bool {
+    /// Is a drawing or a handle of the last frame being dragged, or has it just been let go? Where that was is still to be found.
+    pub fn holds_layout(&mut self, ui: &Ui) -> bool {
         let mut ids = self.canvas_ids.iter().chain(&self.handle_ids);
         let dragged = ui.ctx().dragged_id();
-        dragged.is_some_and(|dragged| ids.any(|&id| id == dragged))
+        let is_dragged = dragged.is_some_and(|dragged| ids.any(|&id| id == dragged));
+        let was_dragged = std::mem::replace(&mut self.is_dragged, is_dragged);
+        if was_dragged && !is_dragged {
+            ui.ctx().request_repaint();
+        }
+        is_dragged || was_dragged
     }
 
     pub fn chosen(&self) -> Option<Handle> {

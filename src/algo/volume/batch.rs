@@ -1,5 +1,5 @@
 //! Many triangles before the divide, as a renderer has them: by their codes most are inside or outside and are not copied; the
-//! others are cut between the same two polygons, by the clipper of [`HomogeneousTriangle`](super::HomogeneousTriangle) and to the
+//! others are cut between the same two polygons, side by side as [`HomogeneousTriangle`](super::HomogeneousTriangle) does and to the
 //! same bits.
 //!
 //! ```

@@ -145,7 +145,7 @@ impl<A: Attributes, L: VolumeRules> Method for HomogeneousTriangle<A, L> {
 impl<A: Attributes, L: VolumeRules> HomogeneousTriangle<A, L> {
     /// By one side after the other of those that are named.
     #[inline]
-    pub(super) fn clip_by_sides<R: Real, T: Tell<Self>>(
+    fn clip_by_sides<R: Real, T: Tell<Self>>(
         named: SideCode,
         held: &mut Lists<ClipPolygon<A>>,
         tell: &mut T,

@@ -33,8 +33,18 @@ fn nothing_moves_under_the_pointer_while_a_handle_is_dragged() {
         }
         n_dragged += usize::from(!bench.app.is_untouched());
         assert_eq!(stands(&bench), before, "{lesson}, {step}");
+        let place = |bench: &Bench| {
+            let document = bench.app.scene().document();
+            let handles = document.handles();
+            handles
+                .into_iter()
+                .map(|it| document.position(it))
+                .collect::<Vec<_>>()
+        };
+        let held = place(&bench);
         bench.button(by(4), false);
         bench.settle();
+        assert_eq!(place(&bench), held, "{lesson}, {step}: let go");
         n_changed += usize::from(stands(&bench) != before);
     }
     assert!(n_dragged > 20, "{n_dragged}");
