@@ -45,23 +45,15 @@ impl Known {
             _ => None,
         };
         // The plane beyond which a sphere lies decides, before the object is said to be culled.
-        let is_beyond = at.step.past.last().and_then(|event| match *event {
-            Event::Plane {
-                class: Containment::Outside,
-                ..
-            } => Some(Containment::Outside),
-            _ => None,
-        });
+        let outside = Containment::Outside;
+        let is_beyond =
+            |event: &&Event| matches!(**event, Event::Plane { class, .. } if class == outside);
+        let last = at.step.past.last().filter(is_beyond);
+        let classes = at.step.past.iter().filter_map(class);
         let object = input.objects.get(held.object_idx);
         let n_faces = object.map_or(0, |object| object.triangles.len());
         Self {
-            classes: at
-                .step
-                .past
-                .iter()
-                .filter_map(class)
-                .chain(is_beyond)
-                .collect(),
+            classes: classes.chain(last.map(|_| outside)).collect(),
             fronts: input.objects[..n_done].iter().map(fronts).collect(),
             now: Now::of(at),
             dropped: dropped(at.step.past, n_faces),
