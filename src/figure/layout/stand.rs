@@ -18,6 +18,8 @@ const GAP: [f32; 2] = [2.5, 1.0];
 const AROUND: f32 = 4.0;
 /// What stands beside a drawing that needs less width may be so much wider.
 const SPREAD: f32 = 1.25;
+/// And so much higher.
+const APART: f32 = 1.4;
 
 impl Sheet {
     /// The drawing, no larger than `most`, and then the others; none where what stands beside it has no room.
@@ -199,7 +201,8 @@ impl Sheet {
         (drawn, self.stack(below, &under, &strips))
     }
 
-    /// Over each other beside the drawing, at their natural heights; other drawings, or the last one, have what is left.
+    /// Over each other beside the drawing, at their natural heights. Of what is left other drawings have all; where there are none
+    /// rows stand farther apart, and the last view has what that leaves.
     fn side(&self, side: Slot, needs: &[&Need]) -> Vec<(ViewId, Slot)> {
         let room = side.size()[1] + self.gap();
         let mut needs: Vec<Need> = needs.iter().map(|&&need| need).collect();
@@ -212,6 +215,13 @@ impl Sheet {
         let mut heights = self.heights(&needs, room);
         let taken: f32 = heights.iter().map(|height| height + self.gap()).sum();
         if heights.len() == needs.len() && taken < room {
+            let mut left = room - taken;
+            if n_drawn == 0 {
+                let natural: f32 = heights.iter().sum();
+                let apart = (left / natural).min(APART - 1.0);
+                heights.iter_mut().for_each(|height| *height *= 1.0 + apart);
+                left -= apart * natural;
+            }
             let last = needs.len().saturating_sub(1);
             let grows = |nth: usize| match n_drawn {
                 0 => nth == last,
@@ -221,7 +231,7 @@ impl Sheet {
                 .iter_mut()
                 .enumerate()
                 .filter(|(nth, _)| grows(*nth));
-            growing.for_each(|(_, height)| *height += (room - taken) / n_drawn.max(1) as f32);
+            growing.for_each(|(_, height)| *height += left / n_drawn.max(1) as f32);
         }
         self.stack(side, &needs, &heights)
     }

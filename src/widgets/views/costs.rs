@@ -26,6 +26,8 @@ const LINE: f32 = 19.0;
 const GAPS: [f32; 2] = [18.0, 8.0];
 const WITHIN: f32 = 7.0;
 const HEAD: f32 = 32.0;
+/// A row may be so many times as high as it has to be.
+const APART: f32 = 1.5;
 /// The gap under the last row may be missing.
 const FITS: f32 = 0.3;
 
@@ -64,6 +66,7 @@ impl Costs {
         most.unwrap_or_default().max(1)
     }
 
+    /// As low as it can be.
     fn row_height(&self, slate: &Slate<'_>) -> f32 {
         let n_lines = if self.is_pair() { 1 } else { self.counts.len() };
         let gap = GAPS[usize::from(!self.is_pair())];
@@ -151,10 +154,13 @@ impl OnSlate for Costs {
                 }
             }
         }
-        let height = self.row_height(slate);
+        let least = self.row_height(slate);
         let mut top = rect.top() + head;
-        let n_fit = ((rect.bottom() - top) / height + FITS).floor() as usize;
-        for kind in self.rows_in(n_fit) {
+        let room = rect.bottom() - top;
+        let rows = self.rows_in((room / least + FITS).floor() as usize);
+        // Where there is room, they stand apart.
+        let height = (room / rows.len() as f32).clamp(least, APART * least);
+        for kind in rows {
             let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
             let style = (Face::Plain, SIZE, slate.theme().soft);
             let words = slate.words(slate.look.say(kind.0), style);

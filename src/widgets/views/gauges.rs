@@ -15,7 +15,7 @@ use super::prelude::*;
 const TEXT_PTS: f32 = 13.0;
 const NUMBER_PTS: f32 = 12.5;
 const SMALL_PTS: f32 = 11.5;
-const ROW: f32 = 22.0;
+const ROWS: [f32; 2] = [17.6, 34.0];
 const OVER: f32 = 27.0;
 const UNDER: f32 = 20.0;
 const ASIDE: f32 = 14.0;
@@ -29,7 +29,7 @@ impl OnSlate for Gauges {
     fn slate<'a>(&self, natural: Slate<'a>, room: Vec2) -> Slate<'a> {
         natural.fitted_in(room, |slate| {
             let [left, right] = columns(slate, self);
-            let rows = self.rows.len() as f32 * 0.8 * ROW;
+            let rows = self.rows.len() as f32 * ROWS[0];
             let width = left + right + slate.pts(LEAST_AXIS);
             vec2(width, slate.pts(OVER + rows + UNDER))
         })
@@ -79,7 +79,7 @@ impl Axes {
         let n = gauges.rows.len().max(1) as f32;
         let under = slate.pts(if has_bars(gauges) { 0.0 } else { UNDER });
         let top = top + slate.pts(8.0);
-        let row = ((rect.bottom() - top - under) / n).min(slate.pts(ROW));
+        let row = ((rect.bottom() - top - under) / n).min(slate.pts(ROWS[1]));
         let whole = Rect::from_x_y_ranges(rect.x_range(), top..=top + n * row);
         let left = rect.left() + left;
         let x = left..=(rect.right() - right).max(left + 1.0);

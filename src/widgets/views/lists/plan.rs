@@ -4,8 +4,10 @@ use crate::figure::{ListColumn, ListLink, Lists};
 
 use super::super::prelude::*;
 
-const CHIP: f32 = 22.0;
-const STEPS: [f32; 2] = [26.0, 30.0];
+const CHIPS: [f32; 2] = [22.0, 28.0];
+/// From entry to entry: where there is room, they stand apart.
+const STEPS: [f32; 2] = [26.0, 46.0];
+const BETWEEN: f32 = 8.0;
 const LEAST_CHIP_WIDTH: f32 = 57.0;
 const PAD: f32 = 12.0;
 pub const MARKER: f32 = 16.0;
@@ -146,7 +148,9 @@ impl<'l> Plan<'l> {
             };
             let left = x + before;
             let top = rect.top() + over;
-            let chips = vec2(widths.chip, slate.pts(CHIP));
+            let [low, high] = CHIPS.map(|height| slate.pts(height));
+            let height = (step - slate.pts(BETWEEN)).clamp(low, high);
+            let chips = vec2(widths.chip, height);
             x = left + widths.chip + after + gap;
             Column {
                 list,
