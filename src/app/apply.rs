@@ -139,6 +139,7 @@ impl App {
             Command::OpenWhole => self.open_whole(ctx),
             Command::Cancel => self.cancel(ctx),
             Command::Code(code) => shown.code = code,
+            Command::Picture => self.turn_picture(),
             Command::Section(id) => self.open_section(id),
             Command::Control(id) => self.lead_to(id, now),
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
@@ -174,7 +175,6 @@ impl App {
                 settings.board = board;
                 *settings = std::mem::take(settings).in_range();
             }
-            Command::Picture => settings.picture_beside ^= true,
             _ => {}
         }
     }
@@ -198,9 +198,8 @@ impl App {
         let size = self.history.now().document().size();
         let is_drag = matches!(edit, Edit::Drag(..) | Edit::Measure(..));
         let fits = edit.brings_another();
-        if fits {
-            self.history.leave(self.playback.transport.position());
-        }
+        // To undo a change is to see what was seen before it.
+        self.history.leave(self.position());
         let mut selected = None;
         let changed = self.history.edit(gesture, now, size, |scene| {
             selected = edit.apply(scene)?;

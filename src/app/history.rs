@@ -32,7 +32,7 @@ pub struct OnDisk<S> {
 struct Version<S> {
     document: S,
     file: Option<Rc<OnDisk<S>>>,
-    /// The step of the run at which another document took its place.
+    /// The step of the run that was seen when another document took its place.
     left_at: Option<usize>,
 }
 

@@ -303,6 +303,7 @@ impl App {
         self.playback.prepare(self.stage.bounds(), album);
 
         (self.shown.size, self.shown.measures) = (ctx.content_rect().size(), self.measures());
+        self.shown.is_measuring &= self.shown.measures;
         self.install_theme(ui);
         self.name_window(&ctx);
         let lit = self.stage.lit;

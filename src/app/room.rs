@@ -38,6 +38,13 @@ const TALL: Spacing = Spacing {
     ..SPACING
 };
 
+/// A lesson by its index, or the free scenes of a lab.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Whereabouts {
+    Lesson(usize),
+    Free(&'static str),
+}
+
 /// The one place that a narrow window has room for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Room {
@@ -163,9 +170,27 @@ impl App {
         self.shown.asks && self.course_part() == CoursePart::Strip && !self.is_low()
     }
 
+    /// Is the camera's picture as large as the observer's? Another lesson begins with a small one.
+    pub(super) fn has_large_picture(&self) -> bool {
+        self.shown.large_picture == Some(self.whereabouts())
+    }
+
+    pub(super) fn turn_picture(&mut self) {
+        let is_large = self.has_large_picture();
+        self.shown.large_picture = (!is_large).then(|| self.whereabouts());
+    }
+
+    fn whereabouts(&self) -> Whereabouts {
+        match self.bookmark.free {
+            Some(_) => Whereabouts::Free(self.scene().document().lab().id),
+            None => Whereabouts::Lesson(self.bookmark.at[0]),
+        }
+    }
+
     pub(super) fn measures(&self) -> bool {
-        let lab = self.scene().document().lab();
+        let scene = self.scene();
+        let lab = scene.document().lab();
         let mut panels = self.kit.panels.iter();
-        panels.any(|panel| panel.lab() == lab && panel.measures())
+        panels.any(|panel| panel.lab() == lab && panel.measures(scene))
     }
 }

@@ -39,8 +39,6 @@ pub struct Settings {
     pub text: f32,
     /// What stands beside the drawings is so many times as large as it is at first.
     pub board: f32,
-    /// Is the camera's picture as large as the observer's?
-    pub picture_beside: bool,
     /// Has the reader gone a step, or dragged something? Who has not is told how.
     pub is_greeted: bool,
     /// The window's inner size in points, when it was closed.
@@ -74,7 +72,6 @@ impl Default for Settings {
             speed: 1.0,
             text: 1.0,
             board: 1.0,
-            picture_beside: false,
             is_greeted: false,
             window: None,
             figures: None,

@@ -2,7 +2,13 @@
 
 use egui::Vec2;
 
-use super::{Dialog, controls::Controls, prelude::*, room::Room, window::Before};
+use super::{
+    Dialog,
+    controls::Controls,
+    prelude::*,
+    room::{Room, Whereabouts},
+    window::Before,
+};
 
 #[allow(
     clippy::struct_excessive_bools,
@@ -38,4 +44,6 @@ pub struct Shown {
     /// The least size of what is pressed, and whether nothing moves by itself, as the context has been told.
     pub hand: Option<(Vec2, bool)>,
     pub title: String,
+    /// Where the camera's picture is as large as the observer's.
+    pub large_picture: Option<Whereabouts>,
 }

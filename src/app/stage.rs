@@ -135,7 +135,7 @@ fn lay_out(
     let heights = [caption, 0.0];
     let playback = &app.playback;
     let mut needs = Cow::Borrowed(&playback.needs);
-    if app.settings.picture_beside {
+    if app.has_large_picture() {
         for need in needs.to_mut().iter_mut().flatten() {
             let is_equal = need.stand == Stand::Inset;
             *need = Need {

@@ -92,7 +92,8 @@ impl App {
             let catalog = self.look_at_step().catalog;
             let write = |x: f64| catalog.value(&x.into());
             let document = self.scene().document();
-            let text = written(handle, document, self.stage.is_flat(), write)?;
+            let written_by = (catalog.lang(), write);
+            let text = written(handle, document, self.stage.is_flat(), written_by)?;
             Some(Typing {
                 handle,
                 at,

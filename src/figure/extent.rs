@@ -148,7 +148,7 @@ fn multiples_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
             // Rows of bars.
             let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
             let natural = [29.0, 3.0 + 1.9 * rows];
-            (Stand::Beside, [15.0, 2.6 + 1.2 * rows], natural)
+            (Stand::Beside, [20.0, 2.6 + 1.2 * rows], natural)
         }
         Tiles::Strip => (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0]),
         Tiles::Beside => {

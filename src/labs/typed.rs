@@ -1,27 +1,31 @@
 //! A handle's place, as it is typed.
 
-use crate::text::{Diagnostic, Message, read_numbers};
+use crate::text::{Diagnostic, Lang, Message, read_numbers};
 
 use super::{Document, Edit, Handle, Motion};
 
-/// How the place of a handle is written: as `write` writes numbers, where [`read_numbers`] reads those.
+/// How the place of a handle is written: as `write` writes numbers, where [`read_numbers`] reads those, and as this language
+/// parts them.
 pub fn written(
     handle: Handle,
     document: &dyn Document,
     is_flat: bool,
-    write: impl Fn(f64) -> String,
+    (lang, write): (Lang, impl Fn(f64) -> String),
 ) -> Option<String> {
-    let numbers = numbers(handle, document, is_flat)?.into_iter();
-    let written = numbers.map(|x| {
+    let numbers = numbers(handle, document, is_flat)?;
+    let between = lang.list_separator();
+    let parted = if numbers.len() > 1 { between } else { "" };
+    let written = numbers.into_iter().map(|x| {
         let short = write(x);
-        let is_read = read_numbers(&short).is_some_and(|read| read.len() == 1);
+        let read = read_numbers(&format!("{short}{parted}"));
+        let is_read = read.is_some_and(|read| read.len() == 1);
         if is_read {
             short
         } else {
             x.to_string().replace('-', "−")
         }
     });
-    Some(written.collect::<Vec<_>>().join(", "))
+    Some(written.collect::<Vec<_>>().join(between))
 }
 
 /// The change that was typed for a handle, whose place had been written so. What has not been typed anew stays exactly as it
@@ -99,8 +103,11 @@ mod tests {
         let exact = [0.1 + 0.2, 1.0 / 3.0, 0.0];
         let document = scene.document_mut();
         document.drag(handle, exact).expect("it can lie there");
-        let shown = written(handle, document, true, short).expect("it has a place");
+        let shown = written(handle, document, true, (Lang::En, short)).expect("it has a place");
         assert_eq!(shown, "0.300, 0.333");
+        let with_comma = |x: f64| short(x).replace('.', ",");
+        let spanish = written(handle, document, true, (Lang::Es, with_comma));
+        assert_eq!(spanish.as_deref(), Some("0,300; 0,333"));
         for (typed, expected) in [
             ("0.3, 1/3", [exact[0], 1.0 / 3.0, 0.0]),
             ("0.300, 2", [exact[0], 2.0, 0.0]),
@@ -120,7 +127,12 @@ mod tests {
         let document = scene.document();
         let handle = document.handles()[0];
         let [x, y, _] = document.position(handle).expect("it has a place");
-        let shown = written(handle, document, true, |_| "1.2×10⁻⁵".to_owned());
+        let shown = written(
+            handle,
+            document,
+            true,
+            (Lang::En, |_| "1.2×10⁻⁵".to_owned()),
+        );
         let in_full = format!("{x}, {y}").replace('-', "−");
         assert_eq!(shown, Some(in_full));
     }
@@ -132,7 +144,7 @@ mod tests {
         let handles = document.handles();
         let near = handles.iter().find(|handle| handle.kind().id == "near");
         let near = *near.expect("a camera has one");
-        let shown = written(near, document, false, short).expect("it has a distance");
+        let shown = written(near, document, false, (Lang::En, short)).expect("it has a distance");
         for typed in ["1, 2, 3", "", "near"] {
             let refused = typed_change(near, document, false, [&shown, typed]);
             assert_eq!(refused.expect_err("not one number").code, "typed-place");

@@ -39,7 +39,8 @@ pub trait LabPanel {
         None
     }
 
-    fn measures(&self) -> bool {
+    /// Can the costs of the methods on this scene's stage be measured?
+    fn measures(&self, _: &Scene) -> bool {
         false
     }
 

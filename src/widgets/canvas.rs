@@ -335,7 +335,7 @@ fn scale(painter: &Painter, viewport: &Viewport, step: f64, (look, labels): (Loo
     // Of grids of 1, 2 or 5 every fifth line has a round number, of others it has one, too.
     let mut round = [1.0, 2.0, 5.0, 10.0].into_iter();
     let every = step * round.find(|&n| n >= lines).unwrap_or(lines);
-    let font = FontId::monospace(look.theme.pts(9.5, libm::powf(look.theme.text_scale, 0.7)));
+    let font = FontId::monospace(look.theme.pts(9.5, look.theme.text_scale));
     let [left, top] = viewport.to_world(rect.min);
     let [right, bottom] = viewport.to_world(rect.max);
     let room = f64::from(font.size) * 1.5 / viewport.scale;

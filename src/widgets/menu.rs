@@ -1,7 +1,7 @@
 //! Menus: rows that touch, each as wide as the menu; and the menus for the language and the theme.
 
 use egui::{
-    InnerResponse, PopupCloseBehavior, ScrollArea, Style, WidgetText,
+    InnerResponse, Key, PopupCloseBehavior, ScrollArea, Style, WidgetText,
     containers::menu::{self, MenuButton, MenuConfig, SubMenuButton},
 };
 
@@ -69,11 +69,16 @@ fn opened(
         rows.show(ui, content);
     };
     let config = MenuConfig::new().style(menu_style).close_behavior(closes);
-    if menu::is_in_menu(ui) {
-        SubMenuButton::new(title).config(config).ui(ui, content).0
+    let (response, shown) = if menu::is_in_menu(ui) {
+        SubMenuButton::new(title).config(config).ui(ui, content)
     } else {
-        MenuButton::new(title).config(config).ui(ui, content).0
+        MenuButton::new(title).config(config).ui(ui, content)
+    };
+    // Whoever leaves a menu by its key goes on from its button.
+    if shown.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
+        response.request_focus();
     }
+    response
 }
 
 pub fn is_chosen(ui: &mut Ui, is_current: bool, name: impl Into<WidgetText>) -> bool {

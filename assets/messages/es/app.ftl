@@ -323,7 +323,7 @@ progress-title = Progreso
 progress-counts = { $seen ->
     [one] Un paso visto
    *[other] { $seen } pasos vistos
-} · { $beforehand } dichos de antemano · { $after } dichos después de los números · { $open } pendientes · objetivos alcanzados: { $reached } / { $goals }
+} · dichos de antemano: { $beforehand } · dichos después de los números: { $after } · pendientes: { $open } · objetivos alcanzados: { $reached } / { $goals }
 progress-hand-in = Entregar…
 progress-take-up = Cargar un archivo…
 progress-afresh = Empezar de cero

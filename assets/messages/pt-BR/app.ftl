@@ -323,7 +323,7 @@ progress-title = Progresso
 progress-counts = { $seen ->
     [1] Um passo visto
    *[other] { $seen } passos vistos
-} · { $beforehand } respondidos de antemão · { $after } respondidos depois dos números · { $open } em aberto · metas alcançadas: { $reached } / { $goals }
+} · respondidos de antemão: { $beforehand } · respondidos depois dos números: { $after } · em aberto: { $open } · metas alcançadas: { $reached } / { $goals }
 progress-hand-in = Entregar…
 progress-take-up = Carregar um arquivo…
 progress-afresh = Começar do zero

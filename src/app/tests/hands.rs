@@ -3,6 +3,19 @@
 use super::*;
 
 #[test]
+fn undo_shows_the_step_at_which_the_change_was_made() {
+    let mut bench = Bench::new(ROOMY);
+    bench.command(Command::Seek(6));
+    let p2 = ends(&bench)[1];
+    bench.drag(bench.on_screen(p2), bench.on_screen([2.5, 1.5]));
+    bench.command(Command::Seek(2));
+    bench.undo();
+    assert_eq!(bench.app.position(), 6);
+    bench.press(Key::Z, ctrl() | Modifiers::SHIFT);
+    assert_eq!(bench.app.position(), 2, "where it was undone");
+}
+
+#[test]
 fn an_end_is_dragged_and_one_undo_takes_the_whole_drag_back() {
     let mut bench = Bench::new(ROOMY);
     bench.command(Command::Seek(6));

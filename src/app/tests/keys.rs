@@ -79,7 +79,7 @@ fn tab_walks_the_bar_from_left_to_right_and_stops_at_nothing_that_is_disabled() 
 
 #[test]
 fn tab_stays_in_what_is_open_over_the_window() {
-    for lab in ["lines", "frustum"] {
+    for lab in ["lines", "surfaces"] {
         let mut bench = Bench::course(SIZE);
         bench.command(Command::Lab(lab));
         bench.command(Command::Measure(true));

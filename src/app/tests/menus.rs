@@ -93,6 +93,24 @@ fn wherever_the_pointer_is_in_a_menu_it_is_on_a_row() {
 }
 
 #[test]
+fn whoever_leaves_a_menu_by_its_key_goes_on_from_its_button() {
+    let mut bench = Bench::new(SIZE);
+    bench.click_on("Scene");
+    bench.key(Key::Tab);
+    let row = bench.ctx.memory(|memory| memory.focused());
+    bench.key(Key::Escape);
+    let button = bench.ctx.memory(|memory| memory.focused());
+    assert!(button.is_some() && button != row, "{button:?} {row:?}");
+    bench.key(Key::Enter);
+    assert!(
+        bench
+            .named()
+            .iter()
+            .any(|(name, _)| name.starts_with("Undo"))
+    );
+}
+
+#[test]
 fn what_has_no_room_in_the_bar_is_in_a_menu() {
     for (size, menu) in [(vec2(360.0, 640.0), "More"), (SIZE, "Scene")] {
         let mut bench = Bench::new(size);

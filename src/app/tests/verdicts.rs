@@ -212,4 +212,8 @@ fn the_cameras_picture_is_enlarged_by_a_double_click_and_by_a_key_and_put_back()
     bench.key(Key::V);
     bench.settle();
     assert!((size(&bench) - small).abs() < 1.0);
+    bench.key(Key::V);
+    assert!(bench.app.has_large_picture());
+    bench.command(Command::Lab("surfaces"));
+    assert!(!bench.app.has_large_picture(), "elsewhere it begins small");
 }

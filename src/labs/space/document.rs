@@ -23,7 +23,7 @@ impl Scene {
         self.method.info().lab.method(id)
     }
 
-    pub(in crate::labs) fn asks(&self, subject: Subject) -> bool {
+    pub fn asks(&self, subject: Subject) -> bool {
         self.on_stage()
             .any(|method| method.info().subject == subject)
     }

@@ -29,7 +29,7 @@ impl LabPanel for LinesPanel {
         Some(PanelAsk::Edit(change))
     }
 
-    fn measures(&self) -> bool {
+    fn measures(&self, _: &labs::Scene) -> bool {
         true
     }
 

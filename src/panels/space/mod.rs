@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::{
     geom::Mesh,
-    labs::space::{Model, NamedMesh, Picture, Scene, SpaceChange, controls::sections},
+    labs::space::{Model, NamedMesh, Picture, Scene, SpaceChange, Subject, controls::sections},
 };
 
 use super::{form::Form, prelude::*};
@@ -91,8 +91,11 @@ impl<C: StreetCosts> LabPanel for SpacePanel<C> {
         Some(Edit::own(SpaceChange::Add(model)))
     }
 
-    fn measures(&self) -> bool {
-        true
+    /// Whole objects and their faces are measured: no method that asks about a point, a segment or a triangle of its own.
+    fn measures(&self, scene: &labs::Scene) -> bool {
+        let measured = [Subject::Object, Subject::Face, Subject::Surfaces];
+        let is_measured = |scene: &Scene| measured.into_iter().any(|subject| scene.asks(subject));
+        scene.get().is_some_and(is_measured)
     }
 
     fn bench(&mut self) -> Option<&mut dyn Bench> {
