@@ -178,11 +178,12 @@ impl Sheet {
         let lowered: Vec<Need> = groups.under.iter().map(|need| way.lowered(need)).collect();
         let under: Vec<&Need> = lowered.iter().collect();
         let least_height = least_height(way, groups.drawing, height);
-        let strips = self.heights(&under, height - least_height - inset);
+        let room = height - least_height - inset;
+        let seen = &under[..self.heights(&under, room).len()];
+        let least = |need: &&Need| need.least[1] * self.readable() + self.gap();
         // As far as they all are seen, the drawing keeps half.
-        let half = self.heights(&under, 0.5 * height);
-        let is_enough = half.len() == strips.len();
-        let mut strips = if is_enough { half } else { strips };
+        let room = room.min((0.5 * height).max(seen.iter().map(least).sum()));
+        let mut strips = self.heights(seen, room);
         let gaps = self.gap() * strips.len() as f32;
         let most_strips = height - least_height - inset - gaps;
         let board = self.board.min(most_strips / strips.iter().sum::<f32>());
