@@ -76,7 +76,7 @@ impl TableRoom {
                 4.5 + 2.8 * gaps + 0.6 * words,
                 3.0 + 1.8 * rows.min(4.0) + 1.5 * notes,
             ],
-            natural: [6.0 + 3.0 * gaps + words, 3.0 + 3.2 * rows + 2.0 * notes],
+            natural: [6.5 + 3.5 * gaps + words, 3.0 + 3.2 * rows + 2.0 * notes],
             whole: [
                 SIZE * (whole + gaps + 1.7),
                 SIZE * ROW * (n_rows.min(MOST_ROWS) + 1) as f32,
