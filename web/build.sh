@@ -41,7 +41,11 @@ if [ -z "$quick" ]; then
     note "wasm-opt could not be had (npm's binaryen 132): the page works, and is about a fifth larger"
   fi
 fi
-gzip -n -"$([ -n "$quick" ] && echo 1 || echo 9)" -c "$made/clipscope.wasm" >"$made/clipscope.bin"
+# A gzip file, and the smallest one.
+small() {
+  if [ -n "$quick" ]; then gzip -n1 -c "$1" >"$2"; else "$target/tool/clipscope-bindgen" gzip "$1" "$2"; fi
+}
+small "$made/clipscope.wasm" "$made/clipscope.bin"
 
 # Each file is named by its content, so that no cache shows an old one; what names another comes after it.
 rm -rf "$dist" && mkdir -p "$dist/licences"
@@ -69,7 +73,8 @@ part() {
   for file in "$@"; do
     printf '%s %d\n' "$(sed 's|.*/messages/[^/]*/||; s|.*/lessons/||; s|.*/spot/||' <<<"$file")" "$(stat -c %s "$file")"
     cat "$file"
-  done | gzip -n9 >"$made/$to"
+  done >"$made/part"
+  small "$made/part" "$made/$to"
   put "$made/$to" "$to"
 }
 for lang in zh-CN es pt-BR; do part "texts-$lang.bin" ../assets/messages/"$lang"/*.ftl ../lessons/*/"$lang.md"; done

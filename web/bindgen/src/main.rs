@@ -1,20 +1,48 @@
 //! `wasm-bindgen`, as much of it as the page needs: `clipscope-bindgen IN.wasm OUT`. As a program of this workspace it has the
 //! version that the page was compiled with, and a third of what `cargo install wasm-bindgen-cli` compiles.
+//!
+//! `clipscope-bindgen gzip FILE OUT` makes a file for every browser as small as gzip's format allows, in half a minute.
 
-use std::env;
+use std::{
+    env,
+    fs::{self, File},
+    num::NonZero,
+};
 
 use anyhow::Context;
 use wasm_bindgen_cli_support::Bindgen;
+use zopfli::{Format, Options};
+
+/// More rounds make it smaller by less than a thousandth.
+const ROUNDS: NonZero<u64> = NonZero::new(5).expect("more than none");
 
 fn main() -> anyhow::Result<()> {
-    let mut args = env::args().skip(1);
-    let [input, out] = [args.next(), args.next()].map(|arg| arg.context("IN.wasm OUT"));
+    let args: Vec<String> = env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    match args[..] {
+        ["gzip", file, out] => squeeze(file, out),
+        [input, out] => bind(input, out),
+        _ => anyhow::bail!("IN.wasm OUT, or gzip FILE OUT"),
+    }
+}
+
+fn bind(input: &str, out: &str) -> anyhow::Result<()> {
     Bindgen::new()
-        .input_path(input?)
+        .input_path(input)
         .out_name("clipscope")
         .web(true)?
         .typescript(false)
         .remove_name_section(true)
         .remove_producers_section(true)
-        .generate(out?)
+        .generate(out)
+}
+
+fn squeeze(file: &str, out: &str) -> anyhow::Result<()> {
+    let bytes = fs::read(file).with_context(|| file.to_owned())?;
+    let to = File::create(out).with_context(|| out.to_owned())?;
+    let options = Options {
+        iteration_count: ROUNDS,
+        ..Options::default()
+    };
+    Ok(zopfli::compress(options, Format::Gzip, &*bytes, to)?)
 }
