@@ -97,9 +97,9 @@ fn whoever_leaves_a_menu_by_its_key_goes_on_from_its_button() {
     let mut bench = Bench::new(SIZE);
     bench.click_on("Scene");
     bench.key(Key::Tab);
-    let row = bench.ctx.memory(|memory| memory.focused());
+    let row = bench.ctx.memory(egui::Memory::focused);
     bench.key(Key::Escape);
-    let button = bench.ctx.memory(|memory| memory.focused());
+    let button = bench.ctx.memory(egui::Memory::focused);
     assert!(button.is_some() && button != row, "{button:?} {row:?}");
     bench.key(Key::Enter);
     assert!(

@@ -216,23 +216,18 @@ impl Sheet {
         let mut heights = self.heights(&needs, room);
         let taken: f32 = heights.iter().map(|height| height + self.gap()).sum();
         if heights.len() == needs.len() && taken < room {
-            let mut left = room - taken;
-            if n_drawn == 0 {
-                let natural: f32 = heights.iter().sum();
-                let apart = (left / natural).min(APART - 1.0);
-                heights.iter_mut().for_each(|height| *height *= 1.0 + apart);
-                left -= apart * natural;
-            }
+            let natural: f32 = heights.iter().sum();
+            let most = if n_drawn == 0 { APART - 1.0 } else { 0.0 };
+            let apart = (room - taken).min(most * natural);
+            let left = (room - taken - apart) / n_drawn.max(1) as f32;
             let last = needs.len().saturating_sub(1);
-            let grows = |nth: usize| match n_drawn {
-                0 => nth == last,
-                _ => needs[nth].aspect.is_some(),
-            };
-            let growing = heights
-                .iter_mut()
-                .enumerate()
-                .filter(|(nth, _)| grows(*nth));
-            growing.for_each(|(_, height)| *height += left / n_drawn.max(1) as f32);
+            for (nth, height) in heights.iter_mut().enumerate() {
+                let grows = match n_drawn {
+                    0 => nth == last,
+                    _ => needs[nth].aspect.is_some(),
+                };
+                *height += apart * *height / natural + if grows { left } else { 0.0 };
+            }
         }
         self.stack(side, &needs, &heights)
     }
