@@ -341,6 +341,21 @@ fn question_answer_and_what_follows_leave_the_stage_as_high() {
 }
 
 #[test]
+fn where_text_is_large_the_stage_has_the_room_of_a_question_that_is_put_aside() {
+    let page = Page::Step("05-intervals".to_owned(), "entering".to_owned());
+    let mut bench = asked_at(page, Lang::En, SIZE);
+    bench.command(Command::TextSize(1.5));
+    bench.settle();
+    let height = |bench: &Bench| bench.app.stage.places[0].1.size()[1];
+    let asked = height(&bench);
+    assert!(bench.app.practice.is_asking());
+    bench.key(Key::Escape);
+    bench.settle();
+    assert!(!bench.app.practice.is_asking());
+    assert!(height(&bench) > asked, "{} {asked}", height(&bench));
+}
+
+#[test]
 fn while_practising_the_stage_keeps_its_height() {
     for lab in LABS {
         for (lang, size) in [(Lang::En, SIZE), (Lang::Es, vec2(1024.0, 768.0))] {
