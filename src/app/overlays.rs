@@ -141,23 +141,27 @@ fn lines(look: Look<'_>, ctx: &Context) -> Vec<(String, &'static str)> {
 }
 
 fn written(look: Look<'_>, ctx: &Context, modifiers: Modifiers, key: Key) -> String {
-    let name = match key {
-        Key::ArrowLeft => Some("←".to_owned()),
-        Key::ArrowRight => Some("→".to_owned()),
-        Key::Questionmark => Some("?".to_owned()),
-        Key::Plus => Some("+".to_owned()),
-        Key::Minus => Some("−".to_owned()),
-        _ => named(key).map(|name| look.say(name)),
-    };
     let shortcut = |key: Key| {
         let whole = ctx.format_shortcut(&KeyboardShortcut::new(modifiers, key));
         in_language(look, &whole)
     };
-    let Some(name) = name else {
-        return shortcut(key);
-    };
-    let whole = shortcut(Key::A);
-    format!("{}{name}", whole.trim_end_matches('A'))
+    let name = sign(key).map(str::to_owned);
+    let name = name.or_else(|| named(key).map(|name| look.say(name)));
+    name.map_or_else(
+        || shortcut(key),
+        |name| format!("{}{name}", shortcut(Key::A).trim_end_matches('A')),
+    )
+}
+
+const fn sign(key: Key) -> Option<&'static str> {
+    Some(match key {
+        Key::ArrowLeft => "←",
+        Key::ArrowRight => "→",
+        Key::Questionmark => "?",
+        Key::Plus => "+",
+        Key::Minus => "−",
+        _ => return None,
+    })
 }
 
 fn in_language(look: Look<'_>, keys: &str) -> String {
