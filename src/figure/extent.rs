@@ -59,6 +59,8 @@ pub struct Need {
     pub whole: [f32; 2],
     /// Is it to be as large as the drawing that it stands beside?
     pub is_equal: bool,
+    /// A strip that may stand beside the drawing, too, where that makes the drawing larger: least and natural size there.
+    pub aside: Option<[[f32; 2]; 2]>,
 }
 
 impl View {
@@ -120,6 +122,10 @@ impl View {
             aspect: self.aspect(),
             whole,
             is_equal: false,
+            aside: match &self.body {
+                Body::Multiples(multiples) => multiples.aside(),
+                _ => None,
+            },
         }
     }
 
@@ -140,8 +146,24 @@ impl View {
     }
 }
 
+impl Multiples {
+    /// Least and natural size beside a drawing, in ems.
+    fn in_rows(&self, rows: f32) -> [[f32; 2]; 2] {
+        const WIDE: f32 = 28.0;
+        let n = self.drawings.len().max(1) as f32;
+        let aspect = self.aspect().clamp(FLATTEST.recip(), FLATTEST) as f32;
+        let drawn = WIDE * rows / n;
+        let height = rows * (2.8 + drawn / aspect);
+        [[15.0, 4.0 + 2.5 * rows], [WIDE, height]]
+    }
+
+    fn aside(&self) -> Option<[[f32; 2]; 2]> {
+        let is_strip = self.tiles == Tiles::Strip && self.drawings.len() > 1;
+        is_strip.then(|| self.in_rows(2.0))
+    }
+}
+
 fn multiples_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
-    const WIDE: f32 = 28.0;
     let n = multiples.drawings.len() as f32;
     match multiples.tiles {
         Tiles::Strip if multiples.drawings.len() == 1 => {
@@ -152,12 +174,10 @@ fn multiples_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
         }
         Tiles::Strip => (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0]),
         Tiles::Beside => {
-            let aspect = multiples.aspect().clamp(FLATTEST.recip(), FLATTEST) as f32;
             // What is flat stands in two rows.
-            let rows = if aspect < 2.0 { 1.0 } else { 2.0 };
-            let drawn = WIDE * rows / n.max(1.0);
-            let height = rows * (2.8 + drawn / aspect);
-            (Stand::Beside, [15.0, 4.0 + 2.5 * rows], [WIDE, height])
+            let rows = if multiples.aspect() < 2.0 { 1.0 } else { 2.0 };
+            let [least, natural] = multiples.in_rows(rows);
+            (Stand::Beside, least, natural)
         }
         Tiles::Large => (Stand::Drawing, DRAWING[0], DRAWING[1]),
     }
@@ -366,5 +386,7 @@ impl Need {
         self.least = larger(self.least, more.least);
         self.natural = larger(self.natural, more.natural);
         self.whole = larger(self.whole, more.whole);
+        let aside = self.aside.zip(more.aside);
+        self.aside = aside.map(|(a, b)| [larger(a[0], b[0]), larger(a[1], b[1])]);
     }
 }

@@ -11,7 +11,7 @@ use super::{
 /// How several drawings at one scale stand.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Tiles {
-    /// A low row of them, under the drawing.
+    /// A low row of them, under the drawing; beside it in full rows where that makes the drawing larger.
     Strip,
     /// Beside the drawing, in full rows.
     Beside,

@@ -38,7 +38,7 @@ impl Arranged {
                 .filter_map(move |need| Some((need, slot(need)?.1)))
         });
         let is_narrow = |(need, slot): &(&Need, Slot)| {
-            need.aspect.is_none() && slot.size()[0] < need.least[0] * readable - 1.0
+            need.aspect.is_none() && slot.size()[0] < how.0.turned(**need).least[0] * readable - 1.0
         };
         let n_narrow = all.filter(is_narrow).count();
         let is_equal = needs.iter().flatten().any(|need| need.is_equal);

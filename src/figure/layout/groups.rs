@@ -57,7 +57,7 @@ impl<'a> Groups<'a> {
 pub enum Way {
     /// Beside the drawing, and under it.
     Beside,
-    /// Both beside it.
+    /// Both beside it, and a strip that can stand there.
     Aside,
     /// Beside it, and across all of the column.
     Across,
@@ -88,6 +88,19 @@ impl Way {
         Self::Under,
         Self::Low,
     ];
+
+    /// As it stands then.
+    pub const fn turned(self, need: Need) -> Need {
+        match (self, need.aside) {
+            (Self::Aside, Some([least, natural])) => Need {
+                stand: Stand::Beside,
+                least,
+                natural,
+                ..need
+            },
+            _ => need,
+        }
+    }
 
     /// The parts of the width that may stand beside the drawing; none where text alone does, which has a width of its own.
     pub fn shares(self, needs: &[Vec<Need>]) -> impl Iterator<Item = Option<f32>> + use<> {

@@ -30,7 +30,8 @@ impl Sheet {
         needs: &[Need],
         most: [f32; 2],
     ) -> Vec<(ViewId, Slot)> {
-        let Some(groups) = Groups::of(needs, way) else {
+        let needs: Vec<Need> = needs.iter().map(|&need| way.turned(need)).collect();
+        let Some(groups) = Groups::of(&needs, way) else {
             return Vec::new();
         };
         let drawing = groups.drawing;

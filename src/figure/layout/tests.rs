@@ -13,6 +13,7 @@ fn need(id: &'static str, stand: Stand, least: [f32; 2], natural: [f32; 2]) -> N
         aspect: None,
         whole: [0.0; 2],
         is_equal: false,
+        aside: None,
     }
 }
 

@@ -15,7 +15,7 @@ use super::{super::hit, prelude::*};
 const TITLE_PTS: f32 = 12.5;
 const HEADING: f32 = 1.3 * TITLE_PTS;
 const NOTE_PTS: f32 = 11.5;
-const PAD: f32 = 7.0;
+const PAD: f32 = 5.0;
 const GAP: f32 = 8.0;
 const MARGIN: f32 = 5.0;
 const LEAST_DRAWING: f32 = 34.0;
@@ -79,15 +79,14 @@ impl Multiples {
         widths.fold(0.0, f32::max) + slate.pts(3.0 * PAD)
     }
 
-    /// Columns and rows: as many as make the drawings largest. Beside a drawing all rows are full.
+    /// Columns and rows: as many as make the drawings largest. Beside a drawing, and under it, all rows are full.
     fn grid(&self, slate: &Slate<'_>, room: Vec2) -> [usize; 2] {
         let n = self.drawings.len().max(1);
         let grid = |columns: usize| [columns, n.div_ceil(columns)];
         let widest = CROWDED * self.widest(slate) / slate.scale;
         let may_be = |columns: &usize| match self.tiles {
-            Tiles::Strip => *columns == n,
             Tiles::Large => true,
-            Tiles::Beside => {
+            Tiles::Strip | Tiles::Beside => {
                 let width = Self::cell(slate, room, grid(*columns)).x;
                 n.is_multiple_of(*columns) && width >= widest
             }

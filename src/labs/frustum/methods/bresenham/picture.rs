@@ -218,6 +218,14 @@ pub fn raster(
     for &at in put {
         fill(at, PUT);
     }
+    if let Some(ends) = known.screen.filter(|_| put.is_empty()) {
+        for (at, name) in ends.into_iter().zip(["S₁", "S₂"]) {
+            let pixel = pixels.get_mut(beside(at, [columns, rows]));
+            if let Some(pixel) = pixel {
+                pixel.value = Some(Value::Name(name.into()));
+            }
+        }
+    }
     let current = match event {
         Some(Event::Pixel { at, .. }) => Some(at.map(|x| x as usize)),
         _ => None,
@@ -235,6 +243,13 @@ pub fn raster(
         current,
         over: over(known, put, event),
     }
+}
+
+/// The pixel over the one that a place lies in, or in the first row under it: its name stands there.
+fn beside([x, y]: [f64; 2], [columns, rows]: [usize; 2]) -> usize {
+    let [column, row] = [x, y].map(|side| side.floor().max(0.0) as usize);
+    let row = if row == 0 { 1 } else { row - 1 };
+    row.min(rows - 1) * columns + column.min(columns - 1)
 }
 
 fn over(known: &Known, put: &[[i64; 2]], event: Option<Event>) -> Vec<RasterMark> {
