@@ -2,18 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::*;
+use super::{legible::too_small, *};
 use crate::figure::{Body, CodeLinks, Need, Stand, View, ViewId};
 
 /// Inside the inspector's margins, between the bar at the top and the transport.
 const INSPECTOR: Vec2 = vec2(264.0, 600.0);
 
 /// Opens each step of the course in turn.
-fn each_step(lang: Lang, theme: ThemeKind, what: impl FnMut(&mut Bench, &str)) {
-    each_step_of(Bench::seen(lang, theme, SIZE), what);
-}
-
-pub(super) fn each_step_of(mut bench: Bench, mut what: impl FnMut(&mut Bench, &str)) {
+fn each_step_of(mut bench: Bench, mut what: impl FnMut(&mut Bench, &str)) {
     let lessons = bench.app.bookmark.course.lessons.iter();
     let lessons: Vec<usize> = lessons.map(|lesson| lesson.steps.len()).collect();
     for (lesson, n_steps) in lessons.into_iter().enumerate() {
@@ -26,7 +22,7 @@ pub(super) fn each_step_of(mut bench: Bench, mut what: impl FnMut(&mut Bench, &s
 }
 
 fn each_step_in_english(what: impl FnMut(&mut Bench, &str)) {
-    each_step(Lang::En, ThemeKind::Light, what);
+    each_step_of(Bench::course(SIZE), what);
 }
 
 fn said_in_english(key: &str) -> String {
@@ -54,29 +50,27 @@ fn height_of_inspector(bench: &mut Bench, ui: &mut Ui) -> f32 {
     shown.response.rect.height()
 }
 
-#[test]
-fn the_inspector_needs_no_scrolling_at_any_step_of_the_course() {
-    let mut too_high = Vec::new();
-    for lang in [Lang::En, Lang::Es] {
-        each_step(lang, ThemeKind::Light, |bench, place| {
-            let ctx = bench.ctx.clone();
-            for code in [CodeView::Full, CodeView::Words] {
-                bench.app.shown.code = code;
-                let mut height = 0.0;
-                // What stands below the rows is measured first.
-                for _ in 0..2 {
-                    let mut output = ctx.run_ui(RawInput::default(), |ui| {
-                        height = height_of_inspector(bench, ui);
-                    });
-                    drop(output.textures_delta.set.drain());
-                }
-                if height > INSPECTOR.y {
-                    too_high.push(format!("{lang} {place} {code:?}: {height}"));
-                }
-            }
-        });
+/// By how much the inspector is too high, with either kind of code.
+fn too_high(bench: &mut Bench) -> Vec<String> {
+    let ctx = bench.ctx.clone();
+    let (code, size) = (bench.app.shown.code, bench.app.shown.size);
+    let mut found = Vec::new();
+    for code in [CodeView::Full, CodeView::Words] {
+        bench.app.shown.code = code;
+        let mut height = 0.0;
+        // What stands below the rows is measured first.
+        for _ in 0..2 {
+            let mut output = ctx.run_ui(RawInput::default(), |ui| {
+                height = height_of_inspector(bench, ui);
+            });
+            drop(output.textures_delta.set.drain());
+        }
+        if height > INSPECTOR.y {
+            found.push(format!("with {code:?} the inspector has {height}"));
+        }
     }
-    assert!(too_high.is_empty(), "{}", too_high.join("\n"));
+    (bench.app.shown.code, bench.app.shown.size) = (code, size);
+    found
 }
 
 /// Left of what stands in the inspector, in a window of this size.
@@ -223,27 +217,40 @@ fn nothing_on_the_stage_moves_from_one_step_of_a_run_to_the_next() {
     });
 }
 
-/// The window of a lecture hall, its panels at both sides: comparisons have the least room.
+/// What has no room in a window of a lecture hall, its panels at both sides: comparisons have the least.
+fn lost(bench: &Bench) -> Option<String> {
+    let wanted = bench.app.playback.needs.iter().flatten();
+    let wanted: Vec<_> = wanted.map(|need| need.id).collect();
+    let places = &bench.app.stage.places;
+    (places.len() < wanted.len()).then(|| format!("of {wanted:?} only {places:?}"))
+}
+
+/// Each language and theme, and the smallest projector.
+const WINDOWS: [(Lang, ThemeKind, Vec2); 6] = [
+    (Lang::Es, ThemeKind::Light, SIZE),
+    (Lang::ZhCn, ThemeKind::Light, SIZE),
+    (Lang::En, ThemeKind::Projector, SIZE),
+    (Lang::PtBr, ThemeKind::Projector, SIZE),
+    (Lang::En, ThemeKind::Light, vec2(1024.0, 768.0)),
+    (Lang::En, ThemeKind::Projector, vec2(1024.0, 768.0)),
+];
+
+/// One walk for all that is asked of each step: a newcomer waits for it.
 #[test]
-fn no_step_of_the_course_loses_a_view_in_the_window() {
-    let mut lost = Vec::new();
-    // Each language once: a newcomer waits for this test.
-    for (theme, lang) in [
-        (ThemeKind::Light, Lang::Es),
-        (ThemeKind::Light, Lang::ZhCn),
-        (ThemeKind::Projector, Lang::En),
-        (ThemeKind::Projector, Lang::PtBr),
-    ] {
-        each_step(lang, theme, |bench, place| {
-            let wanted = bench.app.playback.needs.iter().flatten();
-            let places = &bench.app.stage.places;
-            if places.len() < wanted.clone().count() {
-                let wanted: Vec<_> = wanted.map(|need| need.id).collect();
-                lost.push(format!("{theme}, {place}: of {wanted:?} only {places:?}"));
+fn no_step_of_the_course_loses_a_view_has_small_text_or_an_inspector_that_scrolls() {
+    let mut wrong = Vec::new();
+    for (lang, theme, size) in WINDOWS {
+        each_step_of(Bench::seen(lang, theme, size), |bench, place| {
+            let mut found = too_small(bench, theme);
+            found.extend(lost(bench).filter(|_| size == SIZE));
+            if theme == ThemeKind::Light && lang != Lang::ZhCn {
+                found.extend(too_high(bench));
             }
+            let found = found.into_iter();
+            wrong.extend(found.map(|it| format!("{lang} {theme} {size} {place}: {it}")));
         });
     }
-    assert!(lost.is_empty(), "{} steps: {lost:#?}", lost.len());
+    assert!(wrong.is_empty(), "{} steps: {wrong:#?}", wrong.len());
 }
 
 /// At 1280 × 720, beside the course and the inspector.

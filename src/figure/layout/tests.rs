@@ -94,6 +94,34 @@ fn more_height_makes_no_drawing_much_smaller_for_its_text() {
 }
 
 #[test]
+fn a_strip_stands_in_rows_beside_the_drawing_where_that_makes_it_larger() {
+    let drawing = Need {
+        aspect: Some(1.5),
+        ..need("eye", Stand::Drawing, [22.0, 7.5], [30.0, 24.0])
+    };
+    let strip = Need {
+        aside: Some([[15.0, 9.0], [28.0, 21.0]]),
+        ..need("strip", Stand::Across, [30.0, 6.5], [f32::MAX, 10.0])
+    };
+    let lists = need("lists", Stand::Beside, [12.0, 8.0], [24.0, 12.0]);
+    let needs = [vec![drawing, lists, strip]];
+    // A page is wide, a window's stage is nearly as high as it is wide.
+    for (size, is_beside) in [([960.0, 540.0], true), ([960.0, 860.0], false)] {
+        let layout = sheet(size, 12.0).lay_out(&needs);
+        let slot = |id: &str| {
+            let views = &layout.columns[0].views;
+            views
+                .iter()
+                .find(|(view, _)| view.0 == id)
+                .expect("it stands")
+                .1
+        };
+        let [eye, strip] = ["eye", "strip"].map(slot);
+        assert_eq!(strip.min[0] > eye.max[0], is_beside, "{size:?} {strip:?}");
+    }
+}
+
+#[test]
 fn pictures_that_are_to_be_equal_have_their_room_before_rows() {
     let needs = space_and_table(|camera| Need {
         is_equal: true,
