@@ -17,6 +17,8 @@ const FLAGS = [
 ];
 /// Without these a machine with no graphics card has no WebGL, and a test that does not look is green on nothing.
 const SOFTWARE_GL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+/// What one page has compiled the next one need not: a fresh process would spend most of a test on that.
+const ONE_PROCESS = "--process-per-site";
 const PATIENCE_MS = 60_000;
 
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -25,11 +27,14 @@ export class Browser {
   #next = 1;
   #asked = new Map();
   #heard = new Map();
-  #contexts = new Set();
+  #pages = [];
+  #first = null;
+  #n_hosts = 0;
 
-  constructor({ hasGl = true } = {}) {
+  /// `isFresh`: each page is compiled anew, as it is on a first visit.
+  constructor({ hasGl = true, isFresh = false } = {}) {
     this.home = mkdtempSync(join(tmpdir(), "clipscope-page-"));
-    const flags = [...FLAGS, ...(hasGl ? SOFTWARE_GL : ["--disable-gpu", "--disable-3d-apis"])];
+    const flags = [...FLAGS, ...(isFresh ? [] : [ONE_PROCESS]), ...(hasGl ? SOFTWARE_GL : ["--disable-gpu", "--disable-3d-apis"])];
     this.child = spawn(process.env.CHROMIUM, [...flags, `--user-data-dir=${this.home}`, "about:blank"], {
       stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
     });
@@ -54,26 +59,32 @@ export class Browser {
     return new Promise((resolve, reject) => this.#asked.set(id, { resolve, reject, what: method }));
   }
 
-  /// A page with a storage of its own, unless it is to share that of another.
-  async page({ size = [1280, 720], beside = null, touch = false, init = "" } = {}) {
-    const context = beside?.context ?? (await this.send("Target.createBrowserContext")).browserContextId;
-    this.#contexts.add(context);
-    const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId: context });
+  /// A page at a host of its own, and so with a storage of its own, unless it is to share that of another. `scale` is its pixels a point: half of one where no
+  /// picture is looked at, since what plays a graphics card takes most of a test's time.
+  async page({ size = [1280, 720], scale = 0.5, beside = null, touch = false, init = "" } = {}) {
+    const host = beside?.host ?? `page-${(this.#n_hosts += 1)}.clipscope.localhost`;
+    const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
-    const page = new Page(this, { context, targetId, sessionId });
+    const page = new Page(this, { host, targetId, sessionId });
+    this.#pages.push(page);
     this.#heard.set(sessionId, (method, params) => page.hear(method, params));
     for (const domain of ["Page", "Runtime", "Log", "Network"]) await page.send(`${domain}.enable`);
     const [width, height] = size;
-    await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: touch });
+    await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: touch });
     if (touch) await page.send("Emulation.setTouchEmulationEnabled", { enabled: true });
     if (init) await page.send("Page.addScriptToEvaluateOnNewDocument", { source: init });
     return page;
   }
 
-  /// Pages that have been looked at draw on, and take the time of those that follow.
+  /// Pages that have been looked at draw on, and take the time of those that follow. The first one stays, at rest, and with it what is
+  /// compiled.
   async closePages() {
-    for (const browserContextId of this.#contexts) await this.send("Target.disposeBrowserContext", { browserContextId });
-    this.#contexts.clear();
+    this.#first ??= this.#pages.shift();
+    for (const page of this.#pages) {
+      await page.close();
+      if (page.origin) await this.#first.send("Storage.clearDataForOrigin", { origin: page.origin, storageTypes: "all" });
+    }
+    this.#pages = [];
     this.#heard.clear();
   }
 
@@ -113,8 +124,14 @@ class Page {
     return this.browser.send(method, params, this.sessionId);
   }
 
+  /// An address on this machine, at the page's own host.
+  at(url) {
+    return url.replace("//127.0.0.1:", `//${this.host}:`);
+  }
+
   async go(url) {
-    await this.send("Page.navigate", { url });
+    if (url.startsWith("http")) this.origin = new URL(this.at(url)).origin;
+    await this.send("Page.navigate", { url: this.at(url) });
   }
 
   /// What an expression comes to in the page; promises are waited for.

@@ -64,7 +64,7 @@ async function measured(page, what, act) {
 }
 
 for (const [name, lesson, step, [x, y]] of SCENES.filter(([name]) => name.includes(process.argv[2] ?? ""))) {
-  const page = await opened({ init: at(lesson, step) + CLOCK });
+  const page = await opened({ scale: 1, init: at(lesson, step) + CLOCK });
   await page.send("Performance.setTimeDomain", { timeDomain: "threadTicks" });
   await page.send("Performance.enable");
   await page.press("Home");

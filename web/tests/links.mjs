@@ -24,7 +24,7 @@ const inFolder = async (run) => {
 /// What Ctrl+Shift+L puts on the clipboard.
 async function copied(page) {
   const permissions = ["clipboardReadWrite", "clipboardSanitizedWrite"];
-  await bench.browser.send("Browser.grantPermissions", { permissions, browserContextId: page.context });
+  await bench.browser.send("Browser.grantPermissions", { permissions });
   await page.press("Ctrl+Shift+L");
   await page.settled();
   return page.see("navigator.clipboard.readText()");
@@ -39,13 +39,14 @@ test("a link copied in one page opens the same in another, and on the desktop", 
     await page.press("Escape");
     for (let i = 0; i < 4; i++) await page.press("ArrowRight");
     const link = await copied(page);
-    assert(link.startsWith(`${server.url}#v1=`), link);
+    assert(link.startsWith(`${page.at(server.url)}#v1=`), link);
     assert.equal(await page.see("location.href"), link, "the address says the same");
     const other = await opened({ init: PLAIN });
-    await other.go(link);
+    const atOther = link.replace(page.host, other.host);
+    await other.go(atOther);
     await other.until(`document.querySelector('#mirror [data-name=caption]')?.textContent === ${JSON.stringify(await caption(page))}`);
     assert.equal(await open(other), await open(page));
-    assert.equal(await copied(other), link);
+    assert.equal(await copied(other), atOther);
     const scene = inflateRawSync(Buffer.from(/#v1=([^&]*)/.exec(link)[1], "base64url")).toString();
     writeFileSync(join(folder, "own.toml"), scene);
     desktop("export", "--alt", "--out", folder, join(folder, "own.toml"));
@@ -62,7 +63,7 @@ test("a question is answered by a digit, and the page around is told", async () 
   const parent = `<!doctype html><link rel="icon" href="data:,"><script>
     const heard = [];
     addEventListener("message", ({ data }) => data.clipscope && heard.push(data.clipscope));
-  </script><iframe style="border:0;width:100vw;height:100vh" src="${server.url}?embed#${ASKED}"></iframe>`;
+  </script><iframe style="border:0;width:100vw;height:100vh" src="./?embed#${ASKED}"></iframe>`;
   server.state.pages.set("around.html", parent);
   const page = await bench.browser.page({ init: remembered({}) });
   await page.go(`${server.url}around.html`);
@@ -89,7 +90,7 @@ test("another course is opened from beside the page, and one that is not there i
     const page = await opened({ search: "?course=courses/ours/", init: PLAIN });
     const labels = (page) => page.see("[...document.querySelectorAll('#mirror [aria-label]')].map((it) => it.ariaLabel).join()");
     assert((await labels(page)).includes("A lesson of ours"), await labels(page));
-    assert((await copied(page)).startsWith(`${server.url}?course=courses/ours/#`));
+    assert((await copied(page)).startsWith(`${page.at(server.url)}?course=courses/ours/#`));
     assertQuiet(page);
     const lost = await opened({ search: "?course=courses/nobodys", init: PLAIN });
     const said = (await read(lost)) + (await labels(lost));

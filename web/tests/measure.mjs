@@ -1,6 +1,7 @@
 // From navigation to the first frame: medians of ten first visits, from a server on this machine. `DIST=… node measure.mjs`.
 
 import { bench, server } from "./bench.mjs";
+import { Browser } from "./browser.mjs";
 
 const N_VISITS = 10;
 const MARKS = `{
@@ -16,21 +17,23 @@ const MARKS = `{
   };
 }`;
 
+const browser = new Browser({ isFresh: true });
 const visits = [];
 for (let i = 0; i < N_VISITS; i += 1) {
-  const page = await bench.browser.page({ init: MARKS });
+  const page = await browser.page({ scale: 1, init: MARKS });
   await page.go(server.url);
   await page.running();
   await page.until("marks.drawn > 0");
   const { arrived, compiled, begun, drawn } = await page.see("marks");
   visits.push({ "fetched and unpacked": arrived, compiled: compiled - arrived, started: begun - compiled, drawn: drawn - begun, all: drawn });
-  await bench.browser.closePages();
+  await browser.closePages();
 }
 for (const part of Object.keys(visits[0])) {
   const sorted = visits.map((visit) => visit[part]).sort((a, b) => a - b);
   const middle = (sorted[N_VISITS / 2 - 1] + sorted[N_VISITS / 2]) / 2;
   console.log(`${part}: ${(middle / 1000).toFixed(2)} s (${(sorted[0] / 1000).toFixed(2)} to ${(sorted.at(-1) / 1000).toFixed(2)})`);
 }
+await browser.close();
 await bench.browser.close();
 server.close();
 process.exit(0);

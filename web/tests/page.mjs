@@ -12,14 +12,14 @@ import { serve } from "./server.mjs";
 
 test("the course is drawn, from below a path and by a server that knows no wasm", async () => {
   server.state.asked = [];
-  const page = await opened();
+  const page = await opened({ scale: 1 });
   const { size, colours, most } = await page.compared(await page.picture());
   assert.deepEqual(size, [1280, 720]);
   assert(colours > 100 && most < 0.95, `${colours} colours, ${most} of it in one`);
   assert((await read(page)).includes("Clipscope"));
   assert(await page.see("document.activeElement === document.querySelector('#stage')"), "the canvas has the focus");
   const foreign = await page.see(
-    `performance.getEntriesByType("resource").map((it) => it.name).filter((name) => !name.startsWith(${JSON.stringify(server.url)}) && !/^(data|blob):/.test(name))`,
+    `performance.getEntriesByType("resource").map((it) => it.name).filter((name) => !name.startsWith(${JSON.stringify(page.at(server.url))}) && !/^(data|blob):/.test(name))`,
   );
   assert.deepEqual(foreign, [], "nothing comes from anywhere else");
   assert(!server.state.asked.some((path) => path.endsWith(".wasm")), "it came gzipped");
@@ -50,7 +50,7 @@ for (const [lesson, step, figure, looks] of [
   for (const look of looks)
     test(`the window looks as on a desktop: ${figure}, ${look}`, async () => {
       const settings = look === "zh-CN" ? { lang: look } : { theme: look };
-      const page = await opened({ init: at(lesson, step, settings) });
+      const page = await opened({ scale: 1, init: at(lesson, step, settings) });
       // The fonts for Chinese come after the first frame.
       const isBold = "performance.getEntriesByType('resource').some((it) => it.name.includes('SC-Bold') && it.responseEnd)";
       if (look === "zh-CN") await page.until(isBold, "its fonts come");
@@ -164,9 +164,13 @@ test("without JavaScript the page says in four languages what it needs", async (
   const page = await bench.browser.page();
   await page.send("Emulation.setScriptExecutionDisabled", { value: true });
   await page.go(server.url);
-  await sleep(500);
-  const { root: document } = await page.send("DOM.getDocument", { depth: -1 });
-  const { nodeIds } = await page.send("DOM.querySelectorAll", { nodeId: document.nodeId, selector: "noscript p" });
+  const words = async () => {
+    const { root: document } = await page.send("DOM.getDocument", { depth: -1 });
+    return (await page.send("DOM.querySelectorAll", { nodeId: document.nodeId, selector: "noscript p" })).nodeIds;
+  };
+  let nodeIds = [];
+  // No script can say when the page has come; until then nodes go while one looks at them.
+  for (let i = 0; i < 100 && nodeIds.length < 4; i += 1, await sleep(50)) nodeIds = await words().catch(() => []);
   assert.equal(nodeIds.length, 4);
   const { model } = await page.send("DOM.getBoxModel", { nodeId: nodeIds[0] });
   assert(model.width > 100 && model.height > 10, "it is to be seen");
@@ -187,8 +191,7 @@ test("without WebGL the page says so", async () => {
 test("a scene is saved as a download, and opened again by choosing it", async () => {
   const folder = mkdtempSync(join(tmpdir(), "clipscope-down-"));
   const page = await opened({ init: at("05-intervals", "clip-the-parameter") });
-  const context = { browserContextId: page.context, behavior: "allow", downloadPath: folder };
-  await bench.browser.send("Browser.setDownloadBehavior", context);
+  await bench.browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
   await page.press("Ctrl+s");
   await page.press("Enter");
   const arrived = async () => {
@@ -217,7 +220,7 @@ test("a mesh is chosen with its picture", async () => {
 test("a figure is the same bytes as the desktop's", async () => {
   const folder = mkdtempSync(join(tmpdir(), "clipscope-figure-"));
   const page = await opened({ init: at("05-intervals", "clip-the-parameter") });
-  await bench.browser.send("Browser.setDownloadBehavior", { browserContextId: page.context, behavior: "allow", downloadPath: folder });
+  await bench.browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
   await page.press("Ctrl+e");
   await page.press("Enter");
   let file;

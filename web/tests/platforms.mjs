@@ -162,7 +162,7 @@ const say = (data) => document.querySelector("iframe").contentWindow.postMessage
 for (const named of [true, false])
   test(`a SPLICE platform gets score and state, and its state is taken when it comes: ${named ? "with" : "without"} message_id`, async () => {
     const state = JSON.stringify({ version: 1, begun: 1, steps: { [`${LESSON}/entering`]: { told: "beforehand" } } });
-    const parent = PARENT.replace("FRAME", `${server.url}#${ASKED}`);
+    const parent = PARENT.replace("FRAME", `./#${ASKED}`);
     server.state.pages.set("parent.html", parent);
     const others = `${LESSON}/of-another-student`;
     const page = await bench.browser.page({ init: remembered({ progress: { begun: 1, steps: { [others]: { told: "beforehand" } } } }) });

@@ -37,7 +37,7 @@ async function fingers(page, ways, { rest = 0 } = {}) {
 const tap = (page, x, y) => fingers(page, [[[x, y]]]);
 
 test("on a phone stage, caption and transport are there, the rest is a tap or a swipe away", async () => {
-  const page = await opened({ ...PHONE, init: STEP });
+  const page = await opened({ ...PHONE, scale: 1, init: STEP });
   const { size, colours, most } = await page.compared(await page.picture());
   assert.deepEqual(size, [390, 844]);
   assert(colours > 100 && most < 0.95, `${colours} colours, ${most} of it in one`);
