@@ -331,6 +331,15 @@ impl App {
         self.stage.asked = None;
     }
 
+    /// Is there something that Escape closes before it leaves a question?
+    pub(super) fn is_covered(&self) -> bool {
+        self.stage.typing.is_some()
+            || self.stage.sketch.is_some()
+            || self.shown.dialog.is_some()
+            || self.shown.is_measuring
+            || self.shown.lists_lessons
+    }
+
     pub(super) fn is_untouched(&self) -> bool {
         let step = self.bookmark.step();
         step.is_none_or(|step| *step.scene == *self.history.now())

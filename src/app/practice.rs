@@ -128,6 +128,10 @@ impl App {
 
     /// What is left to be done of a command: on the way forward the run stops at the next question.
     pub(super) fn practised(&mut self, command: Command) -> Option<Command> {
+        // What lies over the question closes first.
+        if matches!(command, Command::Cancel) && self.is_covered() {
+            return Some(command);
+        }
         // Why a thing is kept or dropped would answer.
         if self.practice.is_asking() && matches!(command, Command::Ask(Some(_)) | Command::Verdict)
         {
@@ -188,6 +192,8 @@ impl App {
             Command::Play => true,
             _ => false,
         };
+        // What the step says is true of its own moment.
+        let is_left = matches!(command, Command::Cancel);
         let goes_on = matches!(command, Command::Play | Command::CloseOutline);
         // In a presentation the lesson's own question comes in the place of this one.
         let asks_next = matches!(command, Command::Lesson { forward: true })
@@ -199,8 +205,7 @@ impl App {
             Command::ShowMe => self.choose(None),
             // Whoever pages through a lesson is shown what comes.
             Command::Lesson { forward: true } if !is_answered => self.choose(None),
-            Command::Cancel => self.practice.asked = None,
-            _ if is_answered && (goes_on || asks_next) => {
+            _ if is_left || is_answered && (goes_on || asks_next) => {
                 let home = self.own().map_or(asked.step, |(_, position)| position);
                 self.practice.asked = None;
                 self.seek(home);

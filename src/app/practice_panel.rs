@@ -24,8 +24,6 @@ use cards::{Table, cards, pixels};
 
 /// Of the height that the stage would have.
 const MOST: f32 = 0.45;
-/// A stage of fewer rows has more need of them than of keeping its place.
-const FEW_ROWS: f32 = 18.0;
 /// The last option's rim is seen whole.
 const BELOW: f32 = 4.0;
 const MARGIN: Margin = Margin::symmetric(24, 10);
@@ -48,8 +46,8 @@ pub fn show(app: &App, ui: &mut Ui, lit: Option<Link>) -> Option<Link> {
     let room = ui.available_size_before_wrap();
     let most = MOST * room.y;
     let width = room.x - around.x;
-    let has_room = room.y >= FEW_ROWS * row_height(ui);
-    let height = if is_idle && !(has_room && app.is_untouched()) {
+    // A question that is put aside leaves its room to the stage.
+    let height = if is_idle {
         row_height(ui) + BELOW
     } else {
         kept_height(app, ui, width).min(most)

@@ -9,6 +9,9 @@ use super::{App, Command, prelude::*};
 
 /// Of the window's height.
 const MOST: f32 = 0.34;
+/// Letters reach out of their line a little.
+const LEADING: f32 = 4.0;
+const MARGIN: Margin = Margin::symmetric(24, 12);
 
 pub fn show(app: &App, ui: &mut Ui) {
     let (look, [lesson_idx, step_idx]) = (app.look(), app.bookmark.at);
@@ -21,13 +24,17 @@ pub fn show(app: &App, ui: &mut Ui) {
     };
     let frame = Frame::new().fill(look.theme.panel);
     let most = MOST * ui.max_rect().height();
-    Panel::bottom("question")
-        .frame(frame.inner_margin(Margin::symmetric(24, 12)))
+    let id = Id::unique(("question", lesson_idx, step_idx));
+    // A panel keeps the height that it had, and what scrolls in it would never have more.
+    let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let said = Panel::bottom("question")
+        .frame(frame.inner_margin(MARGIN))
+        .exact_size((height + LEADING).min(most) + MARGIN.sum().y)
         .show(ui, |ui| {
-            let id = Id::unique(("question", lesson_idx, step_idx));
             ScrollArea::vertical()
                 .id_salt(id)
-                .max_height(most)
+                .auto_shrink(false)
+                .min_scrolled_height(0.0)
                 .show(ui, |ui| {
                     let led_to = lesson_text(ui, look, id, asked, app.text_told());
                     app.push_all(led_to.map(Command::Control));
@@ -35,8 +42,13 @@ pub fn show(app: &App, ui: &mut Ui) {
                         answer_button(app, ui);
                     }
                     shown_answer(app, ui);
-                });
+                })
         });
+    let needed = said.inner.content_size.y;
+    if needed != height {
+        ui.data_mut(|data| data.insert_temp(id, needed));
+        ui.request_discard("the question is as high as what it says");
+    }
 }
 
 /// Shows the question where the lesson's text is folded away.

@@ -169,10 +169,12 @@ words-cb-accept = Otherwise the ends of the interval are the ends of the visible
 ## Nicholl–Lee–Nicholl
 
 nln-region = { $end } is { $region }.
+nln-option-region = { $end } is { $option }.
 nln-side-enters = P₂ is { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
 nln-side-meets = P₂ is { $turn } of the line from P₁ through { $corner }: the { $first } is crossed first.
 nln-side-leaves = P₂ is { $turn } of the line from P₁ through { $corner }: the segment leaves through the { $first }.
 nln-side-through = P₂ is on the line from P₁ through { $corner }: both sides are crossed at once.
+nln-option-side = The line from P₁ through { $corner }: P₂ is { $option }.
 nln-miss = Reject: the segment passes outside { $corner }, beyond the { $edge }.
 nln-sector-inside = Both ends are inside: no crossing is needed.
 nln-sector-enters = The segment enters through the { $enters }, and P₂ is inside: one crossing.

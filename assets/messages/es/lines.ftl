@@ -169,10 +169,12 @@ words-cb-accept = Si no, los extremos del intervalo son los de la parte visible.
 ## Nicholl–Lee–Nicholl
 
 nln-region = { $end } está { $region }.
+nln-option-region = { $end } está { $option }.
 nln-side-enters = P₂ está { $turn } de la recta que va de P₁ a { $corner }: primero se cruza el { $first }.
 nln-side-meets = P₂ está { $turn } de la recta que va de P₁ a { $corner }: primero se cruza el { $first }.
 nln-side-leaves = P₂ está { $turn } de la recta que va de P₁ a { $corner }: sale por el { $first }.
 nln-side-through = P₂ está sobre la recta que va de P₁ a { $corner }: se cruzan los dos bordes a la vez.
+nln-option-side = La recta que va de P₁ a { $corner }: P₂ está { $option }.
 nln-miss = Se rechaza: el segmento pasa por fuera de { $corner }, más allá del { $edge }.
 nln-sector-inside = Los dos extremos están dentro: no hace falta ninguna intersección.
 nln-sector-enters = Entra por el { $enters } y P₂ está dentro: una intersección.

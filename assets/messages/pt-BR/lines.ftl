@@ -169,10 +169,12 @@ words-cb-accept = Senão, os extremos do intervalo são os da parte visível.
 ## Nicholl–Lee–Nicholl
 
 nln-region = { $end } está { $region }.
+nln-option-region = { $end } está { $option }.
 nln-side-enters = P₂ está { $turn } da reta que vai de P₁ a { $corner }: a { $first } é cruzada primeiro.
 nln-side-meets = P₂ está { $turn } da reta que vai de P₁ a { $corner }: a { $first } é cruzada primeiro.
 nln-side-leaves = P₂ está { $turn } da reta que vai de P₁ a { $corner }: sai pela { $first }.
 nln-side-through = P₂ está na reta que vai de P₁ a { $corner }: os dois lados são cruzados ao mesmo tempo.
+nln-option-side = A reta que vai de P₁ a { $corner }: P₂ está { $option }.
 nln-miss = Rejeitado: o segmento passa por fora de { $corner }, além da { $edge }.
 nln-sector-inside = Os dois extremos estão dentro: nenhuma interseção é necessária.
 nln-sector-enters = Entra pela { $enters }, e P₂ está dentro: uma interseção.

@@ -169,10 +169,12 @@ words-cb-accept = 否则，区间的两端就是可见部分的两端。
 ## Nicholl–Lee–Nicholl
 
 nln-region = { $end } 在{ $region }。
+nln-option-region = { $end } 在{ $option }。
 nln-side-enters = 从 P₁ 望向角点 { $corner }，P₂ 在{ $turn }：先越过{ $first }。
 nln-side-meets = 从 P₁ 望向角点 { $corner }，P₂ 在{ $turn }：先越过{ $first }。
 nln-side-leaves = 从 P₁ 望向角点 { $corner }，P₂ 在{ $turn }：由{ $first }离开。
 nln-side-through = P₂ 恰在从 P₁ 过角点 { $corner } 的直线上：同时越过两条边界。
+nln-option-side = 从 P₁ 过角点 { $corner } 的直线：P₂ 在{ $option }。
 nln-miss = 舍弃：线段从角点 { $corner } 外绕过，在{ $edge }外侧。
 nln-sector-inside = 两端点都在窗口内：无需求交。
 nln-sector-enters = 由{ $enters }进入，P₂ 在窗口内：只求一个交点。

@@ -122,6 +122,40 @@ fn a_presented_step_says_its_number_and_its_question_and_then_the_answer() {
 }
 
 #[test]
+fn a_presented_answer_is_read_from_its_first_word_to_its_last() {
+    let size = vec2(1024.0, 768.0);
+    let mut bench = Bench::seen(Lang::Es, ThemeKind::Projector, size);
+    bench.key(Key::F5);
+    let mut n_answers = 0;
+    for (lesson, step) in [
+        (8, 5),
+        (8, 7),
+        (9, 3),
+        (9, 5),
+        (10, 3),
+        (10, 6),
+        (12, 2),
+        (12, 4),
+        (30, 4),
+        (39, 2),
+    ] {
+        bench.command(Command::Open([lesson, step]));
+        if !bench.app.has_answer() {
+            continue;
+        }
+        n_answers += 1;
+        bench.command(Command::Answer(true));
+        let below = |clip: &Rect| clip.top() > 0.5 * size.y;
+        let is_cut = |(_, rect, clip): &(String, Rect, Rect)| {
+            below(clip) && !clip.contains_rect(rect.shrink(1.0))
+        };
+        let cut: Vec<_> = bench.written().into_iter().filter(is_cut).collect();
+        assert!(cut.is_empty(), "{lesson} {step}: {cut:?}");
+    }
+    assert!(n_answers > 5);
+}
+
+#[test]
 fn what_a_presented_question_asks_for_is_put_beside_the_stage() {
     let mut bench = Bench::course(SIZE);
     bench.command(Command::Open([33, 0]));

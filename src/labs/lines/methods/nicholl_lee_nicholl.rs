@@ -48,7 +48,7 @@ impl LineTelling for NichollLeeNicholl {
 const fn side_row(line: usize, key: &'static str) -> Row {
     Row::new(Test, line, key)
         .so(&["a₁·b₂ = {a₁·b₂} {relation} b₁·a₂ = {b₁·a₂}"])
-        .picks("turn", "turns")
+        .picks_as("turn", "turns", "nln-option-side")
 }
 
 fn is_through(line: &CornerLine) -> bool {
@@ -82,7 +82,7 @@ impl Telling for NichollLeeNicholl {
     table! { |event, step|
         region: Event::Region { .. } =>
             Row::new(Test, REGIONS, "nln-region").so(&["{x}", "{y}"])
-                .about("end").picks("region", "regions");
+                .about("end").picks_as("region", "regions", "nln-option-region");
         through_enters: Event::Side { question: Question::Enters, line } if is_through(&line) =>
             side_row(ENTERS, "nln-side-through");
         through_meets: Event::Side { question: Question::Meets, line } if is_through(&line) =>
