@@ -8,6 +8,7 @@ use super::{
     prelude::*,
     recording::Seen,
     room::Room,
+    why,
 };
 
 impl App {
@@ -44,6 +45,9 @@ impl App {
             // The same click takes the question back.
             Command::Ask(about) => {
                 self.stage.asked = about.filter(|_| about != self.stage.asked);
+                if let Some((_, column)) = about {
+                    self.stage.inspected = column;
+                }
             }
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
@@ -180,10 +184,8 @@ impl App {
     }
 
     fn go_to_verdict(&mut self) {
-        let document = self.scene().document();
-        let now = (self.playback.main(), self.position());
         let asked = self.stage.asked;
-        let verdict = asked.and_then(|about| document.verdict(about, now));
+        let verdict = asked.and_then(|about| why::verdict(&self.playback, self.scene(), about));
         if let Some(step) = verdict.and_then(|verdict| verdict.step) {
             self.playback.transport.seek(step);
         }

@@ -24,7 +24,7 @@ pub fn ask(
     app: &App,
     ui: &Ui,
     shown: &CanvasShown,
-    (id, lens): (ViewId, Lens),
+    (column, (id, lens)): (usize, (ViewId, Lens)),
     (handles, locks): (&[Handle], &[Lock]),
     state: &StageState,
 ) {
@@ -55,7 +55,7 @@ pub fn ask(
     if shown.released {
         app.push(Command::EndGesture);
     }
-    clicked(app, ui, shown, lens, (handles, locks));
+    clicked(app, ui, shown, (column, lens), (handles, locks));
 }
 
 /// A click answers an open question, else it is about what it hits.
@@ -63,12 +63,13 @@ fn clicked(
     app: &App,
     ui: &Ui,
     shown: &CanvasShown,
-    lens: Lens,
+    (column, lens): (usize, Lens),
     (handles, locks): (&[Handle], &[Lock]),
 ) {
     let Some(click) = shown.clicked else {
         return;
     };
+    let in_column = |about| (about, column);
     let vertex = click.spot.and_then(|i| handles.get(i));
     let pointed = vertex.and_then(|handle| handle.link()).or(shown.pointed);
     if let Some(nth) = pointed.and_then(|link| app.practice.option_of(link)) {
@@ -82,7 +83,7 @@ fn clicked(
     }
     if let Some(&vertex) = vertex.filter(|handle| handle.kind().is_vertex) {
         app.push(Command::Select(vertex));
-        app.push(Command::Ask(vertex.link()));
+        app.push(Command::Ask(vertex.link().map(in_column)));
         return;
     }
     let place = place_at(ui, &shown.viewport, click.at, app.settings.snap);
@@ -95,7 +96,7 @@ fn clicked(
     let document = app.scene().document();
     let change = document.click(&click);
     app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
-    app.push(Command::Ask(document.asked(&click)));
+    app.push(Command::Ask(document.asked(&click).map(in_column)));
 }
 
 /// What a handle goes on from that is moved: where it was when the button went down, or when an axis was taken.

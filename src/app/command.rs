@@ -10,6 +10,9 @@ use super::{
     prelude::*,
 };
 
+/// What is asked about, and in which column of the stage.
+pub type AskedIn = (Link, usize);
+
 /// Something to be done: applied between frames, whether a key, a button or a drag asked for it.
 #[derive(Clone, Debug)]
 pub enum Command {
@@ -61,7 +64,7 @@ pub enum Command {
     /// Takes hold of a vertex: what Insert and Delete are about.
     Select(Handle),
     /// Asks why this was kept or dropped; or nothing any more.
-    Ask(Option<Link>),
+    Ask(Option<AskedIn>),
     Verdict,
     /// A handle's place, in a field at the pointer or beside the handle; or none any more.
     Type(Option<Handle>, Option<Pos2>),

@@ -7,7 +7,7 @@ use crate::{
     widgets::{quiet_button, rule},
 };
 
-use super::{App, Command, free_scenes, menus::panel_rows, prelude::*};
+use super::{App, Command, free_scenes, menus::panel_rows, pages::MOST_STORED, prelude::*};
 
 pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     let look = app.look();
@@ -18,7 +18,13 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
         let scenes = scenes.width(ui.available_width());
         scenes.show_ui(ui, |ui| free_scenes::menu(app, ui));
         ui.add_space(4.0);
-        ui.label(soft(look, "free-about"));
+        let is_kept = app.scene().document().size() <= MOST_STORED;
+        let about = if is_kept {
+            "free-about"
+        } else {
+            "free-about-large"
+        };
+        ui.label(soft(look, about));
         ui.add_space(8.0);
         if let Some(lesson) = app.bookmark.lesson() {
             let title = lesson.title(app.settings.lang).to_owned();

@@ -6,14 +6,14 @@ use crate::{
     figure::{CodeLinks, Frame, unseen},
     labs::CodeLine,
     widgets::{
-        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, explained,
-        most_of_a_kind, quiet_button, rule, section, watch,
+        CodeStep, CodeText, Cost, Pseudocode, WatchTable, code_view_switch, cost, most_of_a_kind,
+        quiet_button, rule, section, watch,
     },
 };
 
 use super::{
     App, Command, answers, bars::step_told, controls, prelude::*, stage_state::StageState,
-    typing::told_of,
+    typing::told_of, why,
 };
 
 /// Of the panel's height the pseudocode takes more than this in smaller text, and this many points at least.
@@ -81,10 +81,13 @@ pub fn content(
     controls::show(app, ui, panels);
     rule(ui, look);
     costs(app, ui, column);
-    verdict(app, ui, state);
+    why::show(app, ui, state.asked, &mut state.verdicts);
     asked(app, ui);
     let cost_of_all = || app.scene().document().cost_of_all(column);
-    let of_all = state.all_costs[column].get(app.on_stage(), ui, 0.0, cost_of_all);
+    let of_all = state
+        .all_costs
+        .at(column)
+        .get(app.on_stage(), ui, 0.0, cost_of_all);
     if let Some(of_all) = of_all.as_ref().filter(|_| !app.hides_length()) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
@@ -254,32 +257,6 @@ fn lines(app: &App, column: usize) -> Vec<CodeText> {
     code.iter().map(line).collect()
 }
 
-fn verdict(app: &App, ui: &mut Ui, state: &mut StageState) {
-    let look = app.look_at_step();
-    // Of what is asked about it would tell too much.
-    let about = state.asked.filter(|_| !app.practice.is_asking());
-    let Some(about) = about else { return };
-    let verdict = (state.verdicts).of(app.on_stage(), ui, (app.scene(), about));
-    let Some(verdict) = verdict else { return };
-    rule(ui, look);
-    section(ui, look, &look.say("verdict-title"));
-    explained(ui, look, &verdict.why);
-    for note in &verdict.notes {
-        ui.label(look.catalog.message(note));
-    }
-    if verdict.step.is_some() {
-        let go = Button::new(accent(look, "verdict-go"));
-        if quiet_button(ui, look, go).clicked() {
-            app.push(Command::Verdict);
-        }
-    }
-    if let Some((key, change)) = &verdict.offer
-        && ui.button(look.say(key)).clicked()
-    {
-        app.push(Command::Edit(Edit::Own(change.clone()), None));
-    }
-}
-
 fn asked(app: &App, ui: &mut Ui) {
     if app.answers_told().is_empty() {
         return;
@@ -332,5 +309,8 @@ fn costs(app: &App, ui: &mut Ui, column: usize) {
 
 fn code_links<'a>(app: &App, ui: &Ui, state: &'a mut StageState, column: usize) -> &'a CodeLinks {
     let found = || app.playback.code_links(column);
-    state.code_links[column].get(app.on_stage(), ui, 0.0, found)
+    state
+        .code_links
+        .at(column)
+        .get(app.on_stage(), ui, 0.0, found)
 }

@@ -37,7 +37,7 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dy
     }
     let pointed = state.pointed_on_stage.or(state.pointed_in_inspector);
     // What is asked about stays lit when the pointer is elsewhere.
-    state.lit = pointed.or(state.asked);
+    state.lit = pointed.or(state.asked.map(|(about, _)| about));
     if let Some(mut typed) = state.typing.take() {
         let place = app.scene().document().position(typed.handle);
         let at_handle = || place.and_then(|place| state.on_screen(place));

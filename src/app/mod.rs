@@ -79,6 +79,7 @@ mod typing;
 mod ways_out;
 #[cfg(target_arch = "wasm32")]
 mod web;
+mod why;
 mod window;
 
 pub use command::{BINDINGS, Binding, Command};

@@ -17,7 +17,7 @@ use super::{
 
 /// Larger scenes than so many segments or vertices in all are not kept over a restart: they would be written
 /// every half minute.
-const MOST_STORED: usize = 200_000;
+pub(super) const MOST_STORED: usize = 200_000;
 
 impl App {
     /// Opens another page, where there is one; what was done on this one is put away.

@@ -1,7 +1,7 @@
 //! What is found once for a run and kept until another run asks for more, such as the room of its captions and of its watch
-//! tables, and why what was clicked was kept or dropped.
+//! tables.
 
-use crate::{labs::Verdict, widgets::WatchRoom};
+use crate::widgets::WatchRoom;
 
 use super::{playback::Playback, prelude::*};
 
@@ -54,15 +54,32 @@ impl<T> RunRoom<T> {
     }
 }
 
+/// The same of each method on the stage.
+pub struct OfColumns<T>(Vec<RunRoom<T>>);
+
+impl<T> Default for OfColumns<T> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<T> OfColumns<T> {
+    pub fn at(&mut self, column: usize) -> &mut RunRoom<T> {
+        let n_columns = self.0.len().max(column + 1);
+        self.0.resize_with(n_columns, RunRoom::default);
+        &mut self.0[column]
+    }
+}
+
 #[derive(Default)]
-pub struct WatchRooms([RunRoom<WatchRoom>; 2]);
+pub struct WatchRooms(OfColumns<WatchRoom>);
 
 impl WatchRooms {
     /// The room for the table of the method in this column at all steps, `now` among them: while a handle is dragged it
     /// grows.
     pub fn of(&mut self, on_stage: OnStage<'_>, ui: &Ui, column: usize, now: &Watch) -> &WatchRoom {
         // What a table wants does not depend on the width that it has.
-        let room = self.0[column].get(on_stage, ui, 0.0, || {
+        let room = self.0.at(column).get(on_stage, ui, 0.0, || {
             let mut room = WatchRoom::default();
             for watch in on_stage.0.watches(column) {
                 room.widen(ui, on_stage.1, &watch);
@@ -71,27 +88,5 @@ impl WatchRooms {
         });
         room.widen(ui, on_stage.1, now);
         room
-    }
-}
-
-#[derive(Default)]
-pub struct Verdicts {
-    about: Option<(Link, usize)>,
-    room: RunRoom<Option<Verdict>>,
-}
-
-impl Verdicts {
-    pub fn of(
-        &mut self,
-        on_stage: OnStage<'_>,
-        ui: &Ui,
-        (scene, about): (&Scene, Link),
-    ) -> Option<&Verdict> {
-        let now = (about, on_stage.0.transport.position());
-        if self.about.replace(now) != Some(now) {
-            self.room = RunRoom::default();
-        }
-        let verdict = || scene.document().verdict(about, (on_stage.0.main(), now.1));
-        self.room.get(on_stage, ui, 0.0, verdict).as_ref()
     }
 }

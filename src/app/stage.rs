@@ -89,14 +89,11 @@ pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
             let shown = column.show(ui, state);
             let focused = shown.focused.and_then(|i| handles.get(i).copied());
             state.focused = state.focused.or(focused);
-            if let Some(click) = &shown.clicked {
-                state.inspected = i;
-                let handle = click.spot.and_then(|spot| handles.get(spot));
-                state.clicked = handle.copied().or(state.clicked);
-            }
+            state.note(i, &shown, &handles);
+            let (at, handles) = ((i, column.drawing), (&handles[..], locks));
             match &state.sketch {
                 Some(drawn) => clicks::ask_of_sketch(app, ui, &shown, drawn),
-                None => clicks::ask(app, ui, &shown, column.drawing, (&handles, locks), state),
+                None => clicks::ask(app, ui, &shown, at, handles, state),
             }
         });
         column.show_ends(ui, whole, layout.board);
@@ -198,7 +195,7 @@ impl Column<'_> {
         app.push_all(option.filter(|_| is_clicked).map(Command::Choose));
         let pixel = pointed.filter(|link| link.number_of(Raster::LINK).is_some());
         if pixel.is_some() && is_clicked {
-            app.push(Command::Ask(pixel));
+            app.push(Command::Ask(pixel.map(|it| (it, self.index))));
         }
         state.pointed_on_stage = state.pointed_on_stage.or(pointed);
         // A click in an inset is a click on what is seen there.
@@ -230,7 +227,8 @@ impl Column<'_> {
                 ..Click::default()
             };
             let asked = self.app.scene().document().asked(&click);
-            self.app.push(Command::Ask(asked));
+            self.app
+                .push(Command::Ask(asked.map(|it| (it, self.index))));
         }
     }
 

@@ -5,16 +5,18 @@ use std::{borrow::Cow, collections::BTreeMap};
 use crate::{
     figure::{Body, CodeLinks, Frame, Layout, Mark, Seer, Slot, View},
     labs::Own,
-    widgets::picture_viewport,
+    widgets::{CanvasShown, picture_viewport},
 };
 
 use super::{
+    command::AskedIn,
     pen::Pen,
     playback::Playback,
     prelude::*,
-    run_room::{RunRoom, Verdicts, WatchRooms},
+    run_room::{OfColumns, RunRoom, WatchRooms},
     sight::{Sight, Turned},
     typing::Typing,
+    why::Verdicts,
 };
 
 /// What can be done about a scene that is refused.
@@ -41,10 +43,10 @@ pub struct StageState {
     pub focused: Option<Handle>,
     /// The vertex that was clicked or dragged last: what Insert and Delete are about.
     pub selected: Option<Handle>,
-    /// The handle that was clicked last.
+    /// The handle that was clicked or dragged last.
     pub clicked: Option<Handle>,
     /// What was clicked last, to be told why it was kept or dropped.
-    pub asked: Option<Link>,
+    pub asked: Option<AskedIn>,
     pub sketch: Option<Sketch>,
     /// Of a refused scene, and its revision.
     ways_out: Option<(u64, WaysOut)>,
@@ -52,8 +54,8 @@ pub struct StageState {
     pub pen: Pen,
     pub captions: RunRoom<f32>,
     pub watch: WatchRooms,
-    pub code_links: [RunRoom<CodeLinks>; 2],
-    pub all_costs: [RunRoom<Option<Message>>; 2],
+    pub code_links: OfColumns<CodeLinks>,
+    pub all_costs: OfColumns<Option<Message>>,
     pub verdicts: Verdicts,
     pub inspected: usize,
     drawn: Option<(ViewId, Lens)>,
@@ -92,6 +94,17 @@ impl StageState {
     /// As it was seen before.
     pub fn see(&mut self, sight: Sight) {
         self.sight = sight;
+    }
+
+    /// Which column was clicked last, and which handle was taken.
+    pub fn note(&mut self, column: usize, shown: &CanvasShown, handles: &[Handle]) {
+        if shown.clicked.is_some() {
+            self.inspected = column;
+        }
+        let clicked = shown.clicked.as_ref().and_then(|click| click.spot);
+        let taken = clicked.or(shown.moved.as_ref().map(|moved| moved.spot));
+        let handle = taken.and_then(|spot| handles.get(spot)).copied();
+        self.clicked = handle.or(self.clicked);
     }
 
     pub fn fit(&mut self, bounds: [[f64; 2]; 2]) {

@@ -1,6 +1,6 @@
 //! The boundary between a drawing and what stands beside it or under it: it can be dragged, and moved with arrows.
 
-use egui::{EventFilter, Key, Modifiers, Role};
+use egui::{EventFilter, Key, Modifiers, PointerButton, Role};
 
 use crate::figure::Boundary;
 
@@ -46,10 +46,15 @@ pub fn boundary(ui: &Ui, look: Look<'_>, id: Id, boundary: &Boundary) -> Option<
     if response.double_clicked() {
         return Some(BoundaryMoved::Home);
     }
-    let moved = if boundary.is_upright {
-        response.drag_delta().x
+    let moved = if response.dragged_by(PointerButton::Primary) {
+        response.drag_delta()
     } else {
-        response.drag_delta().y
+        Vec2::ZERO
+    };
+    let moved = if boundary.is_upright {
+        moved.x
+    } else {
+        moved.y
     };
     let moved = moved + STEP_PTS * arrows(ui, &response);
     let grown = (boundary.size - moved).max(1.0) / boundary.size.max(1.0);

@@ -102,6 +102,7 @@ scene-rename-it = Rename it
 scene-delete-it = Delete it
 scene-delete-asks = “{ $name }” goes, with everything that could be undone in it. Nothing brings it back.
 free-about = Your own scene: nothing is locked, and it is kept.
+free-about-large = Your own scene: nothing is locked. The scene is too large to be kept when the window closes: save it as a file (Ctrl+S).
 free-back = ← {$lesson}
 free-from-course = Scenes of the course
 scene-adopt = Open this scene in: { $lab }

@@ -102,6 +102,7 @@ scene-rename-it = Cambiar
 scene-delete-it = Eliminar
 scene-delete-asks = «{ $name }» desaparece, con todo lo que se podía deshacer en ella. No se podrá recuperar.
 free-about = Tu propia escena: no hay nada bloqueado y la escena se conserva.
+free-about-large = Tu propia escena: no hay nada bloqueado. La escena es demasiado grande para conservarse al cerrar la ventana: guárdala en un archivo (Ctrl+S).
 free-back = ← {$lesson}
 free-from-course = Escenas del curso
 scene-adopt = Abrir esta escena en: { $lab }

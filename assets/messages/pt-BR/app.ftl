@@ -102,6 +102,7 @@ scene-rename-it = Mudar
 scene-delete-it = Excluir
 scene-delete-asks = “{ $name }” some, com tudo o que podia ser desfeito nela. Nada a traz de volta.
 free-about = Sua própria cena: nada está bloqueado e ela é guardada.
+free-about-large = Sua própria cena: nada está bloqueado. A cena é grande demais para ser guardada quando a janela fecha: salve-a em um arquivo (Ctrl+S).
 free-back = ← {$lesson}
 free-from-course = Cenas do curso
 scene-adopt = Abrir esta cena em: { $lab }

@@ -98,6 +98,7 @@ scene-rename-it = 重命名
 scene-delete-it = 删除
 scene-delete-asks = “{ $name }”将被删除，其中可撤销的步骤也一并消失，无法恢复。
 free-about = 你自己的场景：没有任何锁定，并会一直保留。
+free-about-large = 你自己的场景：没有任何锁定。场景太大，关闭窗口后不会保留：请保存为文件（Ctrl+S）。
 free-back = ← {$lesson}
 free-from-course = 课程中的场景
 scene-adopt = 在此实验室打开该场景：{ $lab }

@@ -142,6 +142,33 @@ fn of_two_methods_the_one_that_is_clicked_is_inspected() {
 }
 
 #[test]
+fn of_three_methods_each_is_inspected_and_tells_why_it_shows_a_pixel() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("43-three-ways-one-picture", "no-order");
+    bench.key(Key::End);
+    bench.settle();
+    let pixel = Link::nth(crate::figure::Raster::LINK, 3 * 16 + 5);
+    for (column, part) in [
+        (0, "shows face 1 of object A"),
+        (1, "shows face 1 of object A"),
+        (2, "shows nothing"),
+    ] {
+        // Three columns with equally many views.
+        let places = &bench.app.stage.places;
+        let (_, slot) = places[column * places.len() / 3];
+        bench.tap(rect_of(slot).min + vec2(8.0, 60.0));
+        bench.settle();
+        assert_eq!(bench.app.stage.inspected, column);
+        bench.command(Command::Ask(Some((pixel, column))));
+        let texts = bench.texts();
+        assert!(
+            texts.iter().any(|(text, _)| text.contains(part)),
+            "{column}: {texts:?}"
+        );
+    }
+}
+
+#[test]
 fn every_line_of_the_pseudocode_lights_what_it_is_about_and_is_lit_by_it() {
     let [mut n_current, mut n_others] = [0; 2];
     each_step_in_english(|bench, place| {

@@ -118,7 +118,7 @@ fn nothing_on_the_screen_tells_what_comes() {
         .open()
         .map(|asked| asked.choice.links.clone());
     for link in links.into_iter().flatten().flatten() {
-        bench.command(Command::Ask(Some(link)));
+        bench.command(Command::Ask(Some((link, 0))));
         bench.command(Command::Verdict);
         assert_eq!(bench.app.stage.asked, None);
         assert!(bench.app.practice.is_asking());

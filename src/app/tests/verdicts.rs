@@ -159,7 +159,7 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
     let told = |bench: &mut Bench, seek: usize| {
         bench.command(Command::Seek(seek));
         bench.command(Command::Ask(None));
-        bench.command(Command::Ask(Some(place)));
+        bench.command(Command::Ask(Some((place, 0))));
         bench.verdict().expect("it is told")
     };
     assert!(told(&mut bench, 0).contains("shows nothing at this step"));

@@ -10,7 +10,7 @@ use crate::{
     text::{Diagnostic, Message},
 };
 
-use super::{CameraNumbers, Object, Opening, Part, Places, RasterPlan, Scene, Subject};
+use super::{CameraNumbers, Object, Opening, Part, Places, RasterPlan, Scene, SceneError, Subject};
 
 pub struct Section {
     pub id: &'static str,
@@ -373,7 +373,17 @@ fn counted(scene: &Scene, part: Part) -> RangeInclusive<f64> {
 }
 
 fn look_at(scene: &mut Scene, part: Part, number: f64) -> Result<(), Diagnostic> {
-    Ok(scene.look_at(part, (number.round() as usize).saturating_sub(1))?)
+    let nth = number.round() as usize;
+    // Here one counts from 1, also in what is refused.
+    let counted = |error| match error {
+        SceneError::NoSuchPart { count, .. } => SceneError::NoSuchPart {
+            part,
+            idx: nth,
+            count,
+        },
+        error @ (SceneError::NoObjects | SceneError::TooManyObjects(_)) => error,
+    };
+    Ok(scene.look_at(part, nth.wrapping_sub(1)).map_err(counted)?)
 }
 
 fn shown_pixel(scene: &Scene) -> [f64; 2] {

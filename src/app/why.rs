@@ -1,0 +1,112 @@
+//! Why what was clicked was kept or dropped, as the method tells it in whose column it was clicked.
+
+use crate::{
+    figure::said,
+    labs::Verdict,
+    text::{Notation, Said},
+    widgets::{explained, quiet_button, rule, section},
+};
+
+use super::{
+    App, Command,
+    command::AskedIn,
+    playback::Playback,
+    prelude::*,
+    run_room::{OnStage, RunRoom},
+};
+
+#[derive(Default)]
+pub struct Verdicts {
+    about: Option<(AskedIn, usize)>,
+    room: RunRoom<Option<Verdict>>,
+    /// What was told last, and in how many frames it is still to be brought into sight: what stands below is laid out one later.
+    in_sight: (Option<AskedIn>, usize),
+}
+
+impl Verdicts {
+    fn of(
+        &mut self,
+        on_stage: OnStage<'_>,
+        ui: &Ui,
+        (scene, about): (&Scene, AskedIn),
+    ) -> Option<&Verdict> {
+        let now = (about, on_stage.0.transport.position());
+        if self.about.replace(now) != Some(now) {
+            self.room = RunRoom::default();
+        }
+        let verdict = || verdict(on_stage.0, scene, about);
+        self.room.get(on_stage, ui, 0.0, verdict).as_ref()
+    }
+}
+
+/// The step that a verdict names is one of the first column's run: the others have none.
+pub fn verdict(playback: &Playback, scene: &Scene, (about, column): AskedIn) -> Option<Verdict> {
+    let run = playback.runs().nth(column)?;
+    let [step, _] = *playback.steps().get(column)?;
+    let document = scene.document();
+    if column == 0 {
+        return document.verdict(about, (run, step));
+    }
+    let mut alone = scene.clone();
+    alone.document_mut().set_compare(None);
+    alone
+        .document_mut()
+        .set_method(document.methods().get(column)?.id);
+    let verdict = alone.document().verdict(about, (run, step))?;
+    Some(Verdict {
+        step: None,
+        ..verdict
+    })
+}
+
+/// Its numbers stand beside each other.
+fn notation(verdict: &Verdict) -> Notation {
+    let notes = verdict.notes.iter().map(Said::Message);
+    Notation::of(said(&[], &verdict.why).into_iter().chain(notes))
+}
+
+pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdicts) {
+    let look = app.look_at_step();
+    // Of what is asked about it would tell too much.
+    let about = about.filter(|_| !app.practice.is_asking());
+    if verdicts.in_sight.0 != about {
+        verdicts.in_sight = (about, 2);
+    }
+    let Some(about) = about else { return };
+    let scrolls = verdicts.in_sight.1;
+    verdicts.in_sight.1 = scrolls.saturating_sub(1);
+    let verdict = verdicts.of(app.on_stage(), ui, (app.scene(), about));
+    let Some(verdict) = verdict else { return };
+    let look = Look {
+        catalog: look
+            .catalog
+            .alike(app.playback.notation().max(notation(verdict))),
+        ..look
+    };
+    let top = ui.cursor().min;
+    rule(ui, look);
+    let title = look.say("verdict-title");
+    let methods = app.scene().document().methods();
+    let method = methods.get(about.1).filter(|_| methods.len() > 1);
+    let of_one = |method| format!("{title} {}", app.name_of(method));
+    section(ui, look, &method.map_or(title.clone(), |it| of_one(it)));
+    explained(ui, look, &verdict.why);
+    for note in &verdict.notes {
+        ui.label(look.catalog.message(note));
+    }
+    if verdict.step.is_some() {
+        let go = Button::new(accent(look, "verdict-go"));
+        if quiet_button(ui, look, go).clicked() {
+            app.push(Command::Verdict);
+        }
+    }
+    if let Some((key, change)) = &verdict.offer
+        && ui.button(look.say(key)).clicked()
+    {
+        app.push(Command::Edit(Edit::Own(change.clone()), None));
+    }
+    if scrolls > 0 {
+        ui.scroll_to_rect(Rect::from_min_max(top, ui.cursor().max), None);
+        ui.ctx().request_repaint();
+    }
+}
