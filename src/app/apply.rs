@@ -33,6 +33,7 @@ impl App {
                     self.greeted();
                 }
                 self.history.end_gesture();
+                self.see_what_is_refused();
             }
             // Half an outline has a past of its own.
             Command::Undo if self.stage.sketch.is_some() => self.take_back(),
@@ -215,11 +216,19 @@ impl App {
             self.follow();
         } else {
             self.rerecord();
+            self.see_what_is_refused();
         }
         if fits {
             self.fit();
         }
         Ok(())
+    }
+
+    /// What is wrong is all to be seen: there is no run that shows it, and its lists leave their room to it.
+    fn see_what_is_refused(&mut self) {
+        if self.playback.main().is_refused() {
+            self.see(Seen::Refitted);
+        }
     }
 
     /// The same; what is wrong is shown. A handle that cannot go there stays where it is: that is answer enough.

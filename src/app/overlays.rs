@@ -122,7 +122,7 @@ fn heading(app: &App, ui: &mut Ui, key: &str) {
             app.push(Command::Show(None));
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            ui.label(RichText::new(look.say(key)).heading());
+            ui.label(RichText::new(look.say(key).trim_end_matches('…')).heading());
         });
     });
 }

@@ -300,7 +300,9 @@ impl Column<'_> {
         let space = frame.space();
         let buttons = state.ways_out_at.filter(|_| self.index == 0);
         let seen_in = space.map_or(rect, |space| under_title(ui, rect, look, space));
-        let viewport = state.viewport(drawing, seen_in);
+        // Ways out of a refused scene lie over no part of it.
+        let top = buttons.map_or(seen_in.top(), |buttons| buttons.bottom().max(seen_in.top()));
+        let viewport = state.viewport(drawing, seen_in.with_min_y(top));
         let lit = state.lit;
         let id = Id::unique(("stage", self.index));
         let is_drawing = state.sketch.is_some();

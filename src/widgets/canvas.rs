@@ -183,7 +183,7 @@ impl Canvas<'_> {
             let said = handles.coordinates(ui, response, step);
             self.say_place(&painter, said, &labels);
         } else {
-            let beside = (&labels[..], self.reads_pointer);
+            let beside = (&labels[..], self.covered, self.reads_pointer);
             handles.draw_names(ui, &painter, response, beside);
         }
         focus_ring(

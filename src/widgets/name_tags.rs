@@ -23,15 +23,17 @@ const SIDES: [(Align2, Vec2); 4] = [
 
 impl Handles<'_> {
     /// While one is dragged its name stands beside the pointer. Those under it are named only where that `is_read`.
-    /// They cover none of the `labels`, where there is room beside them.
+    /// They cover none of the `labels`, where there is room beside them, and are not under what has `covered` the drawing.
     pub fn draw_names(
         &self,
         ui: &Ui,
         painter: &Painter,
         canvas: &Response,
-        (labels, is_read): (&[Placed], bool),
+        (labels, covered, is_read): (&[Placed], &[Rect], bool),
     ) {
-        let mut taken: Vec<Rect> = labels.iter().map(|label| label.rect).collect();
+        // What lies over the drawing would hide a name.
+        let taken = labels.iter().map(|label| label.rect);
+        let mut taken: Vec<Rect> = taken.chain(covered.iter().copied()).collect();
         let focused = ui.memory(egui::Memory::focused);
         let held = gripped(ui, self.id);
         let pointer = canvas.hover_pos().filter(|_| is_read && held.is_none());
@@ -56,7 +58,9 @@ impl Handles<'_> {
             let room = self.viewport.rect;
             // A name that nobody waits for covers no other.
             let place = tag.place(at, room, &taken);
-            if let Some(plate) = place.or_else(|| in_use.then(|| tag.nearest(at, room))) {
+            let in_sight = || tag.place(at, room, covered);
+            let in_use = || in_use.then(|| in_sight().unwrap_or_else(|| tag.nearest(at, room)));
+            if let Some(plate) = place.or_else(in_use) {
                 tag.paint(painter, self.look, plate);
                 taken.push(plate);
             }

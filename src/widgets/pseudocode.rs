@@ -139,7 +139,7 @@ impl<'a> Pseudocode<'a> {
             name: "pseudocode",
             heights: &self.heights,
             most,
-            focus: step.line,
+            focus: step.line.or((step.moment == 0).then_some(0)),
             moment: step.moment,
         };
         rows.show(ui, |ui| {

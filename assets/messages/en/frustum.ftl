@@ -27,6 +27,10 @@ gauges-sphere = One sphere, { $planes ->
         [one] { $planes } plane
        *[other] { $planes } planes
     }
+gauges-sphere-of = Object { $object }: one sphere, { $planes ->
+        [one] { $planes } plane
+       *[other] { $planes } planes
+    }
 gauges-faces = Faces: { $faces }, by n·e
 plane-from-matrix = Without angles: { $sum }. Divided by the length of its normal, { $length }, the result is the { $plane } plane, to { $decimals } decimals.
 column-plane = plane

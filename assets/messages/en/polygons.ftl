@@ -13,7 +13,7 @@ part-clip = the clip polygon
 refused-not-convex = This algorithm needs a convex clip region, but { $part } turns the other way at { $vertex }.
 refused-winds-twice = This algorithm needs a simple outline, but { $part } has gone around more than once at { $vertex }.
 refused-edges-meet = This algorithm needs a simple outline, but in { $part } the edges { $first } and { $second } meet.
-refused-misplaced-hole = This algorithm needs every hole inside the polygon, and holes must not touch its border or each other. This is not so for { $part }.
+refused-misplaced-hole = This algorithm needs every hole inside the polygon, and holes must not touch its border or each other. Here { $part } breaks this rule.
 refused-degenerate = There is nothing to clip: { $part } has no area.
 
 ## Drawing an outline by clicking

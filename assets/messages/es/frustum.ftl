@@ -27,6 +27,10 @@ gauges-sphere = Una esfera, { $planes ->
         [one] { $planes } plano
        *[other] { $planes } planos
     }
+gauges-sphere-of = Objeto { $object }: una esfera, { $planes ->
+        [one] { $planes } plano
+       *[other] { $planes } planos
+    }
 gauges-faces = Caras: { $faces }, según n·e
 plane-from-matrix = Sin ángulos: { $sum }. Dividido por la longitud de su normal, { $length }, es el plano { $plane }, hasta { $decimals } decimales.
 column-plane = plano

@@ -27,6 +27,10 @@ gauges-sphere = Uma esfera, { $planes ->
         [1] { $planes } plano
        *[other] { $planes } planos
     }
+gauges-sphere-of = Objeto { $object }: uma esfera, { $planes ->
+        [1] { $planes } plano
+       *[other] { $planes } planos
+    }
 gauges-faces = Faces: { $faces }, por n·e
 plane-from-matrix = Sem ângulos: { $sum }. Dividido pelo comprimento da normal, { $length }, é o plano { $plane }, até { $decimals } casas decimais.
 column-plane = plano

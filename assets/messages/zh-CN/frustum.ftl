@@ -24,6 +24,7 @@ gauge-faces-camera = 朝向相机
 gauge-drawn = 绘制
 gauge-culled = 剔除
 gauges-sphere = 一个包围球，{ $planes } 个平面
+gauges-sphere-of = 物体 { $object }：一个包围球，{ $planes } 个平面
 gauges-faces = 面数：{ $faces }，按 n·e
 plane-from-matrix = 不用角度：{ $sum }。除以法向量的长度 { $length }，即为{ $plane }平面，精确到 { $decimals } 位小数。
 column-plane = 平面

@@ -142,12 +142,19 @@ impl<L: Variant> Telling for Funnel<L> {
         }
         if !is_compared(at) {
             let none = || sphere_gauges(&planes(at), 0.0, &[]);
-            // In the end the last sphere stays.
+            // In the end the last sphere stays: the title says whose it is.
             let shown = asked(at).filter(|_| at.step.event().is_some());
+            let object = Now::of(at).object_idx.map_or(0, |i| i + 1);
+            let shown = shown.map(|sphere| Gauges {
+                title: Message::new("gauges-sphere-of")
+                    .with("object", object)
+                    .with("planes", sphere.planes.n_planes),
+                ..sphere.gauges()
+            });
             // Where the sphere was measured stand the triangle's codes, once it is asked.
             let body = match codes::table(at.step.event()) {
                 Some(table) => Body::Table(table),
-                None => Body::Gauges(shown.map_or_else(none, |sphere| sphere.gauges())),
+                None => Body::Gauges(shown.unwrap_or_else(none)),
             };
             views.push(View::new(GAUGES_VIEW, body));
         }
