@@ -144,7 +144,8 @@ impl<L: Variant> Telling for Funnel<L> {
             let none = || sphere_gauges(&planes(at), 0.0, &[]);
             // In the end the last sphere stays: the title says whose it is.
             let shown = asked(at).filter(|_| at.step.event().is_some());
-            let object = Now::of(at).object_idx.map_or(0, |i| i + 1);
+            let n_objects = at.step.input.objects.len();
+            let object = (at.step.held.object_idx + 1).min(n_objects);
             let shown = shown.map(|sphere| Gauges {
                 title: Message::new("gauges-sphere-of")
                     .with("object", object)
