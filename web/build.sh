@@ -17,15 +17,12 @@ export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-C target-feature=+simd128
 
 profile=release
 [ -n "$quick" ] && profile=dev
-# The tool is compiled beside the page, in a folder of its own so that neither waits for the other.
-cargo build --locked --profile tool -p clipscope-bindgen --target-dir "$target/bindgen" &
 cargo build --locked --profile "$profile" -p clipscope-page --target wasm32-unknown-unknown --target-dir "$target"
-wait "$!"
-bindgen=$target/bindgen/tool/clipscope-bindgen
+cargo build --locked --profile tool -p clipscope-bindgen --target-dir "$target"
 
 made=$target/page
 rm -rf "$made" && mkdir -p "$made"
-"$bindgen" "$target/wasm32-unknown-unknown/${profile/dev/debug}/clipscope_page.wasm" "$made"
+"$target/tool/clipscope-bindgen" "$target/wasm32-unknown-unknown/${profile/dev/debug}/clipscope_page.wasm" "$made"
 mv "$made/clipscope_bg.wasm" "$made/clipscope.wasm"
 
 # wasm-opt from npm: Debian's is too old for what rustc writes today. Its version is fixed, so that a page can be made again.
@@ -46,7 +43,7 @@ if [ -z "$quick" ]; then
 fi
 # A gzip file, and the smallest one.
 small() {
-  if [ -n "$quick" ]; then gzip -n1 -c "$1" >"$2"; else "$bindgen" gzip "$1" "$2"; fi
+  if [ -n "$quick" ]; then gzip -n1 -c "$1" >"$2"; else "$target/tool/clipscope-bindgen" gzip "$1" "$2"; fi
 }
 small "$made/clipscope.wasm" "$made/clipscope.bin"
 

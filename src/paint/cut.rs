@@ -12,6 +12,10 @@ pub fn cut_to([a, b]: [Pos2; 2], rect: Rect) -> Option<[Pos2; 2]> {
     if rect.contains(a) && rect.contains(b) {
         return Some([a, b]);
     }
+    // Most of what is asked lies beyond one side.
+    if !Rect::from_two_pos(a, b).intersects(rect) {
+        return None;
+    }
     let [left, top, right, bottom] =
         [rect.left(), rect.top(), rect.right(), rect.bottom()].map(f64::from);
     let window = Window::new(left, top, right, bottom).ok()?;

@@ -66,7 +66,10 @@ pub fn power_plot(
     height: f32,
     lines: &[PowerLine],
 ) {
-    let power = |value: f64| look.catalog.number(10.0_f64.powi(value.round() as i32));
+    let power = |value: f64| match 10.0_f64.powi(value.round() as i32) {
+        large @ 10_000.0.. => look.catalog.grouped(large),
+        x => look.catalog.number(x),
+    };
     let plot = fixed_plot(id)
         .height(height)
         .x_axis_label(look.say(axes[0]))

@@ -8,6 +8,7 @@ mod caption;
 mod composed;
 mod cost;
 mod fingers;
+mod grid;
 mod handles;
 mod headings;
 mod hit;

@@ -1,6 +1,7 @@
 //! Holds the house to its plan: who may know whom, and how long a file may grow.
 
 mod imports;
+mod windowless;
 
 use std::{
     fs,
@@ -249,10 +250,8 @@ fn what_is_shown_of_a_step_names_every_variant() {
 /// captions and questions find a name that is missing. Beside a single arm it is an `if let`: the question whether something
 /// is of that one kind forgets none.
 fn catches_all(code: &str) -> bool {
-    let lines: Vec<&str> = code
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
+    let all = code.lines();
+    let lines: Vec<&str> = all.filter(|line| !line.trim().is_empty()).collect();
     let depth = |line: &str| line.len() - line.trim_start().len();
     let forgets = |at: usize| {
         let before = lines[..at].iter().rev();

@@ -44,13 +44,12 @@ impl Obstacle {
     pub(super) fn cost(&self, rect: Rect) -> f32 {
         match *self {
             Self::Stroke(ends, half) => {
-                let within = length_in(ends, rect.expand(half));
-                if within > 0.0 {
-                    80.0 + 2.0 * within
-                } else if length_in(ends, rect.expand(half + CLEAR)) > 0.0 {
-                    8.0
-                } else {
-                    0.0
+                if length_in(ends, rect.expand(half + CLEAR)) == 0.0 {
+                    return 0.0;
+                }
+                match length_in(ends, rect.expand(half)) {
+                    0.0 => 8.0,
+                    within => 80.0 + 2.0 * within,
                 }
             }
             Self::Disc(at, radius) => match rect.distance_to_pos(at) - radius {
