@@ -298,6 +298,26 @@ fn places(bench: &Bench) -> Vec<(ViewId, Slot)> {
     bench.app.stage.places.clone()
 }
 
+#[test]
+fn escape_closes_what_lies_over_a_question_and_then_leaves_it_at_the_steps_own_moment() {
+    let page = Page::Step("05-intervals".to_owned(), "entering".to_owned());
+    let mut bench = asked_at(page, Lang::En, SIZE);
+    for command in [
+        Command::Help,
+        Command::Contents(true),
+        Command::Measure(true),
+    ] {
+        bench.command(command);
+        assert!(bench.app.is_covered());
+        bench.key(Key::Escape);
+        assert!(!bench.app.is_covered() && bench.app.practice.is_asking());
+    }
+    bench.key(Key::Escape);
+    let home = bench.app.bookmark.step().and_then(|step| step.position());
+    assert!(!bench.app.practice.is_asking());
+    assert_eq!(Some(bench.app.position()), home);
+}
+
 const ONE_LINE_AND_THE_TIMELINE: f32 = 110.0;
 
 #[test]

@@ -276,3 +276,35 @@ fn the_first_difference_of_a_faulty_method_is_named_and_marked() {
     }
     assert_ne!(runs[0].event_json(step), runs[1].event_json(step));
 }
+
+#[test]
+fn a_scene_that_is_refused_is_all_in_sight_and_its_buttons_cover_none_of_it() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("14-both-lists", "the-walk-that-switches");
+    let handles = bench.document().handles();
+    let mut at_s4 = handles.into_iter().filter(|handle| {
+        let at = bench.document().position(*handle);
+        at == Some([-2.0, 2.0, 0.0]) && handle.kind().is_vertex
+    });
+    let s4 = at_s4.next().expect("a vertex");
+    bench.edit(Edit::Drag(s4, [2.0, -4.0, 0.0]));
+    assert!(bench.app.playback.main().is_refused());
+    let buttons = bench.app.stage.ways_out_at.expect("ways out");
+    let seen = bench
+        .app
+        .stage
+        .seen
+        .values()
+        .next()
+        .expect("a drawing")
+        .rect;
+    let stands = bench.app.scene().document().handles();
+    for handle in stands.into_iter().filter(|handle| handle.kind().is_vertex) {
+        let place = bench.document().position(handle).expect("a place");
+        let at = bench.on_screen([place[0], place[1]]);
+        assert!(
+            seen.contains(at) && !buttons.contains(at),
+            "{place:?} {at} {seen}"
+        );
+    }
+}

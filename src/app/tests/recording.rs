@@ -127,3 +127,19 @@ fn the_solids_of_the_first_picture_are_found_before_it_is_drawn() {
     }
     assert_eq!(n_spaces, 2);
 }
+
+#[test]
+fn a_mesh_that_is_added_leaves_the_run_at_its_step() {
+    let mut bench = Bench::lab("frustum");
+    let n_before = bench.n_steps();
+    bench.command(Command::Seek(3));
+    let said = bench.said();
+    // Two triangles a square: its run is far longer than one that is searched event by event.
+    bench.command(Command::Edit(ring(50), None));
+    assert!(
+        bench.n_steps() > n_before + 5_000 - 1,
+        "{}",
+        bench.n_steps()
+    );
+    assert_eq!((bench.app.position(), bench.said()), (3, said));
+}

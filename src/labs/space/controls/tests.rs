@@ -37,3 +37,15 @@ fn every_group_can_be_locked() {
         }
     }
 }
+
+#[test]
+fn a_number_that_is_refused_is_the_number_that_was_typed() {
+    let mut scene = (surfaces::LAB.first_scene)();
+    let scene: &mut Scene = scene.get_mut().expect("a scene in space");
+    let count = scene.count(Part::Object);
+    for typed in [0, count + 1] {
+        let refused = set(scene, "object.number", 0, typed as f64).expect_err("there is none");
+        let expected = Message::new("error-no-such-object").with("focus", typed.to_string());
+        assert_eq!(refused.message, expected.with("count", count));
+    }
+}
