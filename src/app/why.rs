@@ -85,11 +85,12 @@ pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdi
     };
     let top = ui.cursor().min;
     rule(ui, look);
-    let title = look.say("verdict-title");
+    let mut title = look.say("verdict-title");
     let methods = app.scene().document().methods();
-    let method = methods.get(about.1).filter(|_| methods.len() > 1);
-    let of_one = |method| format!("{title} {}", app.name_of(method));
-    section(ui, look, &method.map_or(title.clone(), |it| of_one(it)));
+    if let Some(method) = methods.get(about.1).filter(|_| methods.len() > 1) {
+        title = format!("{title} {}", app.name_of(method));
+    }
+    section(ui, look, &title);
     explained(ui, look, &verdict.why);
     for note in &verdict.notes {
         ui.label(look.catalog.message(note));

@@ -147,14 +147,13 @@ impl Telling for Pipeline {
                     let symbols = [0, 1].map(symbol);
                     edge(input, now.stage_idx?).asked(name_of, &event?, (&now.asked, symbols))
                 };
-                let of_test = || now.asked.named(name_of, vertex_symbol);
-                let of_edge = match name_of {
+                let of_test = match name_of {
                     // Clippers know no numbers of vertices: what comes in is P, what came before it S.
                     "from" => Some(name(symbol(0)).into()),
                     "to" => Some(name(symbol(1)).into()),
-                    _ => of_test(),
+                    _ => now.asked.named(name_of, vertex_symbol),
                 };
-                return of_edge.or_else(|| formula().map(Named::from));
+                return of_test.or_else(|| formula().map(Named::from));
             }
         })
     }
