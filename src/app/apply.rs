@@ -353,6 +353,6 @@ impl App {
 
     pub(super) fn is_untouched(&self) -> bool {
         let step = self.bookmark.step();
-        step.is_none_or(|step| *step.scene == *self.history.now())
+        step.is_none_or(|step| self.history.now().document().is_like(&step.scene))
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     labs::{Difference, MethodCard, Scene, comparison},
     text::{Notation, Value},
     trace::{Counts, Transport},
-    widgets::{Album, wanted},
+    widgets::{Album, Recorded, wanted},
 };
 
 use super::found::{Found, Told, Wanted};
@@ -223,6 +223,9 @@ impl Playback {
     /// Would this answer what is asked?
     pub fn hide(&mut self, hidden: Hidden) {
         if self.hidden != hidden {
+            if self.hidden.costs != hidden.costs {
+                self.needs.clear();
+            }
             self.hidden = hidden;
             self.framed_at = None;
         }
@@ -255,21 +258,7 @@ impl Playback {
         let known = known.filter(|known| known.comparison == comparison);
         let mut prospect = Prospect::default();
         if self.needs.is_empty() {
-            let wants = if let Some(known) = known {
-                (known.needs.clone(), known.notation)
-            } else {
-                let ahead = self.wanted.take().filter(|ahead| ahead.bounds == bounds);
-                let (wants, notation) = if let Some(ahead) = ahead {
-                    prospect = ahead.prospect;
-                    (ahead.needs, ahead.notation)
-                } else {
-                    let seen = self.eyes.is_none().then_some(&mut prospect);
-                    wanted(self.runs(), bounds, seen)
-                };
-                let all: Vec<&dyn Run> = self.runs().collect();
-                (comparison.needs(&wants, &all), notation)
-            };
-            (self.needs, self.notations[0]) = wants;
+            (self.needs, self.notations[0]) = self.wants(bounds, known, &mut prospect);
         }
         let eyes = self.eyes.take().unwrap_or_else(|| {
             let views = self.frames.iter().map(|frame| &frame.views[..]);
@@ -289,6 +278,35 @@ impl Playback {
             frame.hide_costs();
         }
         self.notations[1] = notation(self.notations[0], self.on_stage());
+    }
+
+    /// The room of the views, and how numbers are written; the prospect of a run that is asked now.
+    fn wants(
+        &mut self,
+        bounds: [[f64; 2]; 2],
+        known: Option<&Recorded>,
+        prospect: &mut Prospect,
+    ) -> (Vec<Vec<Need>>, Notation) {
+        let ahead = self.wanted.take_if(|_| known.is_none());
+        let ahead = ahead.filter(|ahead| ahead.bounds == bounds);
+        let (comparison, all) = (self.comparison.1, self.runs().collect::<Vec<_>>());
+        let (needs, notation) = if let Some(known) = known {
+            (known.needs.clone(), known.notation)
+        } else {
+            let (needs, notation) = if let Some(ahead) = ahead {
+                *prospect = ahead.prospect;
+                (ahead.needs, ahead.notation)
+            } else {
+                let seen = self.eyes.is_none().then_some(prospect);
+                wanted(self.runs(), bounds, seen)
+            };
+            (comparison.needs(&needs, &all), notation)
+        };
+        if self.hidden.costs {
+            (comparison.without_costs(needs, &all), notation)
+        } else {
+            (needs, notation)
+        }
     }
 
     /// Finds the eyes anew, for what is shown now.

@@ -98,6 +98,17 @@ impl Comparison {
         needs
     }
 
+    /// The same where costs are not shown: what methods ask on their way still stands there, if they say it.
+    #[must_use]
+    pub fn without_costs(self, mut needs: Vec<Vec<Need>>, runs: &[&dyn Run]) -> Vec<Vec<Need>> {
+        if self == Self::Same && first_asked(runs).is_none() {
+            for needs in &mut needs {
+                needs.retain(|need| need.id != View::COSTS);
+            }
+        }
+        needs
+    }
+
     /// Of methods that are one drawing, what that wants.
     fn joined_needs(self, needs: &[Vec<Need>], runs: &[&dyn Run]) -> Vec<Vec<Need>> {
         match (self, needs) {
@@ -281,10 +292,14 @@ fn look_on(raster: &mut Raster, other: &Body, is_bare: bool) {
 /// What methods ask on their way stands where their costs come to stand, and is widest in the end. Where they do not say it, their
 /// ends, which take a run each, are not made.
 fn first_and_last_asked(runs: &[&dyn Run]) -> Vec<Table> {
-    let begun = runs.iter().map(|run| run.frame(run.n_steps().min(1)));
-    let first = asked(&begun.collect::<Vec<_>>());
+    let first = first_asked(runs);
     let last = first.as_ref().and_then(|_| asked(&ends(runs)));
     first.into_iter().chain(last).collect()
+}
+
+fn first_asked(runs: &[&dyn Run]) -> Option<Table> {
+    let begun = runs.iter().map(|run| run.frame(run.n_steps().min(1)));
+    asked(&begun.collect::<Vec<_>>())
 }
 
 /// What each asks on its way, where all say it.

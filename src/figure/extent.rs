@@ -105,6 +105,7 @@ impl View {
             Body::Story(story) => {
                 // Two cards, or many folded about one.
                 let width = 7.5 * story.cards.len().clamp(1, 2) as f32;
+                whole = [0.0, 17.0];
                 (Stand::Under, [width + 4.0, 12.0], [f32::MAX, 19.0])
             }
             Body::Lists(lists) => lists_need(lists),

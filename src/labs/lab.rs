@@ -84,6 +84,10 @@ pub trait Document: Plain + Backdrop + Draggable + Answers {
     fn pointed(&self, _click: &Click<'_>) -> Option<Shape> {
         None
     }
+    /// Is it the other scene, except for what is looked at where no run depends on that?
+    fn is_like(&self, other: &Scene) -> bool {
+        self.is_same(other.document())
+    }
     /// How large it is, in segments or vertices.
     fn size(&self) -> usize;
 }

@@ -319,6 +319,7 @@ camera-aspect = Aspect ratio
 camera-near = Near plane
 camera-far = Far plane
 camera-frozen = Freeze culling
+objects-not-drawn = This method draws no objects.
 object-add = Add an object
 object-remove = Remove the object in focus
 object-focus = Object

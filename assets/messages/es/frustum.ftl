@@ -319,6 +319,7 @@ camera-aspect = Relación de aspecto
 camera-near = Plano cercano
 camera-far = Plano lejano
 camera-frozen = Congelar el descarte
+objects-not-drawn = Este método no dibuja objetos.
 object-add = Añadir un objeto
 object-remove = Quitar el objeto enfocado
 object-focus = Objeto

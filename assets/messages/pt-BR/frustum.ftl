@@ -319,6 +319,7 @@ camera-aspect = Razão de aspecto
 camera-near = Plano próximo
 camera-far = Plano distante
 camera-frozen = Congelar o descarte
+objects-not-drawn = Este método não desenha objetos.
 object-add = Adicionar um objeto
 object-remove = Remover o objeto em foco
 object-focus = Objeto

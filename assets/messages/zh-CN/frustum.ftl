@@ -226,6 +226,7 @@ camera-aspect = 宽高比
 camera-near = 近平面
 camera-far = 远平面
 camera-frozen = 冻结剔除
+objects-not-drawn = 这个方法不画物体。
 object-add = 添加物体
 object-remove = 移除当前物体
 object-focus = 物体

@@ -1,7 +1,10 @@
 //! Walking through the course.
 
 use super::*;
-use crate::lesson::Loaded;
+use crate::{
+    labs::space::{Part, SpaceChange},
+    lesson::Loaded,
+};
 
 fn n_course_steps(bench: &Bench) -> usize {
     let lessons = &bench.app.bookmark.course.lessons;
@@ -92,4 +95,24 @@ fn a_term_says_what_it_is_to_the_pointer_and_to_a_screen_reader() {
             .any(|(text, _)| text.starts_with(&says))
     };
     assert!(is_shown(), "{says}");
+}
+
+/// Where all objects are in the run, to look at another one is no change of the scene; where its run is that of one of them, it is.
+#[test]
+fn to_look_at_an_object_beside_others_is_no_edit() {
+    let at_second = || Edit::own(SpaceChange::LookAt(Part::Object, 1));
+    for (lesson, step, is_untouched) in [
+        ("43-three-ways-one-picture", "no-order", true),
+        ("25-the-funnel", "what-is-left", true),
+        ("22-whole-objects-first", "straddling", false),
+    ] {
+        let mut bench = Bench::course(SIZE);
+        bench.open_step(lesson, step);
+        bench.edit(at_second());
+        assert_eq!(bench.space().focus(), 1, "{lesson}");
+        assert_eq!(bench.app.is_untouched(), is_untouched, "{lesson}");
+        let change = SpaceChange::Set("object.size", 0, 0.5);
+        bench.edit(Edit::own(change));
+        assert!(!bench.app.is_untouched(), "{lesson}");
+    }
 }

@@ -367,3 +367,15 @@ fn where_only_the_cameras_picture_differs_it_is_as_large_as_a_drawing() {
     bench.command(Command::Open([30, 2]));
     assert_eq!(stands(&bench), [false]);
 }
+
+/// Until a hunt is solved its costs are not shown: no room waits for them.
+#[test]
+fn the_drawing_of_a_hunt_has_all_of_the_stage_until_it_is_solved() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("09-four-rules", "hunt-quad");
+    bench.settle();
+    let [(ViewId::PLANE, alone)] = bench.app.stage.places[..] else {
+        panic!("{:?}", bench.app.stage.places);
+    };
+    assert!(alone.size()[0] > 0.9 * (SIZE.x - 512.0));
+}

@@ -4,12 +4,14 @@ use super::{
     READABLE, Sheet, Slot, ViewId,
     groups::{Groups, How, Way},
 };
-use crate::figure::extent::Need;
+use crate::figure::extent::{Need, Stand};
 
 /// Of its column's height a drawing keeps this part at least, and of its width.
 const DRAWING: f32 = 0.42;
 /// Text is large from this many points on.
 const LARGE_EM: f32 = 16.0;
+/// Then a picture beside the first one has at least so many ems of text that is read: its title and notes take more of them.
+const TITLED: f32 = 9.5;
 const NARROW: f32 = 0.3;
 const LOW: f32 = 0.82;
 /// Between a drawing and what stands beside it, and under it; in ems.
@@ -30,7 +32,11 @@ impl Sheet {
         needs: &[Need],
         most: [f32; 2],
     ) -> Vec<(ViewId, Slot)> {
-        let needs: Vec<Need> = needs.iter().map(|&need| way.turned(need)).collect();
+        let mut needs: Vec<Need> = needs.iter().map(|&need| way.turned(need)).collect();
+        let mut drawings = needs.iter_mut().filter(|need| need.stand == Stand::Drawing);
+        if self.has_large_text() && drawings.next().is_some() {
+            drawings.for_each(|need| need.least[1] = need.least[1].max(TITLED));
+        }
         let Some(groups) = Groups::of(&needs, way) else {
             return Vec::new();
         };

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    labs::{Answers, Backdrop, Click, Document, Handle, Lab, Own, prelude::*},
-    text::Diagnostic,
+    labs::{self, Answers, Backdrop, Click, Document, Handle, Lab, Own, prelude::*},
+    text::{Diagnostic, Message},
 };
 
 use super::{
@@ -41,7 +41,7 @@ impl Scene {
         }
     }
 
-    pub(in crate::labs) fn shows_objects(&self) -> bool {
+    pub fn shows_objects(&self) -> bool {
         let mut on_stage = self.on_stage();
         on_stage.any(|method| method.info().subject.shows_objects())
     }
@@ -119,6 +119,9 @@ impl Document for Scene {
     }
 
     fn add(&mut self, _after: Option<Handle>) -> Result<Option<Handle>, Diagnostic> {
+        if !self.shows_objects() {
+            return Err(Diagnostic::new(Message::new("objects-not-drawn")));
+        }
         self.add_object(beside(self)?)?;
         Ok(None)
     }
@@ -141,6 +144,19 @@ impl Document for Scene {
             .or_else(face)?;
         let now = [self.focus(), self.face(), self.vertex()][part as usize];
         (idx != now).then(|| -> Own { Arc::new(SpaceChange::LookAt(part, idx)) })
+    }
+
+    fn is_like(&self, other: &labs::Scene) -> bool {
+        let Some(other) = other.get::<Self>() else {
+            return false;
+        };
+        let mut on_stage = self.on_stage();
+        let depends = on_stage.any(|method| method.info().subject.is_looked_at());
+        if depends || self.looked_at() == other.looked_at() {
+            self == other
+        } else {
+            *self == other.looking_as(self)
+        }
     }
 
     fn size(&self) -> usize {

@@ -206,6 +206,24 @@ impl Scene {
         Ok(())
     }
 
+    pub(super) const fn looked_at(&self) -> [(Part, usize); 3] {
+        [
+            (Part::Object, self.focus),
+            (Part::Face, self.face),
+            (Part::Vertex, self.vertex),
+        ]
+    }
+
+    /// The same scene, looked at as the other is, as far as it has such parts.
+    #[must_use]
+    pub(super) fn looking_as(&self, other: &Self) -> Self {
+        let mut scene = self.clone();
+        for (part, idx) in other.looked_at() {
+            scene.look_at(part, idx).ok();
+        }
+        scene
+    }
+
     const fn focus_on(&mut self, focus: usize) {
         (self.focus, self.face, self.vertex) = (focus, 0, 0);
     }

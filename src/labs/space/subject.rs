@@ -4,7 +4,9 @@ use crate::geom::SpaceError;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Subject {
-    /// Objects of the scene, or the one in focus.
+    /// All objects of the scene.
+    Objects,
+    /// The one in focus.
     Object,
     Face,
     Vertex,
@@ -26,12 +28,17 @@ impl Subject {
     /// The key of what is said over the methods that ask about it, where a lab has others, too.
     pub const fn group_key(self) -> Option<&'static str> {
         match self {
-            Self::Object | Self::Face | Self::Point => Some("methods-objects"),
+            Self::Objects | Self::Object | Self::Face | Self::Point => Some("methods-objects"),
             Self::Segment | Self::BoxedSegment => Some("methods-segments"),
             Self::Triangle => Some("methods-triangles"),
             Self::Vertex => Some("methods-vertices"),
             Self::Surfaces => None,
         }
+    }
+
+    /// Does its run depend on which object is looked at, and on which part of the object?
+    pub const fn is_looked_at(self) -> bool {
+        matches!(self, Self::Object | Self::Face | Self::Vertex)
     }
 
     pub const fn shows_camera(self) -> bool {

@@ -93,7 +93,12 @@ impl<C: StreetCosts> LabPanel for SpacePanel<C> {
 
     /// Whole objects and their faces are measured: no method that asks about a point, a segment or a triangle of its own.
     fn measures(&self, scene: &labs::Scene) -> bool {
-        let measured = [Subject::Object, Subject::Face, Subject::Surfaces];
+        let measured = [
+            Subject::Objects,
+            Subject::Object,
+            Subject::Face,
+            Subject::Surfaces,
+        ];
         let is_measured = |scene: &Scene| measured.into_iter().any(|subject| scene.asks(subject));
         scene.get().is_some_and(is_measured)
     }

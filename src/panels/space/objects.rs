@@ -10,12 +10,18 @@ use crate::{
 use super::own;
 
 pub fn rows(ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk> {
-    let added = menu_button(ui, look.say("object-add"), |ui| kinds(ui, look));
-    let can_remove = scene.objects().len() > 1;
-    let remove = Button::new(look.say("object-remove"));
-    let removed = ui.add_enabled(can_remove, remove).clicked();
-    let added = added.inner.flatten().map(SpaceChange::Add).map(own);
-    added.or(removed.then_some(PanelAsk::Edit(Edit::Remove(None))))
+    let are_shown = scene.shows_objects();
+    let rows = ui.add_enabled_ui(are_shown, |ui| {
+        let added = menu_button(ui, look.say("object-add"), |ui| kinds(ui, look));
+        let remove = Button::new(look.say("object-remove"));
+        let removed = ui.add_enabled(scene.objects().len() > 1, remove).clicked();
+        let added = added.inner.flatten().map(SpaceChange::Add).map(own);
+        added.or(removed.then_some(PanelAsk::Edit(Edit::Remove(None))))
+    });
+    if !are_shown {
+        ui.label(RichText::new(look.say("objects-not-drawn")).color(look.theme.soft));
+    }
+    rows.inner
 }
 
 fn kinds(ui: &mut Ui, look: Look<'_>) -> Option<Model> {

@@ -26,6 +26,7 @@ const RIBBON_VIEW: &str = "ribbon";
 impl AnswerAsItIs for FunnelLevels {}
 
 impl<L: Variant> SpaceTelling for Funnel<L> {
+    const SUBJECT: Subject = Subject::Objects;
     const TELLS_FACES: bool = true;
 
     fn input(scene: &Scene) -> FunnelInput {
