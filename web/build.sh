@@ -41,6 +41,11 @@ if [ -z "$quick" ]; then
     note "wasm-opt could not be had (npm's binaryen 132): the page works, and is about a fifth larger"
   fi
 fi
+# Packed, it is seven hundredths smaller with functions that are alike near each other.
+if [ -z "$quick" ]; then
+  "$target/tool/clipscope-bindgen" order "$made/clipscope.wasm" "$made/smaller.wasm"
+  mv "$made/smaller.wasm" "$made/clipscope.wasm"
+fi
 # A gzip file, and the smallest one.
 small() {
   if [ -n "$quick" ]; then gzip -n1 -c "$1" >"$2"; else "$target/tool/clipscope-bindgen" gzip "$1" "$2"; fi

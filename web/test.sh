@@ -33,6 +33,7 @@ if [ ! -d "$scorm" ]; then
   fi
 fi
 export SCORM_AGAIN=$scorm/package
+export BINDGEN=$target/tool/clipscope-bindgen
 
 # What the desktop says of the same scenes.
 [ -n "${CLIPSCOPE:-}" ] || cargo build --manifest-path ../Cargo.toml --locked --bin clipscope

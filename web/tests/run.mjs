@@ -8,6 +8,7 @@ import "./platforms.mjs";
 import "./links.mjs";
 import "./touch.mjs";
 import "./fetched.mjs";
+import "./order.mjs";
 
 const wanted = process.argv[2] ?? "";
 const [part, parts] = (process.env.PART ?? "1/1").split("/").map(Number);

@@ -1,7 +1,10 @@
 //! `wasm-bindgen`, as much of it as the page needs: `clipscope-bindgen IN.wasm OUT`. As a program of this workspace it has the
 //! version that the page was compiled with, and a third of what `cargo install wasm-bindgen-cli` compiles.
 //!
-//! `clipscope-bindgen gzip FILE OUT` makes a file for every browser as small as gzip's format allows, in half a minute.
+//! `clipscope-bindgen order IN.wasm OUT.wasm` puts functions that are alike near each other, which makes it smaller once it is
+//! packed; `clipscope-bindgen gzip FILE OUT` makes a file for every browser as small as gzip's format allows, in half a minute.
+
+mod order;
 
 use std::{
     env,
@@ -23,8 +26,9 @@ fn main() -> anyhow::Result<()> {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     match args[..] {
         ["gzip", file, out] => squeeze(file, out),
+        ["order", input, out] => order(input, out),
         [input, out] => bind(input, out),
-        _ => anyhow::bail!("IN.wasm OUT, or gzip FILE OUT"),
+        _ => anyhow::bail!("IN.wasm OUT, order IN.wasm OUT.wasm, or gzip FILE OUT"),
     }
 }
 
@@ -37,6 +41,12 @@ fn bind(input: &str, out: &str) -> anyhow::Result<()> {
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate(out)
+}
+
+fn order(input: &str, out: &str) -> anyhow::Result<()> {
+    let program = fs::read(input).with_context(|| input.to_owned())?;
+    let sorted = order::sorted(&program).with_context(|| input.to_owned())?;
+    Ok(fs::write(out, sorted)?)
 }
 
 fn squeeze(file: &str, out: &str) -> anyhow::Result<()> {
