@@ -22,7 +22,7 @@ const N_KEPT: usize = 128;
 /// So few stand as they are.
 const FEW: usize = 8;
 /// Exchanges between two halves: after so many hardly any is left that gains.
-const ROUNDS: usize = 20;
+const ROUNDS: usize = 60;
 
 pub fn sorted(program: &[u8]) -> anyhow::Result<Vec<u8>> {
     let mut n_imported = 0;
@@ -41,6 +41,8 @@ pub fn sorted(program: &[u8]) -> anyhow::Result<Vec<u8>> {
     }
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     let n_kept = N_KEPT.saturating_sub(n_imported).min(order.len());
+    // What begins alike begins on one side.
+    order[n_kept..].sort_by_key(|&function| bodies[function]);
     Halving::new(&bodies).order(&mut order[n_kept..]);
     let mut module = Module::new();
     let mut moved = Moved::new(order, n_imported);
@@ -242,8 +244,8 @@ fn exchange(gains: &[f32], is_right: &mut [bool], round: usize) -> bool {
     let gaining = pairs.take_while(|&(left, right)| gains[left] + gains[right] > 0.0);
     let pairs: Vec<(usize, usize)> = gaining.collect();
     for (nth, &(left, right)) in pairs.iter().enumerate() {
-        // Where all go at once two groups change places for ever: every tenth stays, another one each time.
-        if (nth + round) % 10 != 9 {
+        // Where all go at once two groups change places for ever: every fifth stays, another one each time.
+        if (nth + round) % 5 != 4 {
             is_right.swap(left, right);
         }
     }
