@@ -105,17 +105,21 @@ pub fn places(anchor: &Anchor, size: Vec2, stage: Rect, lean: Lean) -> Vec<Label
 }
 
 fn around(at: Pos2, radius: f32, half: Vec2, lean: Lean) -> Vec<LabelPlace> {
-    let mut places = Vec::new();
+    let directions = DIRECTIONS.map(|(degrees, dislike)| {
+        let direction = Vec2::angled(degrees.to_radians());
+        // The box touches the circle with its edge where the direction is along an axis, else with its corner.
+        let corner = (direction * 1.42).clamp(Vec2::splat(-1.0), Vec2::splat(1.0));
+        let is_wrong = (lean.toward).is_some_and(|to| to.normalized().dot(direction) < 0.3);
+        let turned = lean.away.map_or(0.0, |away| 1.0 - away.dot(direction));
+        let centre = at + half * corner;
+        (centre, direction, dislike + TURNED * turned, is_wrong)
+    });
+    let mut places = Vec::with_capacity(GAPS.len() * DIRECTIONS.len());
     for gap in GAPS {
-        for (degrees, dislike) in DIRECTIONS {
-            let direction = Vec2::angled(degrees.to_radians());
-            // The box touches the circle with its edge where the direction is along an axis, else with its corner.
-            let corner = (direction * 1.42).clamp(Vec2::splat(-1.0), Vec2::splat(1.0));
-            let is_wrong = (lean.toward).is_some_and(|to| to.normalized().dot(direction) < 0.3);
-            let turned = lean.away.map_or(0.0, |away| 1.0 - away.dot(direction));
+        for (centre, direction, dislike, is_wrong) in directions {
             places.push(LabelPlace {
-                centre: at + half * corner + direction * (radius + gap),
-                dislike: dislike + TURNED * turned + 1.5 * (gap - GAPS[0]),
+                centre: centre + direction * (radius + gap),
+                dislike: dislike + 1.5 * (gap - GAPS[0]),
                 is_wrong,
                 leader: (gap > LED).then(|| at + direction * radius),
             });

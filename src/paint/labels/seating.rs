@@ -1,63 +1,63 @@
 //! Labels that take their places one after the other, and then each again, now that the others stand.
 
-use egui::{Pos2, Rect, Vec2, vec2};
+use egui::{Pos2, Rect, Vec2};
 
 use crate::paint::cut::length_in;
 
-const ROUNDS: usize = 3;
-pub const APART: Vec2 = vec2(5.0, 2.0);
+use super::{
+    choices::Choices,
+    seat::{APART, Candidate},
+};
 
-/// A candidate, and what it costs whatever the other labels do.
-#[derive(Clone, Copy)]
-pub struct Candidate {
-    pub rect: Rect,
-    pub leader: Option<[Pos2; 2]>,
-    pub cost: f32,
-}
+const ROUNDS: usize = 3;
 
 pub struct Seating {
-    pub stage: Rect,
-    pub places: Vec<Vec<Candidate>>,
+    stage: Rect,
     pub taken: Vec<Candidate>,
 }
 
 impl Seating {
-    pub fn fill(&mut self) {
-        for i in 0..self.places.len() {
-            let place = self.best(i);
-            self.taken.push(place);
+    pub fn filled(stage: Rect, mut labels: Vec<Choices<'_>>) -> Self {
+        let mut table = Self {
+            stage,
+            taken: Vec::new(),
+        };
+        for choices in &mut labels {
+            table.seat(choices);
         }
         for _ in 0..ROUNDS {
-            for i in 0..self.places.len() {
-                self.taken[i] = self.best(i);
+            for (i, choices) in labels.iter_mut().enumerate() {
+                table.taken[i] = table.best(choices, Some(i));
             }
         }
+        table
     }
 
     /// The place of one more, for whom nobody makes room.
-    pub fn seat(&mut self, places: Vec<Candidate>) -> Candidate {
-        self.places.push(places);
-        let place = self.best(self.places.len() - 1);
+    pub fn seat(&mut self, choices: &mut Choices<'_>) -> Candidate {
+        let place = self.best(choices, None);
         self.taken.push(place);
         place
     }
 
-    fn best(&self, label: usize) -> Candidate {
+    /// The best place among all that are taken, but for the label's own.
+    fn best(&self, choices: &mut Choices<'_>, own: Option<usize>) -> Candidate {
         let mut best = Candidate {
             rect: Rect::from_center_size(self.stage.center(), Vec2::ZERO),
             leader: None,
             cost: f32::INFINITY,
         };
-        for candidate in &self.places[label] {
+        for n in 0.. {
             // All that follow cost more by themselves.
-            if candidate.cost >= best.cost {
+            let Some(candidate) = choices.nth(n).filter(|it| it.cost < best.cost) else {
                 break;
-            }
-            let others = self.taken.iter().enumerate().filter(|(i, _)| *i != label);
-            let cost: f32 = others.map(|(_, other)| between(candidate, other)).sum();
+            };
+            let others = self.taken.iter().enumerate();
+            let others = others.filter(|(i, _)| Some(*i) != own);
+            let cost: f32 = others.map(|(_, other)| between(&candidate, other)).sum();
             let cost = candidate.cost + cost;
             if cost < best.cost {
-                best = Candidate { cost, ..*candidate };
+                best = Candidate { cost, ..candidate };
             }
         }
         best
