@@ -77,13 +77,13 @@ part() {
   local to=$1 file
   shift
   for file in "$@"; do
-    printf '%s %d\n' "$(sed 's|.*/messages/[^/]*/||; s|.*/lessons/||; s|.*/spot/||' <<<"$file")" "$(stat -c %s "$file")"
+    printf '%s %d\n' "$(sed 's|.*/messages/[^/]*/||; s|.*/lessons/||; s|.*/glossary/||; s|.*/spot/||' <<<"$file")" "$(stat -c %s "$file")"
     cat "$file"
   done >"$made/part"
   small "$made/part" "$made/$to"
   put "$made/$to" "$to"
 }
-for lang in zh-CN es pt-BR; do part "texts-$lang.bin" ../assets/messages/"$lang"/*.ftl ../lessons/*/"$lang.md"; done
+for lang in zh-CN es pt-BR; do part "texts-$lang.bin" ../assets/messages/"$lang"/*.ftl "../assets/glossary/$lang.toml" ../lessons/*/"$lang.md"; done
 part spot.bin ../assets/meshes/spot/spot.obj ../assets/meshes/spot/spot_texture.png
 for weight in Regular Bold; do put "../assets/fonts/NotoSansSC-$weight.otf" "NotoSansSC-$weight.otf"; done
 for file in words.js keys.js embed.js platform.js page.css page.js; do put "page/$file" "$file"; done

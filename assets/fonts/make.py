@@ -43,7 +43,7 @@ SYMBOLS = {
 
 def used_characters():
     text = (HERE / "extra-chars.txt").read_text()
-    for pattern in ("assets/messages/**/*.ftl", "assets/glossary.toml", "lessons/**/*.md", "lessons/**/*.toml"):
+    for pattern in ("assets/messages/**/*.ftl", "assets/glossary/*.toml", "lessons/**/*.md", "lessons/**/*.toml"):
         text += "".join(p.read_text() for p in ROOT.glob(pattern))
     for path in ROOT.glob("src/**/*.rs"):
         lines = path.read_text().splitlines()

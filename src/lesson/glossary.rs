@@ -1,6 +1,6 @@
-//! The words of the field: each with its spellings in four languages and a sentence of what it is.
+//! The words of the field: each with its spellings in a language and a sentence of what it is.
 
-use std::{collections::BTreeMap, sync::LazyLock};
+use std::{collections::BTreeMap, sync::OnceLock};
 
 use serde::Deserialize;
 
@@ -19,26 +19,44 @@ pub struct Word {
     pub never: Vec<String>,
 }
 
-#[derive(PartialEq, Eq, Debug, Deserialize)]
-pub struct Term {
-    /// The step that teaches it, `lesson/step`: none before it says the term.
-    pub taught: String,
-    /// In every language.
-    #[serde(flatten)]
-    pub words: BTreeMap<Lang, Word>,
+/// The terms by their ids, in one language.
+pub type Glossary = BTreeMap<String, Word>;
+
+/// The terms in a language; none while a page has not fetched its texts. A test keeps all of them complete.
+pub fn glossary(lang: Lang) -> Option<&'static Glossary> {
+    static GLOSSARIES: [OnceLock<Glossary>; Lang::ALL.len()] =
+        [const { OnceLock::new() }; Lang::ALL.len()];
+    let source = source(lang)?;
+    // What does not parse marks no words, and is named by the tests.
+    let read = || toml::from_str(source).unwrap_or_default();
+    Some(GLOSSARIES[lang as usize].get_or_init(read))
 }
 
-/// The terms by their ids.
-pub type Glossary = BTreeMap<String, Term>;
+macro_rules! words {
+    ($lang:literal) => {
+        include_str!(concat!("../../assets/glossary/", $lang, ".toml"))
+    };
+}
 
-/// What is compiled in. A test keeps it complete.
-///
-/// # Panics
-/// Where the file is no glossary.
-pub fn glossary() -> &'static Glossary {
-    static GLOSSARY: LazyLock<Glossary> = LazyLock::new(|| {
-        let source = include_str!("../../assets/glossary.toml");
-        toml::from_str(source).expect("assets/glossary.toml is a glossary")
-    });
-    &GLOSSARY
+#[cfg(not(feature = "slim"))]
+#[expect(clippy::unnecessary_wraps, reason = "a page may have none yet")]
+const fn source(lang: Lang) -> Option<&'static str> {
+    Some(match lang {
+        Lang::En => words!("en"),
+        Lang::ZhCn => words!("zh-CN"),
+        Lang::Es => words!("es"),
+        Lang::PtBr => words!("pt-BR"),
+    })
+}
+
+#[cfg(feature = "slim")]
+fn source(lang: Lang) -> Option<&'static str> {
+    use crate::text::Part;
+    match lang {
+        Lang::En => Some(words!("en")),
+        Lang::ZhCn | Lang::Es | Lang::PtBr => {
+            let file = Part::Texts(lang).get(&format!("{lang}.toml"))?;
+            str::from_utf8(file).ok()
+        }
+    }
 }

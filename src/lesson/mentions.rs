@@ -1,11 +1,11 @@
 //! Where a text mentions terms of the glossary: the first mention of each in a step is marked.
 
-use std::{collections::HashMap, ops::Range, sync::LazyLock};
+use std::{collections::HashMap, ops::Range, sync::OnceLock};
 
 use crate::text::Lang;
 
 use super::{
-    glossary::{Word, glossary},
+    glossary::{Glossary, Word, glossary},
     markdown::{Block, Inline},
     problem::is_wide,
 };
@@ -13,27 +13,27 @@ use super::{
 /// One language's forms by their first character, the longest first.
 type Index = HashMap<char, Vec<(Vec<char>, &'static Word)>>;
 
-fn index(lang: Lang) -> &'static Index {
-    static INDEX: LazyLock<HashMap<Lang, Index>> = LazyLock::new(|| {
-        let of_lang = |lang| {
-            let mut index = Index::new();
-            let words = glossary().values().filter_map(|term| term.words.get(&lang));
-            for word in words {
-                for form in &word.forms {
-                    let chars: Vec<char> = form.chars().map(lower).collect();
-                    if let Some(&first) = chars.first() {
-                        index.entry(first).or_default().push((chars, word));
-                    }
-                }
+fn index(lang: Lang) -> Option<&'static Index> {
+    static INDICES: [OnceLock<Index>; Lang::ALL.len()] =
+        [const { OnceLock::new() }; Lang::ALL.len()];
+    let glossary = glossary(lang)?;
+    Some(INDICES[lang as usize].get_or_init(|| of_glossary(glossary)))
+}
+
+fn of_glossary(glossary: &'static Glossary) -> Index {
+    let mut index = Index::new();
+    for word in glossary.values() {
+        for form in &word.forms {
+            let chars: Vec<char> = form.chars().map(lower).collect();
+            if let Some(&first) = chars.first() {
+                index.entry(first).or_default().push((chars, word));
             }
-            for forms in index.values_mut() {
-                forms.sort_by_key(|(form, _)| std::cmp::Reverse(form.len()));
-            }
-            (lang, index)
-        };
-        Lang::ALL.into_iter().map(of_lang).collect()
-    });
-    &INDEX[&lang]
+        }
+    }
+    for forms in index.values_mut() {
+        forms.sort_by_key(|(form, _)| std::cmp::Reverse(form.len()));
+    }
+    index
 }
 
 /// Of what has several lower-case letters, the first.
@@ -48,7 +48,9 @@ fn is_letter(c: char) -> bool {
 
 /// Where the text mentions terms: from which character to which, and the term. Longer forms go first, and none overlap.
 fn mentions(text: &[char], lang: Lang) -> Vec<([usize; 2], &'static Word)> {
-    let index = index(lang);
+    let Some(index) = index(lang) else {
+        return Vec::new();
+    };
     let (mut found, mut at) = (Vec::new(), 0);
     while at < text.len() {
         let is_inner =

@@ -56,7 +56,7 @@ pub use draft::{Draft, NewStep};
 pub use files::{Embedded, FileError, Files, MAX_FILE_BYTES, MAX_LESSONS, MAX_SCENE_BYTES};
 #[cfg(not(target_arch = "wasm32"))]
 pub use folder::Folder;
-pub use glossary::{Glossary, Term, Word, glossary};
+pub use glossary::{Glossary, Word, glossary};
 pub use link::{
     LONG_LINK, Link, LinkError, MOST_LINK, Opened, Opens, Stand, StepName, is_picture,
     link_element, link_in, said, with_link,

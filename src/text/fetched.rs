@@ -9,7 +9,7 @@ use super::lang::Lang;
 /// A part of the program that lies beside the page, in a file of its own.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Part {
-    /// The messages and the course's texts in a language.
+    /// The messages, the glossary and the course's texts in a language.
     Texts(Lang),
     /// The mesh that is shipped, and its picture.
     Spot,

@@ -1,9 +1,11 @@
 //! Nothing is used before it is taught: each term of the glossary names the step that teaches it, and none before says it.
 
 use clipscope::{
-    lesson::{Block, Course, Lesson, glossary},
+    lesson::{Block, Course, Lesson},
     text::Lang,
 };
+
+use super::glossary::{TAUGHT, words};
 
 /// A sentence that looks ahead says so in one of these words.
 const AHEAD: &[&str] = &["later", "lesson"];
@@ -52,26 +54,26 @@ fn no_term_is_used_before_the_step_that_teaches_it() {
         .flat_map(|lesson| (0..lesson.steps.len()).map(move |step| (lesson, step)))
         .collect();
     let (mut wrong, mut n_ahead) = (Vec::new(), 0);
-    for (id, term) in glossary() {
-        let taught = term.taught.split_once('/');
-        let place = taught.and_then(|(lesson, step)| {
+    let words = words(Lang::En);
+    for (id, taught) in TAUGHT.iter() {
+        let place = taught.split_once('/').and_then(|(lesson, step)| {
             let lesson = course.lesson(lesson)?;
             let is_it =
                 |(of, at): &(&Lesson, usize)| of.id == lesson.id && of.steps[*at].id == step;
             places.iter().position(is_it)
         });
         let Some(place) = place else {
-            wrong.push(format!("{id} is taught in no step “{}”", term.taught));
+            wrong.push(format!("{id} is taught in no step “{taught}”"));
             continue;
         };
-        let forms = &term.words[&Lang::En].forms;
+        let forms = &words[id].forms;
         let said = |(lesson, step): &(&Lesson, usize)| {
             let all = sentences(lesson, *step);
             let mut words = forms.iter().filter(|form| form.chars().count() > 1);
             words.any(|form| all.iter().any(|sentence| holds(sentence, form)))
         };
         if !said(&places[place]) {
-            wrong.push(format!("{} does not say {id}", term.taught));
+            wrong.push(format!("{taught} does not say {id}"));
         }
         for (lesson, step) in &places[..place] {
             for sentence in sentences(lesson, *step) {
