@@ -43,11 +43,31 @@ impl SetRow {
         let is_plain = is_of_one_size && chars.iter().all(is_full);
         match galley.rows.first() {
             Some(row) if row.glyphs.len() == chars.len() => {
-                let mut stacker = Stacker::new(painter, script, chars, &row.row);
-                if !is_plain {
-                    stacker.set();
+                let places = row.glyphs.iter().map(|it| [it.pos.x, it.max_x()]);
+                let places = places.collect();
+                let (baseline, height) = line(painter, script, chars);
+                if is_plain {
+                    return Self {
+                        galley,
+                        baseline,
+                        places,
+                        ends_line: false,
+                    };
                 }
-                stacker.into_row(&galley, is_plain)
+                let mut stacker = Stacker {
+                    script,
+                    chars,
+                    row: Row::clone(&row.row),
+                    pixels_per_point: painter.pixels_per_point(),
+                    baseline,
+                    height,
+                    shift: 0.0,
+                    out: 0.0,
+                    places,
+                    bars: Vec::new(),
+                };
+                stacker.set();
+                stacker.into_row(&galley)
             }
             // Nothing to set, or a line feed in a name: as it is.
             _ => Self {
@@ -99,6 +119,14 @@ fn size(script: &Script<'_>, char: &Char) -> f32 {
     }
 }
 
+/// Where the letters of a row stand from its top, and how high the row is: those of its first character's font.
+fn line(painter: &Painter, script: &Script<'_>, chars: &[Char]) -> (f32, f32) {
+    let span = &script.spans[chars.first().map_or(0, |char| char.span)];
+    let digit = painter.layout_no_wrap("0".to_owned(), span.font.clone(), span.colour);
+    let glyph = digit.rows.first().and_then(|row| row.glyphs.first());
+    (glyph.map_or(0.0, |glyph| glyph.pos.y), digit.size().y)
+}
+
 struct Stacker<'a> {
     script: &'a Script<'a>,
     chars: &'a [Char],
@@ -112,26 +140,7 @@ struct Stacker<'a> {
     bars: Vec<(Rect, Color32)>,
 }
 
-impl<'a> Stacker<'a> {
-    fn new(painter: &Painter, script: &'a Script<'a>, chars: &'a [Char], row: &Row) -> Self {
-        let span = &script.spans[chars.first().map_or(0, |char| char.span)];
-        let places = row.glyphs.iter().map(|it| [it.pos.x, it.max_x()]);
-        let digit = painter.layout_no_wrap("0".to_owned(), span.font.clone(), span.colour);
-        let glyph = digit.rows.first().and_then(|row| row.glyphs.first());
-        Self {
-            script,
-            chars,
-            row: row.clone(),
-            pixels_per_point: painter.pixels_per_point(),
-            baseline: glyph.map_or(0.0, |glyph| glyph.pos.y),
-            height: digit.size().y,
-            shift: 0.0,
-            out: 0.0,
-            places: places.collect(),
-            bars: Vec::new(),
-        }
-    }
-
+impl Stacker<'_> {
     fn set(&mut self) {
         let mut i = 0;
         while let Some(char) = self.chars.get(i) {
@@ -247,15 +256,7 @@ impl<'a> Stacker<'a> {
     }
 
     /// The row, higher by what stands out, above as below, so that its capitals stay in the middle.
-    fn into_row(mut self, galley: &Arc<Galley>, is_plain: bool) -> SetRow {
-        if is_plain {
-            return SetRow {
-                galley: galley.clone(),
-                baseline: self.baseline,
-                places: self.places,
-                ends_line: false,
-            };
-        }
+    fn into_row(mut self, galley: &Galley) -> SetRow {
         let out = (self.out * self.pixels_per_point).ceil() / self.pixels_per_point;
         let width = self.places.last().map_or(0.0, |place| place[1]);
         for (bar, colour) in std::mem::take(&mut self.bars) {
@@ -267,7 +268,7 @@ impl<'a> Stacker<'a> {
             glyph.pos.y += out;
         }
         self.row.size = vec2(width, self.height + 2.0 * out);
-        let mut set = (**galley).clone();
+        let mut set = galley.clone();
         set.rect = Rect::from_min_size(egui::Pos2::ZERO, self.row.size.round_ui());
         set.mesh_bounds = self.row.visuals.mesh_bounds;
         set.num_vertices = self.row.visuals.mesh.vertices.len();
