@@ -33,8 +33,8 @@ if [ -z "$quick" ]; then
     npm install --silent --no-fund --no-audit --prefix "$binaryen" binaryen@132.0.0 || true
   fi
   if [ -x "$binaryen/node_modules/.bin/wasm-opt" ]; then
-    # rustc has put functions into others where that pays; a second time makes it larger.
-    "$binaryen/node_modules/.bin/wasm-opt" -O2 -aimfs 0 -fimfs 0 -ocimfs 0 --enable-reference-types --enable-simd --enable-bulk-memory \
+    # rustc has put functions into others where that pays; a second time makes it larger. Two rounds find more than one.
+    "$binaryen/node_modules/.bin/wasm-opt" -O2 -O2 -aimfs 0 -fimfs 0 -ocimfs 0 --enable-reference-types --enable-simd --enable-bulk-memory \
       --enable-nontrapping-float-to-int --enable-multivalue --enable-sign-ext --enable-mutable-globals \
       --vacuum --strip-debug --strip-producers "$made/clipscope.wasm" -o "$made/smaller.wasm"
     mv "$made/smaller.wasm" "$made/clipscope.wasm"

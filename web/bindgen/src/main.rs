@@ -17,7 +17,7 @@ use wasm_bindgen_cli_support::Bindgen;
 use zopfli::{Format, Options};
 
 /// More rounds make it smaller by less than a thousandth.
-const ROUNDS: NonZero<u64> = NonZero::new(5).expect("more than none");
+const ROUNDS: NonZero<u64> = NonZero::new(15).expect("more than none");
 /// Code, names, texts and fonts are packed each by letters of its own.
 const SPLITS: u16 = 400;
 
