@@ -24,7 +24,7 @@ const SAME_PLACE: f32 = 2.0;
 /// A chip lies on what it is about, and may lie on a line or two more: they count so much.
 const UNDER_A_CHIP: f32 = 0.3;
 
-/// A place, with what is known before it is looked at what it covers.
+/// A place, with what is known of it before one looks at what it covers.
 struct Place {
     rect: Rect,
     leader: Option<[Pos2; 2]>,
@@ -83,7 +83,7 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// Of all places the one that so many are cheaper than.
+    /// The place that comes after `n` cheaper ones.
     pub fn nth(&mut self, n: usize) -> Option<Candidate> {
         while self.sorted.len() <= n {
             let next = self.cheapest()?;
@@ -92,7 +92,7 @@ impl<'a> Choices<'a> {
         self.sorted.get(n).copied()
     }
 
-    /// Of those that wait.
+    /// The cheapest of the places that wait.
     fn cheapest(&mut self) -> Option<Candidate> {
         // Each place is taken out twice at most.
         loop {
@@ -153,7 +153,7 @@ impl Place {
         }
     }
 
-    /// No less than with nothing covered: neither is below zero, and rounding keeps the order.
+    /// Never less than where nothing is covered: what is added is not below zero, and rounding keeps the order.
     fn cost_with(&self, covered: f32, ambiguous: f32) -> f32 {
         self.dislike + covered + ambiguous - self.stays + self.unseen + self.wrong
     }
