@@ -161,6 +161,25 @@ fn every_checked_key_is_used() {
     assert!(unused.is_empty(), "no code says {}", unused.join(", "));
 }
 
+/// The page, which has none of these rooms, leaves `cli.ftl` out.
+#[test]
+fn the_command_lines_messages_are_said_by_nothing_else() {
+    let place = AREAS.iter().position(|area| *area == "cli");
+    let keys = messages(sources(Lang::En)[place.expect("an area")]);
+    let has_a_page = |path: &Path| {
+        let path = path.strip_prefix(root().join("src")).unwrap_or(path);
+        !["cli", "case", "grade", "export/graded.rs"]
+            .iter()
+            .any(|room| path.starts_with(room))
+    };
+    for (path, source) in rust_sources().iter().filter(|(path, _)| has_a_page(path)) {
+        let quoted: BTreeSet<&str> = source.split('"').collect();
+        for (key, _) in &keys {
+            assert!(!quoted.contains(&**key), "{}: {key}", path.display());
+        }
+    }
+}
+
 #[test]
 fn literals_are_found_across_lines_and_not_in_comments() {
     let source = "// f(\"no\")\nf(\n    \"one\",\n);\nf(name); f(\"two\")";

@@ -74,7 +74,7 @@ pub const BIT_ORDER: Part<BitOrder> =
 
 /// `cull`: what shows its back is left out.
 pub const CULL: Part<bool> = Part::new("cull", &Shape::Word(&["back"]), |_| Ok(true))
-    .told(|_| Given::only("object-culled", [Value::Term("case-backs")]));
+    .told(|_| Given::only("object-culled", [Value::Term("object-backs")]));
 
 pub const SIZE: Part<Viewport> = Part::new(
     "size",

@@ -16,13 +16,24 @@ use super::number::{self, Notation};
 use super::piece::Piece;
 
 macro_rules! ftl {
-    ($lang:literal, $area:literal) => {
+    ($lang:literal, $area:tt) => {
         include_str!(concat!("../../assets/messages/", $lang, "/", $area, ".ftl"))
     };
 }
 
+/// The page has no command line.
+#[cfg(feature = "slim")]
+macro_rules! page_ftl {
+    ("cli") => {
+        ""
+    };
+    ($area:tt) => {
+        ftl!("en", $area)
+    };
+}
+
 macro_rules! catalogues {
-    ($($area:literal),*) => {
+    ($($area:tt),*) => {
         /// The catalogues' areas: each is one file, `<area>.ftl`, in every language's folder.
         pub const AREAS: [&str; [$($area),*].len()] = [$($area),*];
 
@@ -41,7 +52,7 @@ macro_rules! catalogues {
         pub fn sources(lang: Lang) -> [&'static str; AREAS.len()] {
             let of = |name| Part::Texts(lang).get(name).and_then(|it| str::from_utf8(it).ok());
             match lang {
-                Lang::En => [$(ftl!("en", $area)),*],
+                Lang::En => [$(page_ftl!($area)),*],
                 Lang::ZhCn | Lang::Es | Lang::PtBr => [$(of(concat!($area, ".ftl")).unwrap_or_default()),*],
             }
         }

@@ -78,6 +78,8 @@ point-opening = Is P inside { $planes ->
 point-inside = P is inside the { $plane } plane.
 point-on = P is on the { $plane } plane, which counts as inside.
 point-outside = P is outside the { $plane } plane.
+point-answer-inside = Inside: the point is outside no plane.
+point-answer-outside = Outside: the point is outside at least one plane.
 point-done-inside = P is inside { $planes ->
         [one] { $planes } plane
        *[other] all { $planes } planes

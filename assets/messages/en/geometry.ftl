@@ -17,6 +17,8 @@ object-box = box
 object-triangle = triangle
 object-eye = eye
 object-view-direction = direction of view
+object-culled = left out
+object-backs = triangles that show their back
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

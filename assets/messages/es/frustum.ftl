@@ -78,6 +78,8 @@ point-opening = ¿Está P por dentro de { $planes ->
 point-inside = P está por dentro del plano { $plane }.
 point-on = P está en el plano { $plane }, lo que cuenta como dentro.
 point-outside = P está por fuera del plano { $plane }.
+point-answer-inside = Dentro: ningún plano deja el punto fuera.
+point-answer-outside = Fuera: al menos un plano deja el punto fuera.
 point-done-inside = P está por dentro de { $planes ->
         [one] { $planes } plano
        *[other] los { $planes } planos

@@ -17,6 +17,8 @@ object-box = caja
 object-triangle = triángulo
 object-eye = ojo
 object-view-direction = dirección de visión
+object-culled = se descarta
+object-backs = triángulos que muestran su cara trasera
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

@@ -78,6 +78,8 @@ point-opening = P está do lado de dentro { $planes ->
 point-inside = P está do lado de dentro do plano { $plane }.
 point-on = P está no plano { $plane }, o que conta como dentro.
 point-outside = P está do lado de fora do plano { $plane }.
+point-answer-inside = Dentro: nenhum plano deixa o ponto fora.
+point-answer-outside = Fora: pelo menos um plano deixa o ponto fora.
 point-done-inside = P está do lado de dentro { $planes ->
         [1] de { $planes } plano
        *[other] dos { $planes } planos

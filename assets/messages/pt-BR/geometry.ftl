@@ -17,6 +17,8 @@ object-box = caixa
 object-triangle = triângulo
 object-eye = olho
 object-view-direction = direção de visão
+object-culled = descartado
+object-backs = triângulos que mostram a sua face traseira
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

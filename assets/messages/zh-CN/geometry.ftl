@@ -17,6 +17,8 @@ object-box = 盒
 object-triangle = 三角形
 object-eye = 视点
 object-view-direction = 视线方向
+object-culled = 剔除
+object-backs = 背面朝向视点的三角形
 
 ## The window’s edges, as nouns; the sides alone agree with “edge”
 

@@ -88,9 +88,9 @@ impl Solve for PointPlanes {
     };
     const VERDICT: Verdict<Self> = |output| {
         Message::new(if output.inside {
-            "case-point-inside"
+            "point-answer-inside"
         } else {
-            "case-point-outside"
+            "point-answer-outside"
         })
     };
 }

@@ -54,9 +54,9 @@ impl Telling for PointPlanes {
         outside: Event::Plane { side: Outside, .. } =>
             says(Containment::Outside, 2, "point-outside").so(&["{d = n·P + D} < 0"]).answers("side");
         none_out: Event::Done { inside: true } =>
-            Row::new(Accept, 3, "point-done-inside").so(P).answers_as("in", "case-point-inside");
+            Row::new(Accept, 3, "point-done-inside").so(P).answers_as("in", "point-answer-inside");
         any_out: Event::Done { inside: false } =>
-            Row::new(Reject, 3, "point-done-outside").so(P).answers_as("in", "case-point-outside");
+            Row::new(Reject, 3, "point-done-outside").so(P).answers_as("in", "point-answer-outside");
     }
 
     fn named(at: &At<'_, Self>, name: &str) -> Option<Named> {
