@@ -48,9 +48,10 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     rule(ui, look);
     ui.horizontal_wrapped(|ui| {
         section(ui, look, &look.say("panel-controls"));
-        for &(id, title_key) in &sections {
+        for (id, title) in &sections {
+            let id = *id;
             let is_open = controls.open == Some(id);
-            let (theme, name) = (look.theme, look.say(title_key));
+            let (theme, name) = (look.theme, look.catalog.message(title));
             let colour = if is_open { theme.accent } else { theme.soft };
             let text = RichText::new(format!("{name} {}", if is_open { "−" } else { "+" }));
             let button = quiet_button(ui, look, Button::new(text.color(colour)));
@@ -60,7 +61,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
             }
         }
     });
-    let Some(&(id, _)) = open else {
+    let Some((id, _)) = open else {
         return;
     };
     let now = ui.input(|input| input.time);

@@ -157,8 +157,11 @@ pub fn method(app: &App, ui: &mut Ui) {
 /// What a lab has: sections of what can be set lead to the inspector.
 pub fn panel_rows(app: &App, ui: &mut Ui, panel: &mut Box<dyn LabPanel>) {
     let (look, scene) = (app.look(), app.scene());
-    for (id, title_key) in panel.sections(scene) {
-        if ui.button(format!("{}…", look.say(title_key))).clicked() {
+    for (id, title) in panel.sections(scene) {
+        if ui
+            .button(format!("{}…", look.catalog.message(&title)))
+            .clicked()
+        {
             app.push(Command::Control(id));
             ui.close();
         }

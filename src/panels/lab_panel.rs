@@ -5,6 +5,7 @@ use egui::{Context, Ui};
 use crate::{
     geom::Mesh,
     labs::{Edit, Lab, OutlineKind, Scene, space::Picture},
+    text::Message,
     widgets::Look,
 };
 
@@ -24,8 +25,8 @@ pub trait LabPanel {
 
     fn menu(&mut self, ui: &mut Ui, look: Look<'_>, scene: &Scene) -> Option<PanelAsk>;
 
-    /// The sections of what can be set of a scene in the inspector: their ids, and the keys of their titles.
-    fn sections(&self, _: &Scene) -> Vec<(&'static str, &'static str)> {
+    /// The sections of what can be set of a scene in the inspector: their ids and titles.
+    fn sections(&self, _: &Scene) -> Vec<(&'static str, Message)> {
         Vec::new()
     }
 

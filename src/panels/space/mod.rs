@@ -63,10 +63,12 @@ impl<C: StreetCosts> LabPanel for SpacePanel<C> {
         objects.or(street)
     }
 
-    fn sections(&self, scene: &labs::Scene) -> Vec<(&'static str, &'static str)> {
-        let sections = scene.get().into_iter().flat_map(sections);
-        sections
-            .map(|section| (section.id, section.title_key))
+    fn sections(&self, scene: &labs::Scene) -> Vec<(&'static str, Message)> {
+        let Some(scene) = scene.get() else {
+            return Vec::new();
+        };
+        sections(scene)
+            .map(|section| (section.id, (section.title)(scene)))
             .collect()
     }
 

@@ -1,7 +1,10 @@
 //! What is set is what is shown.
 
 use super::*;
-use crate::labs::{LABS, frustum, surfaces};
+use crate::{
+    labs::{LABS, frustum, space::Part, surfaces},
+    text::Message,
+};
 
 #[test]
 fn a_number_that_is_set_is_the_number_that_is_shown() {
