@@ -10,6 +10,7 @@ use super::{
     prelude::*,
     reference::{Runs, Scenes, WrittenText},
     step::LessonStep,
+    translation::Translation,
 };
 
 /// Lessons in the order of their folders' names.
@@ -31,7 +32,7 @@ pub struct Lesson {
     /// By name: those of its steps, and those that only its text speaks of.
     pub(super) scenes: Scenes,
     pub(super) english: WrittenText,
-    pub(super) translations: BTreeMap<Lang, WrittenText>,
+    pub(super) translations: BTreeMap<Lang, Translation>,
 }
 
 impl Lesson {
@@ -82,7 +83,7 @@ impl Lesson {
 
     /// The text in this language, or in English where there is none, as it was written.
     fn written(&self, lang: Lang) -> (&WrittenText, Lang) {
-        let own = self.translations.get(&lang);
+        let own = self.translations.get(&lang).and_then(Translation::text);
         own.map_or((&self.english, Lang::En), |text| (text, lang))
     }
 

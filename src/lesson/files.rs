@@ -60,6 +60,11 @@ pub trait Files {
     fn shown(&self, path: &str) -> String {
         path.to_owned()
     }
+
+    /// These files, where they are part of the program.
+    fn compiled_in(&self) -> Option<Embedded> {
+        None
+    }
 }
 
 impl Files for BTreeMap<String, Vec<u8>> {
@@ -127,5 +132,9 @@ impl Files for Embedded {
 
     fn shown(&self, path: &str) -> String {
         format!("lessons/{path}")
+    }
+
+    fn compiled_in(&self) -> Option<Embedded> {
+        Some(*self)
     }
 }

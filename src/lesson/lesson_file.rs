@@ -25,6 +25,7 @@ use super::{
     stop::{Stop, moment, never_comes},
     toml_errors::with_toml,
     toml_fields::{Node, TomlFields},
+    translation::Translation,
 };
 
 const LESSON_FIELDS: [&str; 4] = ["lab", "source", "scenes", "step"];
@@ -57,7 +58,12 @@ pub(super) struct Body {
 }
 
 impl Skeleton {
-    pub fn into_lesson(self, id: &str, mut texts: BTreeMap<Lang, WrittenText>) -> Option<Lesson> {
+    pub fn into_lesson(
+        self,
+        id: &str,
+        english: WrittenText,
+        translations: BTreeMap<Lang, Translation>,
+    ) -> Option<Lesson> {
         let body = self.body?;
         Some(Lesson {
             id: id.to_owned(),
@@ -65,8 +71,8 @@ impl Skeleton {
             source: body.source,
             steps: body.steps,
             scenes: body.scenes,
-            english: texts.remove(&Lang::En)?,
-            translations: texts,
+            english,
+            translations,
         })
     }
 }

@@ -5,12 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{
     course::{Course, Lesson},
     files::{Embedded, Files, LESSON_FILE, MAX_LESSONS},
-    lesson_file::{self, Moments, Reading, Skeleton},
+    lesson_file::{self, Body, Moments, Reading, Skeleton},
     prelude::*,
-    reference::Runs,
+    reference::{Runs, WrittenText},
     scene_file::SceneFormats,
     sections,
     translated::{self, TRANSLATED_FILE},
+    translation::Translation,
 };
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -93,45 +94,35 @@ fn load_lesson(
     let mut problems = Vec::new();
     let mut skeleton = lesson_toml(files, reading, id, names, &mut problems);
     let controls = skeleton.as_mut().and_then(|it| it.controls.take());
-    let ids = skeleton.as_ref().and_then(|it| it.ids.as_deref());
     let body = skeleton.as_ref().and_then(|it| it.body.as_ref());
     let body = body.filter(|_| reading.moments == Moments::Now);
     let runs = body.map(|body| Runs::new(&body.scenes));
-    let checked = body.zip(runs.as_ref());
-    // A course is looked at with it where it is checked.
-    let translated = body.filter(|_| names.contains(TRANSLATED_FILE));
-    let translated = translated.and_then(|_| {
-        let read = |name| files.read(&format!("{id}/{name}")).ok();
-        Some((
-            read(TRANSLATED_FILE)?,
-            String::from_utf8(read("en.md")?).ok()?,
-        ))
-    });
-    let mut texts = BTreeMap::new();
+    let texts = Texts {
+        files,
+        id,
+        ids: skeleton.as_ref().and_then(|it| it.ids.as_deref()),
+        controls: controls.as_deref(),
+        checked: body.zip(runs.as_ref()),
+        // A course is looked at with it where it is checked.
+        translated: body.and_then(|_| translated(files, id, names)),
+    };
+    let (mut english, mut translations) = (None, BTreeMap::new());
     for name in names.iter().filter(|name| is_text(name)) {
-        let path = format!("{id}/{name}");
         let stem = name.trim_end_matches(".md");
         let Some(lang) = Lang::ALL.into_iter().find(|lang| lang.id() == stem) else {
-            problems.push(unknown_language(files.shown(&path), stem));
+            problems.push(unknown_language(files.shown(&format!("{id}/{name}")), stem));
             continue;
         };
-        let text = read(files, &path, None, &mut problems, |sink| {
-            let text = sections::read(ids, controls.as_deref(), sink)?;
-            if let Some((body, runs)) = checked {
-                for (written, step) in text.steps.iter().zip(&body.steps) {
-                    written.check(step, runs, sink);
-                }
-            }
-            if let Some((known, english)) = translated.as_ref().filter(|_| lang != Lang::En) {
-                translated::stale(known, english, lang, sink);
-            }
-            (sink.n_errors() == 0).then_some(text)
-        });
-        texts.extend(text.map(|text| (lang, text)));
+        if lang == Lang::En {
+            english = texts.read(lang, &mut problems);
+        } else {
+            let text = texts.later(lang);
+            let text = text.or_else(|| texts.read(lang, &mut problems).map(Translation::from));
+            translations.extend(text.map(|text| (lang, text)));
+        }
     }
     if let Some(skeleton) = &mut skeleton {
-        let english = texts.get(&Lang::En);
-        let speaks_of = |name: &str| english.is_some_and(|text| text.speaks_of(name));
+        let speaks_of = |name: &str| english.as_ref().is_some_and(|text| text.speaks_of(name));
         let unused = std::mem::take(&mut skeleton.unshown).into_iter();
         let unused = unused.filter(|(name, _)| !speaks_of(name));
         problems.extend(unused.map(|(_, problem)| problem));
@@ -144,7 +135,63 @@ fn load_lesson(
     }
     let is_broken = problems.iter().any(|p| p.severity == Severity::Error);
     all_problems.extend(problems);
-    skeleton.filter(|_| !is_broken)?.into_lesson(id, texts)
+    skeleton
+        .filter(|_| !is_broken)?
+        .into_lesson(id, english?, translations)
+}
+
+/// The texts of a lesson, and what they are read with.
+struct Texts<'a> {
+    files: &'a dyn Files,
+    id: &'a str,
+    ids: Option<&'a [String]>,
+    controls: Option<&'a [&'static str]>,
+    checked: Option<(&'a Body, &'a Runs<'a>)>,
+    translated: Option<(Vec<u8>, String)>,
+}
+
+impl Texts<'_> {
+    fn path(&self, lang: Lang) -> String {
+        format!("{}/{lang}.md", self.id)
+    }
+
+    fn read(&self, lang: Lang, problems: &mut Vec<Problem>) -> Option<WrittenText> {
+        read(self.files, &self.path(lang), None, problems, |sink| {
+            let text = sections::read(self.ids, self.controls, sink)?;
+            if let Some((body, runs)) = self.checked {
+                for (written, step) in text.steps.iter().zip(&body.steps) {
+                    written.check(step, runs, sink);
+                }
+            }
+            let translated = self.translated.as_ref().filter(|_| lang != Lang::En);
+            if let Some((known, english)) = translated {
+                translated::stale(known, english, lang, sink);
+            }
+            (sink.n_errors() == 0).then_some(text)
+        })
+    }
+
+    /// What is compiled in has no mistakes to be told, as a test makes sure: so it need not be read at once.
+    fn later(&self, lang: Lang) -> Option<Translation> {
+        let files = self
+            .files
+            .compiled_in()
+            .filter(|_| self.checked.is_none())?;
+        let (path, ids) = (self.path(lang), self.ids?.to_vec());
+        let controls = self.controls.map(<[_]>::to_vec);
+        Some(Translation::later(move || {
+            read(&files, &path, None, &mut Vec::new(), |sink| {
+                sections::read(Some(&ids), controls.as_deref(), sink)
+            })
+        }))
+    }
+}
+
+/// What a lesson keeps of its English when it was translated, and that English as it is now.
+fn translated(files: &dyn Files, id: &str, names: &BTreeSet<&str>) -> Option<(Vec<u8>, String)> {
+    let read = |name| files.read(&format!("{id}/{name}")).ok();
+    let kept = names.contains(TRANSLATED_FILE).then_some(TRANSLATED_FILE)?;
+    Some((read(kept)?, String::from_utf8(read("en.md")?).ok()?))
 }
 
 fn lesson_toml(

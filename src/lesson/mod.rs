@@ -46,6 +46,7 @@ pub(crate) mod tests;
 mod toml_errors;
 mod toml_fields;
 mod translated;
+mod translation;
 
 pub use asking::{Asks, Goal, in_words};
 pub use card::{Card, CardRow};

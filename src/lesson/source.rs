@@ -35,7 +35,7 @@ pub(crate) struct Beside {
 impl Beside {
     pub fn n_texels(&self) -> usize {
         let pictures = self.pictures.borrow();
-        let sizes = pictures.values().map(|it| it.texture.size());
+        let sizes = pictures.values().map(|it| it.texture().size());
         sizes.map(|[width, height]| width * height).sum()
     }
 }

@@ -17,11 +17,37 @@ pub struct NamedMesh {
 }
 
 /// A texture, and the file that it was read from: a scene that is saved keeps that as it is.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub struct Picture {
-    pub texture: Texture,
+    texture: Arc<LazyLock<Texture, Decode>>,
     /// A PNG or a JPEG.
     pub file: Arc<[u8]>,
+}
+
+type Decode = Box<dyn FnOnce() -> Texture + Send>;
+
+impl Picture {
+    pub fn new(texture: Texture, file: &[u8]) -> Self {
+        Self::later(|| texture, file)
+    }
+
+    /// Decoded once it is to be seen: a large one takes as long as all else at the start.
+    pub fn later(decode: impl FnOnce() -> Texture + Send + 'static, file: &[u8]) -> Self {
+        Self {
+            texture: Arc::new(LazyLock::new(Box::new(decode))),
+            file: file.into(),
+        }
+    }
+
+    pub fn texture(&self) -> &Texture {
+        &self.texture
+    }
+}
+
+impl PartialEq for Picture {
+    fn eq(&self, other: &Self) -> bool {
+        self.file == other.file
+    }
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -59,7 +85,7 @@ impl Model {
         let Self::Mesh(named) = self else {
             return None;
         };
-        let texture = named.picture.as_ref()?.texture.clone();
+        let texture = named.picture.as_ref()?.texture().clone();
         let uvs = face.map(|i| named.mesh.uvs().get(i as usize).copied());
         let [Some(a), Some(b), Some(c)] = uvs else {
             return None;

@@ -9,5 +9,6 @@ mod picture;
 mod statements;
 
 pub use obj::{ObjFile, read_obj, read_obj_while};
+pub(super) use picture::read_texture;
 pub use picture::{PictureFault, picture_of, read_picture};
 pub use statements::read_mtl;

@@ -15,18 +15,19 @@ use crate::{
 
 use super::read_mtl;
 
-/// The picture in the bytes of a PNG or a JPEG file, told apart by how they begin. `None` where they are neither, broken,
-/// or more than 8192 texels wide or high.
+/// The picture in the bytes of a PNG or a JPEG file. `None` where they are neither, broken, or more than 8192 texels wide or high.
 pub fn read_picture(bytes: &[u8]) -> Option<Picture> {
+    Some(Picture::new(read_texture(bytes)?, bytes))
+}
+
+/// Its texture: the two kinds are told apart by how they begin.
+pub fn read_texture(bytes: &[u8]) -> Option<Texture> {
     let read = if bytes.starts_with(b"\x89PNG") {
         read_png
     } else {
         read_jpeg
     };
-    Some(Picture {
-        texture: read(bytes)?,
-        file: bytes.into(),
-    })
+    read(bytes)
 }
 
 /// Why a mesh that names a material is drawn without its picture.
@@ -133,14 +134,14 @@ mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/assets/meshes/spot/spot_texture.png"
         ));
-        let texture = read_picture(spot).unwrap().texture;
-        assert_eq!(texture.size(), [1024, 1024]);
+        let picture = read_picture(spot).unwrap();
+        assert_eq!(picture.texture().size(), [1024, 1024]);
         assert_eq!(read_picture(&spot[..5000]), None);
         assert_eq!(read_picture(b"\xff\xd8\xff\xe0 no picture"), None);
         assert_eq!(read_picture(b""), None);
         // A grey one.
         let jpeg = include_bytes!("grey.jpg");
-        assert_eq!(read_picture(jpeg).unwrap().texture.size(), [16, 8]);
+        assert_eq!(read_picture(jpeg).unwrap().texture().size(), [16, 8]);
     }
 
     #[test]
@@ -157,7 +158,7 @@ mod tests {
             let mut writer = encoder.write_header().unwrap();
             writer.write_image_data(&samples).unwrap();
             writer.finish().unwrap();
-            let texel = read_picture(&bytes).unwrap().texture.at([0.5; 2]);
+            let texel = read_texture(&bytes).unwrap().at([0.5; 2]);
             assert_eq!(texel[0], 7);
             assert_eq!(texel, if samples.len() < 3 { [7; 3] } else { [7, 8, 9] });
         }

@@ -65,6 +65,12 @@ fn every_field_is_read() {
     assert_eq!(wedge.model().mesh().faces().len(), 4);
     assert_eq!((wedge.at(), wedge.size()), ([0.0; 3], 1.0));
     assert_eq!(cow.model().mesh().faces().len(), 5856, "Spot is shipped");
+    let skin = cow.model().skin(cow.model().mesh().faces()[0]);
+    assert_eq!(
+        skin.map(|it| it.texture.size()),
+        Some([1024; 2]),
+        "and is painted"
+    );
 }
 
 #[test]

@@ -5,12 +5,12 @@ use std::sync::{Arc, LazyLock};
 use crate::text::Part;
 use crate::{
     figure::Moment,
-    geom::Solid,
+    geom::{Solid, Texture},
     labs::{
         Scene,
-        space::{self, Model, NamedMesh},
+        space::{self, Model, NamedMesh, Picture},
     },
-    lesson::{read_obj, read_picture},
+    lesson::{mesh_file::read_texture, read_obj},
 };
 
 use super::super::SceneFormats;
@@ -53,13 +53,19 @@ pub fn model() -> Model {
     }
 }
 
-fn named(shape: &[u8], painted: Option<&[u8]>) -> Option<Model> {
+fn named(shape: &[u8], painted: Option<&'static [u8]>) -> Option<Model> {
     let mesh = read_obj(ID, shape).ok()?.mesh.fitted();
     Some(Model::Mesh(Arc::new(NamedMesh {
         name: ID.to_owned(),
         mesh,
-        picture: painted.and_then(read_picture),
+        picture: painted.map(|file| Picture::later(|| decoded(file), file)),
     })))
+}
+
+/// What is painted on it; a test sees that it is no white.
+fn decoded(file: &[u8]) -> Texture {
+    let white = || Texture::new([1; 2], [[u8::MAX; 3]]).expect("one texel");
+    read_texture(file).unwrap_or_else(white)
 }
 
 /// An octahedron, of no solid's making.
