@@ -35,8 +35,9 @@ impl Axis<'_> {
         for side in sides {
             self.bound(slate, side, way);
         }
+        // What holds keeps its place while others come.
         let mut ticks: Vec<&LineTick> = self.line.ticks.iter().collect();
-        ticks.sort_by_key(|tick| (!tick.current, !tick.holds));
+        ticks.sort_by_key(|tick| (!tick.holds, !tick.current));
         for tick in ticks {
             self.crossing(slate, tick, links);
         }
