@@ -207,6 +207,7 @@ export-steps = Steps
 export-this-step = this step
 export-all-steps = all steps of the run
 save-path = File
+save-folder = Folder
 key-space = Space
 key-enter = Enter
 key-escape = Esc

@@ -207,6 +207,7 @@ export-steps = Pasos
 export-this-step = este paso
 export-all-steps = todos los pasos de la ejecución
 save-path = Archivo
+save-folder = Carpeta
 key-space = Espacio
 key-enter = Intro
 key-escape = Esc

@@ -207,6 +207,7 @@ export-steps = Passos
 export-this-step = este passo
 export-all-steps = todos os passos da execução
 save-path = Arquivo
+save-folder = Pasta
 key-space = Espaço
 key-enter = Enter
 key-escape = Esc

@@ -199,6 +199,7 @@ export-steps = 步骤
 export-this-step = 当前这一步
 export-all-steps = 运行的所有步骤
 save-path = 文件
+save-folder = 文件夹
 key-space = 空格
 key-enter = Enter
 key-escape = Esc

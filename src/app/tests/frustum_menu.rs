@@ -160,7 +160,7 @@ fn objects_are_added_enlarged_and_removed() {
     assert_eq!(*bench.space().focused().model(), Model::Solid(Solid::Torus));
     bench.open_menus(&["Scene", "Add an object", "Spot the cow"]);
     assert_eq!(bench.space().focused().model().mesh().faces().len(), 5856);
-    bench.open_menus(&["Scene", "Object…"]);
+    bench.open_menus(&["Scene", &format!("Object {}…", n_objects + 2)]);
     bench.type_into("Size", "0,5");
     assert_eq!(bench.space().focused().size(), 0.5);
     bench.type_into("Turn y", "−30°");
