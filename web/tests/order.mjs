@@ -9,7 +9,7 @@ import { join } from "node:path";
 import { test } from "./bench.mjs";
 
 const N = 400;
-const [GET, CONST, ADD, MUL, CALL, CALL_INDIRECT, END] = [0x20, 0x41, 0x6a, 0x6c, 0x10, 0x11, 0x0b];
+const [GET, CONST, ADD, MUL, CALL, CALL_INDIRECT, DROP, END] = [0x20, 0x41, 0x6a, 0x6c, 0x10, 0x11, 0x1a, 0x0b];
 const I32 = 0x7f;
 
 const signed = (n) => (n < 64 ? [n] : [(n & 0x7f) | 0x80, ...signed(n >> 7)]);
@@ -19,14 +19,16 @@ const vector = (items) => [...count(items.length), ...items.flat()];
 const section = (id, items) => [id, ...sized(vector(items))];
 const name = (i) => `f${i}`;
 
-/// Each function adds its number or multiplies by it, and calls the one of half its number: by its index, or through a table.
+/// Each function adds its number or multiplies by it, and calls the one of half its number: by its index, or through a table. Every
+/// fourth one begins alike.
 function program() {
   const all = [...Array(N).keys()];
   const body = (i) => {
     if (i === 0) return [0, GET, 0, END];
     const half = i >> 1;
     const call = i % 2 ? [CONST, ...signed(half), CALL_INDIRECT, 0, 0] : [CALL, ...count(half)];
-    return [0, GET, 0, CONST, ...signed(i), i % 3 ? ADD : MUL, ...call, END];
+    const alike = [CONST, ...signed((1 + (i % 4)) << 24), DROP];
+    return [0, ...alike, GET, 0, CONST, ...signed(i), i % 3 ? ADD : MUL, ...call, END];
   };
   const exported = (i) => [...sized([...Buffer.from(name(i))]), 0, ...count(i)];
   const elements = [0, CONST, 0, END, ...vector(all.map(count))];
