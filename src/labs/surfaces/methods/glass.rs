@@ -5,7 +5,7 @@ use crate::{
     figure::CellStage,
 };
 
-use super::{on_raster::differing, prelude::*};
+use super::{crosses::differing, prelude::*};
 
 pub const GLASS_VIEW: &str = "glass";
 

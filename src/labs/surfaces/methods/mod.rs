@@ -3,6 +3,7 @@
 mod asks;
 mod bars;
 mod bsp;
+mod crosses;
 mod depth_buffer;
 mod glass;
 mod occlusion;

@@ -7,7 +7,7 @@ use std::{
 
 use crate::{
     algo::{
-        surface::{DepthBuffer, DepthBufferInput, Picture, Rays, Surfaces},
+        surface::{Picture, Rays, Surfaces},
         volume::{ClipSpace, ClipVertex, HomogeneousLine, HomogeneousTriangle, LineInput},
     },
     figure::Tick,
@@ -321,56 +321,6 @@ pub fn raster_so_far(surfaces: &Surfaces, pixels: Vec<Pixel>, over: Vec<RasterMa
         current: None,
         over,
     }
-}
-
-/// With crosses on the pixels that are wrong, counted in the title. Where triangles have their `names`, these give way.
-pub fn with_crosses(mut raster: Raster, names: Option<&Picture>, wrong: &[usize]) -> Raster {
-    if wrong.is_empty() {
-        return raster;
-    }
-    if let Some(picture) = names {
-        clear_of_names(&mut raster, picture, wrong);
-    }
-    raster.title = Value::Message(Message::new("raster-wrong").with("count", wrong.len()));
-    raster.bare = None;
-    for &place in wrong {
-        let at = middle_at(place, raster.size[0]);
-        raster.over.push(mark(Role::Signal, RasterShape::Cross(at)));
-        raster.pixels[place].role = raster.pixels[place].role.and(Some(Role::Signal));
-    }
-    raster
-}
-
-/// Names go from these places, in order, to the nearest pixel of the same triangle that is none of them.
-fn clear_of_names(raster: &mut Raster, picture: &Picture, places: &[usize]) {
-    let (ids, width) = (picture.ids(), raster.size[0]);
-    for &place in places {
-        let Some(name) = raster.pixels[place].value.take() else {
-            continue;
-        };
-        let square = |a: usize, b: usize| a.abs_diff(b).pow(2);
-        let far = |other: &usize| {
-            square(place % width, other % width) + square(place / width, other / width)
-        };
-        let is_free = |other: &usize| {
-            let is_alike = ids[*other] == ids[place] && raster.pixels[*other].value.is_none();
-            is_alike && places.binary_search(other).is_err()
-        };
-        let nearest = (0..ids.len()).filter(is_free).min_by_key(far);
-        raster.pixels[nearest.unwrap_or(place)].value = Some(name);
-    }
-}
-
-/// The pixels that show another surface than the one in front, by a depth buffer that rounds nothing.
-pub fn wrong_pixels(surfaces: &Surfaces, picture: &Picture) -> Vec<usize> {
-    let truth = silent::<DepthBuffer>(&DepthBufferInput::new(surfaces.clone()));
-    differing(picture.ids(), truth.picture.ids())
-}
-
-/// Where what is shown is not the truth, in order.
-pub fn differing<T: PartialEq>(shown: &[T], truth: &[T]) -> Vec<usize> {
-    let is_wrong = |&place: &usize| shown[place] != truth[place];
-    (0..shown.len()).filter(is_wrong).collect()
 }
 
 /// A pixel on the near plane, and the line of sight through its middle as far as t.

@@ -11,8 +11,8 @@ pub(super) use crate::{
     },
 };
 
+pub(super) use super::crosses::{Names, with_crosses, wrong_pixels};
 pub(super) use super::on_raster::{
     self, RASTER_VIEW, faces, lettered, lettered_or_outlined, mark, middle, middle_at, middle_of,
     name_of, outline, pixels, raster_so_far, segment, sight, sign, spaced, text_of, tone, triangle,
-    with_crosses, wrong_pixels,
 };

@@ -151,7 +151,9 @@ fn raster<L: Variant>(at: &At<'_, DepthBuffer<L>>, scene: &Scene) -> Raster {
         return raster;
     }
     let wrong = wrong_pixels(&own.surfaces, &so_far.picture);
-    with_crosses(raster, names_triangles.then_some(&so_far.picture), &wrong)
+    let name = |id| name_of(at.scenery, id);
+    let names: Names<'_> = (&so_far.picture, &name);
+    with_crosses(raster, names_triangles.then_some(names), &wrong)
 }
 
 fn in_brightness<L: Variant>(at: &At<'_, DepthBuffer<L>>, so_far: &DepthBufferOutput) -> Raster {

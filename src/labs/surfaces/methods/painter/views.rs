@@ -162,7 +162,12 @@ fn raster<L: Variant>(at: &At<'_, Painter<L>>, scene: &Scene) -> Raster {
         raster = if is_bright {
             with_crosses(raster, None, &unsorted(surfaces, &held.brightness))
         } else {
-            with_crosses(raster, Some(picture), &wrong_pixels(surfaces, picture))
+            let name = |id| name_of(at.scenery, id);
+            with_crosses(
+                raster,
+                Some((picture, &name)),
+                &wrong_pixels(surfaces, picture),
+            )
         };
     }
     raster
