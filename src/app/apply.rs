@@ -43,13 +43,7 @@ impl App {
             Command::Redo => self.travel(History::redo),
             Command::Reset => self.reset(now),
             Command::Select(handle) => self.stage.selected = Some(handle),
-            // The same click takes the question back.
-            Command::Ask(about) => {
-                self.stage.asked = about.filter(|_| about != self.stage.asked);
-                if let Some((_, column)) = about {
-                    self.stage.inspected = column;
-                }
-            }
+            Command::Ask(about) => self.stage.ask(about),
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
             Command::TypeChosen => {

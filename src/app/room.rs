@@ -106,6 +106,22 @@ impl App {
         }
     }
 
+    /// The step's title, or what it shows, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
+    pub(super) fn title_on_stage(&self) -> Option<String> {
+        let is_whole = self.course_part() == CoursePart::Whole;
+        let is_said = is_whole && !self.is_presenting() && !self.is_narrow();
+        let title = self.bookmark.title(self.settings.lang, self.is_open())?;
+        let [lesson, step] = self.bookmark.at;
+        let (lesson, step) = (self.bookmark.course.number(lesson), step + 1);
+        let title = if self.is_presenting() {
+            format!("{lesson}.{step}\u{2003}{title}")
+        } else {
+            title.to_owned()
+        };
+        let has_room = !self.is_low() && !self.is_phone();
+        (!is_said && has_room && self.is_untouched()).then_some(title)
+    }
+
     pub(super) fn on_stage(&self) -> OnStage<'_> {
         (&self.playback, self.look_at_step())
     }

@@ -16,29 +16,9 @@ use crate::{
 };
 
 use super::{
-    App, Command, clicks,
-    prelude::*,
-    room::{CoursePart, INDENT},
-    stage_state::StageState,
-    typing::told_of,
+    App, Command, clicks, prelude::*, room::INDENT, stage_state::StageState, typing::told_of,
     ways_out::ways_out,
 };
-
-/// The step's title, or what it shows, where nothing else on the screen says it; in a presentation with the numbers of lesson and step.
-fn title(app: &App) -> Option<String> {
-    let is_whole = app.course_part() == CoursePart::Whole;
-    let is_said = is_whole && !app.is_presenting() && !app.is_narrow();
-    let title = app.bookmark.title(app.settings.lang, app.is_open())?;
-    let [lesson, step] = app.bookmark.at;
-    let (lesson, step) = (app.bookmark.course.number(lesson), step + 1);
-    let title = if app.is_presenting() {
-        format!("{lesson}.{step}\u{2003}{title}")
-    } else {
-        title.to_owned()
-    };
-    let has_room = !app.is_low() && !app.is_phone();
-    (!is_said && has_room && app.is_untouched()).then_some(title)
-}
 
 pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
     let rect = ui.max_rect();
@@ -141,7 +121,7 @@ fn lay_out(
             };
         }
     }
-    let title = title(app);
+    let title = app.title_on_stage();
     let given = [app.settings.board, state.taken];
     let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, given);
     if let Some(eyes) = &playback.eyes {
@@ -308,20 +288,16 @@ impl Column<'_> {
         let is_drawing = state.sketch.is_some();
         let spots = self.spots(ui, state, id, &viewport);
         let seen = space.map(|space| projected(ui.ctx(), id, space, &drawing.1));
+        let scene = (app.scene(), app.stage_revision());
         let marks = match &seen {
             Some(seen) => Cow::Borrowed(&seen[..]),
-            None => state.marks(
-                self.index,
-                (app.scene(), app.stage_revision()),
-                &app.playback,
-                frame,
-            ),
+            None => state.marks(self.index, scene, &app.playback, frame),
         };
         let marks = (app.practice).with_glimpse(marks, lit.filter(|_| self.index == 0));
         let corner = rect.shrink2(vec2(INDENT, 0.0));
-        let mut covered = covered(self.places, drawing.0, look);
-        covered.extend(buttons);
-        covered.extend(space.and_then(|space| title_ground(ui, look, corner, space)));
+        let ground = space.and_then(|space| title_ground(ui, look, corner, space));
+        let covered = covered(self.places, drawing.0, look).into_iter();
+        let covered: Vec<Rect> = covered.chain(buttons).chain(ground).collect();
         let (panel, method) = (look.say("panel-stage"), app.name_of(self.method));
         let pointed = (!is_drawing)
             .then(|| clicks::pointed(app, ui, (&viewport, drawing.1), self.locks, &marks));
@@ -345,14 +321,18 @@ impl Column<'_> {
         if let Some(space) = space {
             title_of_space(ui, look, corner, space);
         }
+        let is_as_given = app.bookmark.step().is_some() && app.is_untouched();
+        self.over_the_drawing(ui, state, &viewport, (rect, shown.is_lost && !is_as_given));
+        self.remember(state, (id, &spots), &shown);
+        shown
+    }
+
+    fn remember(&self, state: &mut StageState, (id, spots): (Id, &[Spot]), shown: &CanvasShown) {
         state.canvas_ids.push(id);
         let ids = spots.iter().map(|spot| spot_id(id, spot.index));
         state.handle_ids.extend(ids);
-        let is_as_given = app.bookmark.step().is_some() && app.is_untouched();
-        self.over_the_drawing(ui, state, &viewport, (rect, shown.is_lost && !is_as_given));
         state.pointed_on_stage = state.pointed_on_stage.or(shown.pointed);
-        state.seen.insert(drawing.0, shown.viewport);
-        shown
+        state.seen.insert(self.drawing.0, shown.viewport);
     }
 
     fn over_the_drawing(

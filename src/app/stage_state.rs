@@ -127,6 +127,14 @@ impl StageState {
         is_dragged || was_dragged
     }
 
+    /// The same click takes the question back.
+    pub fn ask(&mut self, about: Option<AskedIn>) {
+        self.asked = about.filter(|_| about != self.asked);
+        if let Some((_, column)) = about {
+            self.inspected = column;
+        }
+    }
+
     pub fn chosen(&self) -> Option<Handle> {
         self.focused.or(self.selected)
     }

@@ -9,7 +9,7 @@ use super::{
     graph::{Graph, Places, layers, size_of},
     lens::Lens,
     run::Run,
-    small_pictures::{Multiples, Raster, Tiles},
+    small_pictures::{Multiples, Raster, Story, Tiles},
     values::{Bits, Costs, Lists, Products},
     view::{Body, View, ViewId},
     watch::{Watch, unseen},
@@ -103,10 +103,8 @@ impl View {
             Body::Costs(costs) => costs_need(costs),
             Body::Graph(graph) => graph_need(graph),
             Body::Story(story) => {
-                // Two cards, or many folded about one.
-                let width = 7.5 * story.cards.len().clamp(1, 2) as f32;
                 whole = [0.0, 17.0];
-                (Stand::Under, [width + 4.0, 12.0], [f32::MAX, 19.0])
+                story_need(story)
             }
             Body::Lists(lists) => lists_need(lists),
             Body::Products(products) => {
@@ -211,6 +209,12 @@ fn products_room(products: &Products) -> ((Stand, [f32; 2], [f32; 2]), f32) {
     let whole = 5.6 * rows + spans.map_or(0.0, |spans| 7.3 + 1.5 * spans);
     let least = [17.0, 3.7 * rows + low];
     ((Stand::Beside, least, [28.0, 9.5 * rows + high]), whole)
+}
+
+fn story_need(story: &Story) -> (Stand, [f32; 2], [f32; 2]) {
+    // Two cards, or many folded about one.
+    let width = 7.5 * story.cards.len().clamp(1, 2) as f32;
+    (Stand::Under, [width + 4.0, 12.0], [f32::MAX, 19.0])
 }
 
 fn costs_need(costs: &Costs) -> (Stand, [f32; 2], [f32; 2]) {

@@ -99,17 +99,11 @@ pub fn power_plot(
             .into_iter()
             .map(|place| Some(plot.plot_from_screen(place?.left_center())));
         let places: Vec<Option<PlotPoint>> = places.collect();
-        for PowerLine {
-            name_key,
-            color,
-            style,
-            points,
-        } in lines
-        {
-            let points: Vec<[f64; 2]> = points.iter().map(|at| at.map(libm::log10)).collect();
-            let line = Line::new(look.say(name_key), points);
-            let line = line.stroke(Stroke::new(2.0, *color)).style(*style);
-            plot.line(line.allow_hover(false));
+        for line in lines {
+            let points = line.points.iter().map(|at| at.map(libm::log10));
+            let drawn = Line::new(look.say(line.name_key), points.collect::<Vec<_>>());
+            let drawn = drawn.stroke(Stroke::new(2.0, line.color)).style(line.style);
+            plot.line(drawn.allow_hover(false));
         }
         for (line, place) in lines.iter().zip(places) {
             if let Some(place) = place {

@@ -126,11 +126,6 @@ impl Canvas<'_> {
         };
 
         self.draw(ui, &response, (&handles, &before));
-        let focused = ui.memory(egui::Memory::focused);
-        let focused = focused.and_then(|id| {
-            let mut indices = self.spots.iter().map(|spot| spot.index);
-            indices.find(|&i| handles.id_of(i) == id)
-        });
         CanvasShown {
             viewport,
             view,
@@ -142,7 +137,7 @@ impl Canvas<'_> {
             clicked: click(ui, &response, &handles).filter(|_| !pinch.is_on),
             pointed: near.or(pointed.0),
             is_lost,
-            focused,
+            focused: handles.focused(ui),
             response,
             picture: None,
         }

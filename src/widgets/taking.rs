@@ -55,6 +55,13 @@ impl Handles<'_> {
         self.near(ui, at).filter(is_free)
     }
 
+    /// The one that the keyboard is at.
+    pub fn focused(&self, ui: &Ui) -> Option<usize> {
+        let focused = ui.memory(egui::Memory::focused)?;
+        let mut indices = self.spots.iter().map(|spot| spot.index);
+        indices.find(|&i| self.id_of(i) == focused)
+    }
+
     /// Does the one that was taken last lie out of sight?
     pub fn is_lost(&self, ui: &Ui) -> bool {
         let spot = self.taken(ui).and_then(|i| self.spot(i));

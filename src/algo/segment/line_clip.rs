@@ -174,14 +174,7 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
         let Some(delta) = delta else {
             return tell.tell(held, Event::Reject { plane: None });
         };
-        let distances = |plane| {
-            let inside = bounds.distances(plane, &ends);
-            if L::TURNS_NORMALS {
-                inside.map(|d| -d)
-            } else {
-                inside
-            }
-        };
+        let distances = |plane| turned::<L>(bounds.distances(plane, &ends));
         let mut interval = Interval::whole();
         for plane in bounds.planes() {
             let ([mut p, mut q], mut row) = bounds.inequality(plane, &ends, &delta);
@@ -233,6 +226,16 @@ impl<const N: usize, B: Bounds<N>, L: LineRules> Method for LineClip<N, B, L> {
     /// What begins; three for each plane; two ends; a verdict.
     fn max_events(input: &B::Input) -> usize {
         1 + 3 * input.bounds().planes().count() + 2 + 1
+    }
+}
+
+/// From the side that the rules take for the inside.
+#[inline]
+fn turned<L: LineRules>(distances: [f64; 2]) -> [f64; 2] {
+    if L::TURNS_NORMALS {
+        distances.map(|d| -d)
+    } else {
+        distances
     }
 }
 

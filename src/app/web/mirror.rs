@@ -141,6 +141,21 @@ impl Told {
     }
 }
 
+/// What is chosen, by the name that this has for such a node.
+fn toggled(node: &Node) -> (&'static str, Option<&'static str>) {
+    let state = match node.role() {
+        Role::CheckBox | Role::RadioButton | Role::Switch => "aria-checked",
+        Role::Button => "aria-pressed",
+        _ => "aria-selected",
+    };
+    let toggled = node.toggled().map(|toggled| match toggled {
+        Toggled::False => "false",
+        Toggled::True => "true",
+        Toggled::Mixed => "mixed",
+    });
+    (state, toggled)
+}
+
 fn told(node: &Node) -> Told {
     let mut attributes = BTreeMap::new();
     let mut say = |name, value: Option<String>| {
@@ -160,16 +175,7 @@ fn told(node: &Node) -> Told {
     );
     say("data-name", node.author_id().map(str::to_owned));
     say("aria-disabled", yes(node.is_disabled()));
-    let toggled = node.toggled().map(|toggled| match toggled {
-        Toggled::False => "false",
-        Toggled::True => "true",
-        Toggled::Mixed => "mixed",
-    });
-    let state = match node.role() {
-        Role::CheckBox | Role::RadioButton | Role::Switch => "aria-checked",
-        Role::Button => "aria-pressed",
-        _ => "aria-selected",
-    };
+    let (state, toggled) = toggled(node);
     say(state, toggled.map(str::to_owned));
     say(
         "aria-valuenow",

@@ -198,17 +198,10 @@ fn bar(at: &At<'_, Why<Facing>>) -> View {
     let mut picture = Picture::new(&at.step, given);
     for (nth, &(face, eye)) in eyes.iter().enumerate() {
         let is_first = nth == 0;
-        let (shown, kept) = if is_first {
-            (Fact::Height, Role::Ink)
-        } else {
-            (
-                Fact::Face { face },
-                if eye[1] > 0.0 {
-                    Role::Accent
-                } else {
-                    Role::Discarded
-                },
-            )
+        let (shown, kept) = match (is_first, eye[1] > 0.0) {
+            (true, _) => (Fact::Height, Role::Ink),
+            (false, true) => (Fact::Face { face }, Role::Accent),
+            (false, false) => (Fact::Face { face }, Role::Discarded),
         };
         picture.once(shown, kept, |role, _| {
             let label = Formula::default().sym(format!("{}: ", face + 1));

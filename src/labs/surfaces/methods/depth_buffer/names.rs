@@ -15,6 +15,12 @@ use super::{
     variant::{COMPARE, Variant},
 };
 
+fn average(fragments: u64, pixels: u64) -> Formula {
+    let [all, pixels] = [fragments, pixels].map(|n| n as f64);
+    let formula = Formula::decimals().num(all).sym(" / ").num(pixels);
+    formula.equals(all / pixels)
+}
+
 pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Named> {
     let (input, so_far) = (at.step.input, &at.step.held.so_far);
     let (tally, fragment) = (so_far.tally, fragment_of(at));
@@ -69,11 +75,7 @@ pub fn named<L: Variant>(at: &At<'_, DepthBuffer<L>>, name: &str) -> Option<Name
         ("writes", _) => count(tally.writes - before(at.step.past).writes),
         ("least", _) => in_shades(at)?.range[0].clone().into(),
         ("most", _) => in_shades(at)?.range[1].clone().into(),
-        ("average", _) => {
-            let [all, pixels] = [tally.fragments, tally.pixels].map(|n| n as f64);
-            let formula = Formula::decimals().num(all).sym(" / ").num(pixels);
-            formula.equals(all / pixels).into()
-        }
+        ("average", _) => average(tally.fragments, tally.pixels).into(),
         ("bits", _) => n_bits.into(),
         ("bytes", _) => (input.surfaces.n_pixels() * n_bits).div_ceil(8).into(),
         _ => return watched(at, name),
