@@ -145,6 +145,13 @@ impl<S: Clone + PartialEq> History<S> {
         self.put(document, Some(Rc::new(file)));
     }
 
+    /// Shows what was kept from the last time. Only that is of its file: what comes back by undo would overwrite it.
+    pub fn restore(&mut self, document: S, file: Option<OnDisk<S>>) {
+        self.replace(document);
+        self.now.file = file.map(Rc::new);
+        self.unsaved = OnceCell::new();
+    }
+
     fn put(&mut self, document: S, file: Option<Rc<OnDisk<S>>>) {
         let now = Version {
             document,
@@ -162,15 +169,11 @@ impl<S: Clone + PartialEq> History<S> {
         self.changed();
     }
 
-    /// The document has been written into this file: so are all versions of the same file.
+    /// The document has been written into this file: so are all versions that had the same.
     pub fn saved(&mut self, path: String) {
         let document = Some(self.now().clone());
-        self.keep_in(Some(OnDisk { path, document }));
-    }
-
-    /// The file of the document, and of all versions that had the same.
-    pub fn keep_in(&mut self, file: Option<OnDisk<S>>) {
-        let (old, new) = (self.now.file.clone(), file.map(Rc::new));
+        let new = Some(Rc::new(OnDisk { path, document }));
+        let old = self.now.file.clone();
         let versions = self.past.iter_mut().chain(&mut self.future);
         for version in versions.chain([&mut self.now]) {
             if version.file.as_ref().map(Rc::as_ptr) == old.as_ref().map(Rc::as_ptr) {
@@ -319,6 +322,26 @@ mod tests {
         assert_eq!(document.redo(9), Some(4));
         assert_eq!((*document.now(), document.file()), (3, Some("b")));
         assert_eq!(document.undo(4), Some(9));
+    }
+
+    #[test]
+    fn what_was_kept_is_of_its_file_and_what_undo_brings_is_not() {
+        let mut document = History::new(0);
+        let file = |document| OnDisk {
+            path: "a".to_owned(),
+            document: Some(document),
+        };
+        document.restore(1, Some(file(1)));
+        assert_eq!((document.file(), document.is_unsaved()), (Some("a"), false));
+        document.undo(0);
+        assert_eq!((*document.now(), document.file()), (0, None));
+        document.redo(0);
+        assert_eq!(document.file(), Some("a"));
+        // The same as at first: there is nothing to undo.
+        let mut document = History::new(0);
+        document.restore(0, Some(file(2)));
+        assert_eq!((document.file(), document.is_unsaved()), (Some("a"), true));
+        assert!(!document.can_undo());
     }
 
     #[test]

@@ -385,11 +385,11 @@ impl App {
             {
                 history.replace(before.scene);
             }
-            history.replace(scene);
-            history.keep_in(work.file.map(|path| OnDisk {
+            let file = work.file.map(|path| OnDisk {
                 path,
-                document: (!work.is_unsaved).then(|| history.now().clone()),
-            }));
+                document: (!work.is_unsaved).then(|| scene.clone()),
+            });
+            history.restore(scene, file);
             let laid_out = Work::new(history, work.position, is_changed);
             self.desk.works.insert(work.page, laid_out);
         }
