@@ -164,9 +164,18 @@ const fn part_link(step: usize) -> Link {
     Link::nth("cut away", step)
 }
 
-/// The nearest segment within reach of a click.
+/// The nearest segment within reach of a click. At an end of the one in focus, where others may begin, it is that one.
 pub fn under(scene: &Scene, click: &Click<'_>) -> Option<usize> {
     let [x, y, _] = click.at;
+    let focus = scene.focus();
+    let in_focus = scene.segments().get(focus)?;
+    let ends = [in_focus.p1, in_focus.p2].map(|end| DVec2::from(end.to_array()));
+    if ends
+        .iter()
+        .any(|end| end.distance(DVec2::new(x, y)) <= click.reach)
+    {
+        return Some(focus);
+    }
     let segments = scene.segments().iter().enumerate();
     let near = segments.filter_map(|(i, segment)| {
         let ends = [segment.p1.to_array(), segment.p2.to_array()];
@@ -184,6 +193,30 @@ mod tests {
         *,
     };
     use crate::{algo::line::LiangBarsky, labs::Document, trace::silent};
+
+    #[test]
+    fn at_a_shared_end_the_segment_in_focus_is_meant() {
+        let mut scene = Scene::first();
+        let [first, second] = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+            .map(|ends| Segment::try_from(ends).expect("finite"));
+        scene.set_segment(0, first);
+        scene.add_segment(second).expect("a second one");
+        for focus in [0, 1] {
+            scene.set_focus(focus);
+            let click = |x, y| Click {
+                at: [x, y, 0.0],
+                place: [x, y, 0.0],
+                reach: 0.1,
+                inserts: false,
+                picture: None,
+                link: None,
+                locks: &[],
+            };
+            assert_eq!(under(&scene, &click(0.05, 0.0)), Some(focus));
+            assert_eq!(under(&scene, &click(0.5, 0.0)), Some(0));
+            assert_eq!(under(&scene, &click(0.0, 0.5)), Some(1));
+        }
+    }
 
     #[test]
     fn what_is_dropped_and_what_is_visible_are_all_of_a_segment() {
