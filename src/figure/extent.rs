@@ -84,7 +84,7 @@ impl View {
                 (Stand::Beside, [13.0, height], [20.0, 1.2 * height])
             }
             Body::Ribbon(_) => (Stand::Across, [25.0, 5.5], [f32::MAX, 7.0]),
-            Body::Multiples(multiples) => multiples_need(multiples),
+            Body::Multiples(multiples) => multiples_need(multiples, letters),
             Body::Spaces(_) => (Stand::Over, [30.0, 7.4], [f32::MAX, 8.0]),
             Body::Matrix(product) => {
                 let rows = product.rows.len() as f32;
@@ -162,14 +162,16 @@ impl Multiples {
     }
 }
 
-fn multiples_need(multiples: &Multiples) -> (Stand, [f32; 2], [f32; 2]) {
+fn multiples_need(multiples: &Multiples, letters: &mut Letters) -> (Stand, [f32; 2], [f32; 2]) {
     let n = multiples.drawings.len() as f32;
     match multiples.tiles {
         Tiles::Strip if multiples.drawings.len() == 1 => {
-            // Rows of bars.
+            // Rows of bars. In a narrow place a long title has two lines.
             let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
-            let natural = [29.0, 3.0 + 1.9 * rows];
-            (Stand::Beside, [20.0, 2.6 + 1.2 * rows], natural)
+            let is_long = letters.wrap(0, &multiples.drawings[0].title);
+            let [title, row] = if is_long { [4.0, 1.5] } else { [2.6, 1.2] };
+            let least = [20.0, title + row * rows];
+            (Stand::Beside, least, [29.0, 3.0 + 1.9 * rows])
         }
         Tiles::Strip => (Stand::Across, [5.0 * n, 6.5], [f32::MAX, 10.0]),
         Tiles::Beside => {

@@ -21,7 +21,15 @@ const MOST_ROWS: usize = 5;
 #[derive(Default)]
 pub struct Letters(Vec<Option<(Value, usize)>>);
 
+/// More letters do not stand on one line of 20 ems.
+const LINE: usize = 40;
+
 impl Letters {
+    /// Does a title take more than one line beside a drawing?
+    pub fn wrap(&mut self, nth: usize, title: &Value) -> bool {
+        self.of(nth, title) > LINE
+    }
+
     /// Of the value that is the `nth`.
     fn of(&mut self, nth: usize, value: &Value) -> usize {
         if self.0.len() <= nth {

@@ -8,7 +8,9 @@
 //!                                                       └───────────────┘
 //! ```
 
-use crate::figure::{Multiples, SmallDrawing, Tiles};
+use std::borrow::Cow;
+
+use crate::figure::{Mark, Multiples, Shape, SmallDrawing, Tiles};
 
 use super::{super::hit, prelude::*};
 
@@ -19,6 +21,8 @@ const PAD: f32 = 5.0;
 const GAP: f32 = 8.0;
 const MARGIN: f32 = 5.0;
 const LEAST_DRAWING: f32 = 34.0;
+/// A row of text beside a bar.
+const ROW: f32 = 17.0;
 /// Titles shrink to this part of ordinary text before there are fewer drawings in a row.
 const CROWDED: f32 = 0.85;
 
@@ -131,16 +135,49 @@ impl Multiples {
         }
     }
 
-    /// The same; rows of bars stand right under their heading.
-    fn under_heading(&self, rect: Rect, margin: f32) -> Viewport {
+    const fn is_bars(&self) -> bool {
+        matches!(self.tiles, Tiles::Strip) && self.drawings.len() == 1
+    }
+
+    /// The same; rows of bars stand right under their heading, as far apart as what is written at them is high, if there is room.
+    /// By how much are bars shorter for that?
+    fn under_heading(&self, slate: &Slate<'_>, rect: Rect) -> (Viewport, f64) {
+        let margin = slate.pts(MARGIN);
         let viewport = self.viewport(rect, margin);
-        if self.tiles != Tiles::Strip || self.drawings.len() > 1 {
-            return viewport;
+        if !self.is_bars() {
+            return (viewport, 1.0);
         }
         let [min, max] = self.bounds;
-        let height = (viewport.scale * (max[1] - min[1])) as f32 + 2.0 * margin;
+        let rows = (max[1] - min[1]).max(f64::MIN_POSITIVE);
+        let most = f64::from(rect.height() - 2.0 * margin) / rows;
+        // Names of marks do not shrink with the view.
+        let row = f64::from(ROW * slate.theme().text_scale);
+        let scale = row.min(most).max(viewport.scale);
+        let height = (scale * rows) as f32 + 2.0 * margin;
         let rect = rect.with_max_y(rect.bottom().min(rect.top() + height));
-        Viewport { rect, ..viewport }
+        let shorter = viewport.scale / scale;
+        let viewport = Viewport {
+            rect,
+            scale,
+            ..viewport
+        };
+        (viewport, shorter)
+    }
+
+    /// Bars, and what is written at them, nearer to the middle.
+    fn shortened(&self, marks: &[Mark], by: f64) -> Vec<Mark> {
+        let middle = self.bounds[0][0].midpoint(self.bounds[1][0]);
+        let nearer = |[x, y]: [f64; 2]| [middle + by * (x - middle), y];
+        let shortened = marks.iter().cloned().map(|mut mark| {
+            match &mut mark.shape {
+                Shape::Segment(ends) => *ends = ends.map(nearer),
+                Shape::Label(at) | Shape::Vertex(at) => *at = nearer(*at),
+                // Rows of bars have no others.
+                _ => {}
+            }
+            mark
+        });
+        shortened.collect()
     }
 
     /// How high title and note are at most, in a tile of this width: all drawings have one size.
@@ -221,11 +258,15 @@ impl Multiples {
             slate.put(&note, at, align);
         }
         let room = self.drawn_in(slate, place, heading);
-        let viewport = self.under_heading(room, slate.pts(MARGIN));
+        let (viewport, shorter) = self.under_heading(slate, room);
+        let mut marks = Cow::Borrowed(&drawing.marks[..]);
+        if shorter < 1.0 {
+            marks = self.shortened(&marks, shorter).into();
+        }
         let (look, around) = (slate.look, Around::default());
-        look.stage(slate.painter, &viewport, &drawing.marks, links.lit, around);
+        look.stage(slate.painter, &viewport, &marks, links.lit, around);
         if let Some(pointer) = links.pointer.filter(|at| room.contains(*at)) {
-            let pointed = hit::link_at(&viewport, &drawing.marks, pointer, hit::REACH);
+            let pointed = hit::link_at(&viewport, &marks, pointer, hit::REACH);
             links.pointed = pointed.or(links.pointed);
         }
     }
