@@ -113,17 +113,21 @@ fn lay_out(
     let playback = &app.playback;
     let mut needs = Cow::Borrowed(&playback.needs);
     if app.has_large_picture() {
-        for need in needs.to_mut().iter_mut().flatten() {
-            let is_equal = need.stand == Stand::Inset;
-            *need = Need {
-                is_equal,
-                ..need.enlarged()
-            };
-        }
+        enlarge_pictures(needs.to_mut());
     }
     let title = app.title_on_stage();
     let given = [app.settings.board, state.taken];
-    let mut layout = composition.lay_out(ui, rect, title.as_deref(), heights, &needs, given);
+    let lay_out = |needs: &[Vec<Need>]| {
+        composition.lay_out(ui, rect, title.as_deref(), heights, needs, given)
+    };
+    let mut layout = lay_out(&needs);
+    // Where both have no room, what is read leaves its own to the picture that is enlarged.
+    if app.has_large_picture() && layout.columns.iter().any(ColumnLayout::overlaps) {
+        for needs in needs.to_mut() {
+            needs.retain(Need::is_drawing);
+        }
+        layout = lay_out(&needs);
+    }
     if let Some(eyes) = &playback.eyes {
         for (frame, places) in playback.frames.iter().zip(&mut layout.columns) {
             place_inset(ui, composition.look, places, &frame.views, eyes);
@@ -132,6 +136,17 @@ fn lay_out(
     let views = layout.columns.iter().flat_map(|column| &column.views);
     state.places = views.copied().collect();
     layout
+}
+
+/// The camera's picture as large as the observer's space, in each column.
+fn enlarge_pictures(needs: &mut [Vec<Need>]) {
+    for need in needs.iter_mut().flatten() {
+        let is_equal = need.stand == Stand::Inset;
+        *need = Need {
+            is_equal,
+            ..need.enlarged()
+        };
+    }
 }
 
 struct Column<'a> {

@@ -99,6 +99,12 @@ impl ColumnLayout {
         })
     }
 
+    /// Does a view lie over another one?
+    pub fn overlaps(&self) -> bool {
+        let mut views = self.views.iter();
+        views.any(|&(id, _)| self.over(id).next().is_some())
+    }
+
     /// Moves a view that has a slot.
     pub fn put(&mut self, id: ViewId, to: Slot) {
         let mut views = self.views.iter_mut();
