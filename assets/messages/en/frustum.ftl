@@ -403,6 +403,13 @@ pixel-other-nothing = { $count ->
     [one] One pixel
    *[other] { $count } pixels
   } { $direction } nothing is seen.
+picture-seen = Here face { $face } of object { $object } is seen: { $count ->
+    [one] it is the only one there, at this depth:
+   *[other] it is the nearest of { $count } there. Its depth, and the next one’s:
+  }
+picture-empty = No face is seen here.
+picture-other = { $percent } % of the picture { $direction } face { $face } of object { $object } is seen.
+picture-other-nothing = { $percent } % of the picture { $direction } nothing is seen.
 pixel-shows = Pixel { $at } shows face { $face } of object { $object } at this step.
 pixel-shows-nothing = Pixel { $at } shows nothing at this step.
 pixel-truth = The nearest face there is face { $face } of object { $object }.

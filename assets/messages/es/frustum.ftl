@@ -403,6 +403,13 @@ pixel-other-nothing = { $count ->
     [one] Un píxel
    *[other] { $count } píxeles
   } { $direction } no se ve nada.
+picture-seen = Aquí se ve la cara { $face } del objeto { $object }: { $count ->
+    [one] es la única que hay, a esta profundidad:
+   *[other] es la más cercana de { $count }. Su profundidad y la de la siguiente:
+  }
+picture-empty = Aquí no se ve ninguna cara.
+picture-other = A un { $percent } % de la imagen { $direction } se ve la cara { $face } del objeto { $object }.
+picture-other-nothing = A un { $percent } % de la imagen { $direction } no se ve nada.
 pixel-shows = En este paso el píxel { $at } muestra la cara { $face } del objeto { $object }.
 pixel-shows-nothing = En este paso el píxel { $at } no muestra nada.
 pixel-truth = La más cercana allí es la cara { $face } del objeto { $object }.

@@ -403,6 +403,13 @@ pixel-other-nothing = { $count ->
     [1] Um pixel
    *[other] { $count } pixels
   } { $direction } não se vê nada.
+picture-seen = Aqui se vê a face { $face } do objeto { $object }: { $count ->
+    [1] é a única que há, a esta profundidade:
+   *[other] é a mais próxima de { $count }. Sua profundidade e a da seguinte:
+  }
+picture-empty = Aqui não se vê nenhuma face.
+picture-other = A { $percent } % da imagem { $direction } vê-se a face { $face } do objeto { $object }.
+picture-other-nothing = A { $percent } % da imagem { $direction } não se vê nada.
 pixel-shows = Neste passo, o pixel { $at } mostra a face { $face } do objeto { $object }.
 pixel-shows-nothing = Neste passo, o pixel { $at } não mostra nada.
 pixel-truth = A mais próxima ali é a face { $face } do objeto { $object }.

@@ -304,6 +304,13 @@ pixel-seen = 像素 { $at } 显示物体 { $object } 的面 { $face }：{ $count
 pixel-empty = 没有面覆盖像素 { $at }。
 pixel-other = { $direction } { $count } 个像素，看到的是物体 { $object } 的面 { $face }。
 pixel-other-nothing = { $direction } { $count } 个像素，什么也看不到。
+picture-seen = 此处看到的是物体 { $object } 的面 { $face }：{ $count ->
+    [one] 该处只有它，其深度为
+   *[other] 该处 { $count } 个面中它最近。它与下一个的深度：
+  }
+picture-empty = 此处没有看到任何面。
+picture-other = { $direction }图像的 { $percent } %，看到的是物体 { $object } 的面 { $face }。
+picture-other-nothing = { $direction }图像的 { $percent } %，什么也看不到。
 pixel-shows = 在这一步，像素 { $at } 显示物体 { $object } 的面 { $face }。
 pixel-shows-nothing = 在这一步，像素 { $at } 还没有显示任何东西。
 pixel-truth = 该处最近的是物体 { $object } 的面 { $face }。

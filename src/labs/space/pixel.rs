@@ -59,10 +59,33 @@ fn picture_size(scene: &Scene) -> [u32; 2] {
     super::screen::screen(scene.camera.aspect(), ROWS).size()
 }
 
+/// How a place is spoken of.
+struct Said {
+    seen: &'static str,
+    empty: &'static str,
+    other: &'static str,
+    other_nothing: &'static str,
+}
+
+/// The pixels of a raster are seen, and counted.
+const OF_PIXELS: Said = Said {
+    seen: "pixel-seen",
+    empty: "pixel-empty",
+    other: "pixel-other",
+    other_nothing: "pixel-other-nothing",
+};
+/// Nobody sees those of the camera's picture: it has parts of its width and its height.
+const OF_PICTURE: Said = Said {
+    seen: "picture-seen",
+    empty: "picture-empty",
+    other: "picture-other",
+    other_nothing: "picture-other-nothing",
+};
+
 pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let pixel = pixel_of(scene, about)?;
     let input = DepthBufferInput::new(surfaces_of(scene, picture_size(scene)));
-    Some(verdict_at(scene, &input, pixel))
+    Some(verdict_at(scene, &input, pixel, &OF_PICTURE))
 }
 
 /// Of a pixel of the raster: what it shows at this step, by which step; where that is not what is nearest there, what is.
@@ -85,7 +108,7 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
         return Some(Verdict {
             step,
             offer,
-            ..verdict_at(scene, &input, pixel)
+            ..verdict_at(scene, &input, pixel, &OF_PIXELS)
         });
     }
     let message = match shown {
@@ -148,12 +171,12 @@ fn looking_at(scene: &Scene, pixel: [u32; 2]) -> (&'static str, Own) {
     (keys[usize::from(is_alone)], change)
 }
 
-fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2]) -> Verdict {
+fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2], words: &Said) -> Verdict {
     let story = pixel_story::<Right>(input, pixel);
     let seen = story.iter().rfind(|fragment| fragment.kept);
     let message = Message::new(match seen {
-        Some(_) => "pixel-seen",
-        None => "pixel-empty",
+        Some(_) => words.seen,
+        None => words.empty,
     });
     let message = message
         .with("at", pixel_formula(pixel))
@@ -165,7 +188,8 @@ fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2]) -> Verdi
         }
         None => Caption::new(message),
     };
-    let notes = other_beside(scene, input, pixel, seen.map(|fragment| fragment.id));
+    let seen = seen.map(|fragment| fragment.id);
+    let notes = other_beside(scene, input, (pixel, seen), words);
     Verdict {
         why,
         notes: notes.into_iter().collect(),
@@ -196,19 +220,22 @@ fn told_of(scene: &Scene, id: u32, message: Message) -> Message {
 fn other_beside(
     scene: &Scene,
     input: &DepthBufferInput,
-    pixel: [u32; 2],
-    seen: Option<u32>,
+    (pixel, seen): ([u32; 2], Option<u32>),
+    words: &Said,
 ) -> Option<Message> {
     if input.order.len() > MOST_FACES {
         return None;
     }
     let shift = shift(input, pixel, seen)?;
     let message = match shift.seen {
-        Some(id) => told_of(scene, id, Message::new("pixel-other")),
-        None => Message::new("pixel-other-nothing"),
+        Some(id) => told_of(scene, id, Message::new(words.other)),
+        None => Message::new(words.other_nothing),
     };
-    let (_, direction) = shift.direction;
+    let ([across, _], direction) = shift.direction;
+    let side = input.surfaces.size()[usize::from(across == 0)];
+    let percent = (100 * shift.by).div_ceil(side);
     let message = message.with("count", shift.by as usize);
+    let message = message.with("percent", percent as usize);
     Some(message.with("direction", Value::Term(direction)))
 }
 
