@@ -48,8 +48,7 @@ pub fn show(app: &App, ui: &mut Ui, panels: &mut [Box<dyn LabPanel>]) {
     rule(ui, look);
     ui.horizontal_wrapped(|ui| {
         section(ui, look, &look.say("panel-controls"));
-        for (id, title) in &sections {
-            let id = *id;
+        for &(id, ref title) in &sections {
             let is_open = controls.open == Some(id);
             let (theme, name) = (look.theme, look.catalog.message(title));
             let colour = if is_open { theme.accent } else { theme.soft };

@@ -158,10 +158,8 @@ pub fn method(app: &App, ui: &mut Ui) {
 pub fn panel_rows(app: &App, ui: &mut Ui, panel: &mut Box<dyn LabPanel>) {
     let (look, scene) = (app.look(), app.scene());
     for (id, title) in panel.sections(scene) {
-        if ui
-            .button(format!("{}…", look.catalog.message(&title)))
-            .clicked()
-        {
+        let title = look.catalog.message(&title);
+        if ui.button(format!("{title}…")).clicked() {
             app.push(Command::Control(id));
             ui.close();
         }

@@ -168,7 +168,7 @@ fn multiples_need(multiples: &Multiples, letters: &mut Letters) -> (Stand, [f32;
         Tiles::Strip if multiples.drawings.len() == 1 => {
             // Rows of bars. In a narrow place a long title has two lines.
             let rows = (multiples.bounds[1][1] - multiples.bounds[0][1]) as f32;
-            let is_long = letters.wrap(0, &multiples.drawings[0].title);
+            let is_long = letters.wraps(0, &multiples.drawings[0].title);
             let [title, row] = if is_long { [4.0, 1.5] } else { [2.6, 1.2] };
             let least = [20.0, title + row * rows];
             (Stand::Beside, least, [29.0, 3.0 + 1.9 * rows])

@@ -99,6 +99,10 @@ fn load_lesson(
     let runs = body.map(|body| Runs::new(&body.scenes));
     let texts = Texts {
         files,
+        // What is checked is read now.
+        later: files
+            .compiled_in()
+            .filter(|_| reading.moments == Moments::Later),
         id,
         ids: skeleton.as_ref().and_then(|it| it.ids.as_deref()),
         controls: controls.as_deref(),
@@ -143,6 +147,8 @@ fn load_lesson(
 /// The texts of a lesson, and what they are read with.
 struct Texts<'a> {
     files: &'a dyn Files,
+    /// Where texts can be read later, too.
+    later: Option<Embedded>,
     id: &'a str,
     ids: Option<&'a [String]>,
     controls: Option<&'a [&'static str]>,
@@ -173,10 +179,7 @@ impl Texts<'_> {
 
     /// What is compiled in has no mistakes to be told, as a test makes sure: so it need not be read at once.
     fn later(&self, lang: Lang) -> Option<Translation> {
-        let files = self
-            .files
-            .compiled_in()
-            .filter(|_| self.checked.is_none())?;
+        let files = self.later?;
         let (path, ids) = (self.path(lang), self.ids?.to_vec());
         let controls = self.controls.map(<[_]>::to_vec);
         Some(Translation::later(move || {

@@ -11,10 +11,6 @@ use super::modal::{heading, modal};
 
 pub(super) fn path(app: &App, ctx: &Context, dialog: &Dialog) {
     let look = app.look();
-    let label = match dialog {
-        Dialog::Lesson(_) => "save-folder",
-        _ => "save-path",
-    };
     let mut changed = dialog.clone();
     let (key, action, target, figures) = match &mut changed {
         Dialog::Open(target) => ("open-title", "action-open-it", target, None),
@@ -24,6 +20,12 @@ pub(super) fn path(app: &App, ctx: &Context, dialog: &Dialog) {
         Dialog::HandIn(target) => ("hand-in-title", "action-save", target, None),
         Dialog::TakeUp(target) => ("take-up-title", "action-open-it", target, None),
         Dialog::Help | Dialog::Scene(..) | Dialog::Progress(_) => return,
+    };
+    let is_folder = matches!(dialog, Dialog::Lesson(_));
+    let label = if is_folder {
+        "save-folder"
+    } else {
+        "save-path"
     };
     let action = if target.replaces {
         "action-replace"

@@ -26,7 +26,7 @@ const LINE: usize = 40;
 
 impl Letters {
     /// Does a title take more than one line beside a drawing?
-    pub fn wrap(&mut self, nth: usize, title: &Value) -> bool {
+    pub fn wraps(&mut self, nth: usize, title: &Value) -> bool {
         self.of(nth, title) > LINE
     }
 

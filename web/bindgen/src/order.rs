@@ -175,28 +175,26 @@ impl<'a> Window<'a> {
     fn enter(&mut self, function: usize) {
         self.functions.push_back(function);
         self.n_bytes += self.bodies[function].len();
-        for &word in &self.words[function] {
-            let word = word as usize;
-            self.counts[word] += 1;
-            if self.counts[word] == 1 {
-                for &other in &self.having[word] {
-                    self.known[other as usize] += 1;
-                }
-            }
-        }
+        self.count(function, 1);
     }
 
     fn leave(&mut self) {
-        let Some(function) = self.functions.pop_front() else {
-            return;
-        };
-        self.n_bytes -= self.bodies[function].len();
+        if let Some(function) = self.functions.pop_front() {
+            self.n_bytes -= self.bodies[function].len();
+            self.count(function, -1);
+        }
+    }
+
+    /// One more function has these words, or one less: with the first of a word it is known to all that have it, with the last no more.
+    fn count(&mut self, function: usize, by: i32) {
         for &word in &self.words[function] {
-            let word = word as usize;
-            self.counts[word] -= 1;
-            if self.counts[word] == 0 {
-                for &other in &self.having[word] {
-                    self.known[other as usize] -= 1;
+            let before = self.counts[word as usize];
+            let now = before.saturating_add_signed(by);
+            self.counts[word as usize] = now;
+            if before + now == 1 {
+                for &other in &self.having[word as usize] {
+                    let known = &mut self.known[other as usize];
+                    *known = known.saturating_add_signed(by);
                 }
             }
         }

@@ -36,26 +36,28 @@ pub fn with_crosses(mut raster: Raster, names: Option<Names<'_>>, wrong: &[usize
 /// Names on these places and around them go to the nearest pixel of the same triangle that is free of them, where there is one.
 fn clear_of_names(raster: &mut Raster, picture: &Picture, places: &[usize]) {
     let (ids, width) = (picture.ids(), raster.size[0]);
-    let apart = |a: usize, b: usize| {
-        let [across, down] = [(a % width, b % width), (a / width, b / width)];
-        [across, down].map(|(a, b)| a.abs_diff(b))
-    };
-    let is_clear = |place: usize| {
-        !places
-            .iter()
-            .any(|&it| apart(place, it).iter().all(|far| *far <= 1))
-    };
-    let is_named = |place: &usize| raster.pixels[*place].value.is_some() && !is_clear(*place);
-    let named: Vec<usize> = (0..ids.len()).filter(is_named).collect();
-    for place in named {
-        let name = raster.pixels[place].value.take();
+    let mut is_taken = vec![false; ids.len()];
+    for &place in places {
+        let (column, row) = (place % width, place / width);
+        for row in row.saturating_sub(1)..=(row + 1).min(raster.size[1] - 1) {
+            let [first, last] = [column.saturating_sub(1), (column + 1).min(width - 1)];
+            is_taken[row * width + first..=row * width + last].fill(true);
+        }
+    }
+    for place in (0..ids.len()).filter(|&place| is_taken[place]) {
+        let Some(name) = raster.pixels[place].value.take() else {
+            continue;
+        };
+        let square = |a: usize, b: usize| a.abs_diff(b).pow(2);
+        let far = |other: &usize| {
+            square(place % width, other % width) + square(place / width, other / width)
+        };
         let is_free = |other: &usize| {
             let is_alike = ids[*other] == ids[place] && raster.pixels[*other].value.is_none();
-            is_alike && is_clear(*other)
+            is_alike && !is_taken[*other]
         };
-        let far = |other: &usize| apart(place, *other).map(|x| x * x).iter().sum::<usize>();
         let nearest = (0..ids.len()).filter(is_free).min_by_key(far);
-        raster.pixels[nearest.unwrap_or(place)].value = name;
+        raster.pixels[nearest.unwrap_or(place)].value = Some(name);
     }
 }
 
