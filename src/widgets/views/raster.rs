@@ -153,8 +153,12 @@ impl<'r> Pixels<'r> {
         }
     }
 
-    /// Is it a name of more than its pixel? Nothing is written around it.
+    /// Is it a name of more than its pixel? Nothing is written around it, and it is not of a pixel that is marked by itself.
     fn is_apart(&self, [column, row]: [usize; 2], value: &Value) -> bool {
+        let own = self.raster.at([column, row]);
+        if own.is_some_and(|pixel| pixel.role == Some(Role::Signal)) {
+            return false;
+        }
         let about = |n: usize| n.saturating_sub(1)..=n + 1;
         let places = about(row).flat_map(|row| about(column).map(move |column| [column, row]));
         let mut others = places.filter(|at| *at != [column, row]);
