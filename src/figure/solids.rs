@@ -24,26 +24,30 @@ pub struct Solids {
 }
 
 impl Solids {
-    pub fn faces(&self) -> Vec<Vec<[f64; 2]>> {
-        self.faces_of(None)
+    /// The outlines of the faces that are turned to the eye, and what each means.
+    pub fn faces(&self) -> Vec<(Role, Vec<[f64; 2]>)> {
+        self.faces_that(|_| true)
     }
 
-    /// The outlines of the faces that are turned to the eye, of those about `link` where there is one.
-    pub fn faces_of(&self, link: Option<Link>) -> Vec<Vec<[f64; 2]>> {
+    /// The outlines of those about `link`.
+    pub fn faces_of(&self, link: Link) -> Vec<Vec<[f64; 2]>> {
+        let faces = self.faces_that(|facet| facet.link == Some(link));
+        faces.into_iter().map(|(_, outline)| outline).collect()
+    }
+
+    fn faces_that(&self, is_meant: impl Fn(&Facet) -> bool) -> Vec<(Role, Vec<[f64; 2]>)> {
         let Some(optics) = Optics::of(&self.lens) else {
             return Vec::new();
         };
-        let face = |facet: &Facet| {
+        let face = |(facet, role): (&Facet, Role)| {
             let corners = optics.all_from_world(&facet.corners);
             let is_before = corners.iter().all(|at| at.z < -optics.near);
             let outline = corners.iter().map(|&at| optics.picture_from_view(at));
             let is_seen = is_before && normal(&corners).dot(optics.toward_eye(corners[0])) > 0.0;
-            is_seen.then(|| outline.collect())
+            is_seen.then(|| (role, outline.collect()))
         };
-        let facets = self.facets.shown().map(|(facet, _)| facet);
-        let is_meant = |facet: &&Facet| link.is_none() || facet.link == link;
-        let facets = facets.filter(|facet| !facet.corners.is_empty());
-        let facets = facets.filter(is_meant);
+        let facets = self.facets.shown();
+        let facets = facets.filter(|(facet, _)| !facet.corners.is_empty() && is_meant(facet));
         facets.filter_map(face).collect()
     }
 

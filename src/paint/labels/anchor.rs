@@ -90,7 +90,7 @@ impl Anchor {
                 Shape::Solids(solids) => Some(solids),
                 _ => None,
             });
-            let faces = solids.flat_map(|solids| solids.faces_of(Some(link)));
+            let faces = solids.flat_map(|solids| solids.faces_of(link));
             let faces: Vec<Vec<Pos2>> = faces.map(|face| viewport.all_to_screen(&face)).collect();
             (!faces.is_empty()).then_some(Self::Within(faces))
         };

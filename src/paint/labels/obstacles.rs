@@ -2,12 +2,15 @@
 
 use egui::{Pos2, Rect};
 
-use crate::paint::{
-    Theme, Viewport,
-    cut::length_in,
-    layers::{Layer, LayeredPart},
-    parts::{HEAD, Part},
-    pen::{Pen, radius},
+use crate::{
+    figure::Role,
+    paint::{
+        Theme, Viewport,
+        cut::length_in,
+        layers::{Layer, LayeredPart},
+        parts::{HEAD, Part},
+        pen::{Pen, radius},
+    },
 };
 
 use super::{anchor::edges_of, places::corners};
@@ -25,7 +28,7 @@ const CLEAR: f32 = 4.0;
 pub enum Obstacle {
     Stroke([Pos2; 2], f32),
     Disc(Pos2, f32),
-    /// A triangle of a texture: no ground for text.
+    /// A triangle of a texture, or of a dark face: no ground for text.
     Picture([Pos2; 3]),
     /// A triangle of a solid's face: what is said of the solid stands beside it.
     Surface([Pos2; 3]),
@@ -123,10 +126,18 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
             obstacles.extend(on_screen.map(Obstacle::Picture));
         }
         Part::Solids(solids) if solids.facets.len() <= MOST_FACETS => {
-            for outline in solids.faces() {
+            for (role, outline) in solids.faces() {
                 let corners = viewport.all_to_screen(&outline);
                 let fan = corners.windows(2).skip(1);
-                obstacles.extend(fan.map(|pair| Obstacle::Surface([corners[0], pair[0], pair[1]])));
+                let fan = fan.map(|pair| [corners[0], pair[0], pair[1]]);
+                // The camera is as dark as text.
+                let is_dark = role == Role::Ink;
+                let face = if is_dark {
+                    Obstacle::Picture
+                } else {
+                    Obstacle::Surface
+                };
+                obstacles.extend(fan.map(face));
             }
         }
         _ => {}
