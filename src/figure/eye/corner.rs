@@ -3,7 +3,7 @@
 use super::super::layout::Slot;
 
 /// How near a point may be that is not under an inset and whose marker is, in points.
-const NEAR: f32 = 9.0;
+const NEAR: f32 = 6.0;
 
 /// Where an inset stands of which the layout has put the lower right corner: in the emptiest of four, by how much would be
 /// `under` it and its title, and of corners alike by how much would be near them. The upper left is the one of the drawing's own title.

@@ -26,8 +26,11 @@ const AROUND: f64 = 1.08;
 const BETWEEN_DEG: u16 = 12;
 const PITCHES_DEG: [u16; 2] = [6, 84];
 /// The worth of a fault of the step in hand, and of one that every step of the run has, against a turn by a right angle.
-const OF_STEP: f64 = 100.0;
+const OF_STEP: f64 = 1000.0;
 const OF_RUN: f64 = 6.0;
+/// And of a part of the drawing's room that its frame leaves bare, where that is more than [`BARE`].
+const OF_BARE: f64 = 3.0;
+const BARE: f64 = 0.4;
 /// An eye that serves other steps, too, may see a step so much smaller.
 const MOST_FARTHER: f64 = 1.1;
 /// What the scene's own eye has not in its frame is in the found one's, unless what is marked becomes smaller by more than this.
@@ -126,6 +129,7 @@ impl Search<'_> {
     fn less_than(&self, most: f64, turn: f64, eye: &Orbit) -> Option<f64> {
         let optics = Optics::of(&Lens::Eye(*eye))?;
         let now = OF_STEP * self.now_faults(&optics, eye);
+        let turn = turn + OF_BARE * (self.bare(eye) - BARE).max(0.0);
         let cost = (now + turn < most).then(|| now + self.run_faults(&optics, eye) + turn);
         cost.filter(|cost| *cost < most)
     }
@@ -147,6 +151,13 @@ impl Search<'_> {
     fn scale(&self, eye: &Orbit) -> f64 {
         let [width, height] = DRAWING_PTS.map(|side| 0.5 * side / self.n_columns as f64);
         height.min(width / eye.aspect())
+    }
+
+    /// The part of the drawing's room that a high frame leaves bare beside it: a line, which is flat, fills none.
+    fn bare(&self, eye: &Orbit) -> f64 {
+        let [width, height] = DRAWING_PTS;
+        let shape = eye.aspect() * height * self.n_columns as f64 / width;
+        1.0 - shape.min(1.0)
     }
 
     /// The part of what the step marks that lies under the inset, wherever that stands.

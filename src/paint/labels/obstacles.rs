@@ -28,8 +28,10 @@ const CLEAR: f32 = 4.0;
 pub enum Obstacle {
     Stroke([Pos2; 2], f32),
     Disc(Pos2, f32),
-    /// A triangle of a texture, or of a dark face: no ground for text.
+    /// A triangle of a texture: no ground for text.
     Picture([Pos2; 3]),
+    /// A triangle of the camera's face, which is as dark as text.
+    Dark([Pos2; 3]),
     /// A triangle of a solid's face: what is said of the solid stands beside it.
     Surface([Pos2; 3]),
 }
@@ -39,7 +41,9 @@ impl Obstacle {
         match *self {
             Self::Stroke(ends, half) => length_in(ends, rect.expand(half)) > 0.0,
             Self::Disc(at, radius) => rect.distance_to_pos(at) < radius,
-            Self::Picture(corners) | Self::Surface(corners) => meets(corners, rect),
+            Self::Picture(corners) | Self::Dark(corners) | Self::Surface(corners) => {
+                meets(corners, rect)
+            }
         }
     }
 
@@ -62,12 +66,13 @@ impl Obstacle {
             },
             Self::Picture(corners) if meets(corners, rect) => 45.0,
             Self::Surface(corners) if meets(corners, rect) => 30.0,
-            Self::Picture(_) | Self::Surface(_) => 0.0,
+            Self::Dark(corners) if meets(corners, rect) => 12.0,
+            Self::Picture(_) | Self::Dark(_) | Self::Surface(_) => 0.0,
         }
     }
 
     pub(super) const fn is_picture(&self) -> bool {
-        matches!(self, Self::Picture(_))
+        matches!(self, Self::Picture(_) | Self::Dark(_))
     }
 
     pub(super) const fn is_surface(&self) -> bool {
@@ -78,7 +83,9 @@ impl Obstacle {
         match *self {
             Self::Stroke([a, b], half) => Rect::from_two_pos(a, b).expand(half),
             Self::Disc(at, radius) => Rect::from_center_size(at, egui::Vec2::splat(2.0 * radius)),
-            Self::Picture(corners) | Self::Surface(corners) => Rect::from_points(&corners),
+            Self::Picture(corners) | Self::Dark(corners) | Self::Surface(corners) => {
+                Rect::from_points(&corners)
+            }
         }
     }
 }
@@ -130,10 +137,9 @@ fn of_piece(viewport: &Viewport, theme: &Theme, piece: &LayeredPart<'_>) -> Vec<
                 let corners = viewport.all_to_screen(&outline);
                 let fan = corners.windows(2).skip(1);
                 let fan = fan.map(|pair| [corners[0], pair[0], pair[1]]);
-                // The camera is as dark as text.
                 let is_dark = role == Role::Ink;
                 let face = if is_dark {
-                    Obstacle::Picture
+                    Obstacle::Dark
                 } else {
                     Obstacle::Surface
                 };
