@@ -65,3 +65,36 @@ fn what_is_marked_just_fits_into_the_frame() {
         assert!(sides.iter().any(|side| *side > 0.9), "{to:?}: {sides:?}");
     }
 }
+
+#[test]
+fn an_inset_stands_in_the_emptiest_corner_and_is_smaller_where_all_are_taken() {
+    let drawing = Slot::new([0.0; 2], [400.0, 300.0]);
+    let inset = drawing.inset([100.0, 100.0], 10.0);
+    let among = |places: Vec<[f32; 2]>| {
+        emptiest(drawing, inset, 20.0, |slot| {
+            count(places.iter().copied(), slot)
+        })
+    };
+    assert_eq!(among(vec![]), inset, "free");
+    let right = among(vec![[350.0, 250.0], [350.0, 50.0]]);
+    assert!(right.max[0] < 200.0, "both corners on the right are taken");
+    let beside = among(vec![[286.0, 250.0]]);
+    assert!(beside.max[0] < 200.0, "a marker would reach into it");
+    let around = |at: [f32; 2]| vec![at; 40];
+    let corners = [
+        [300.0, 200.0],
+        [100.0, 200.0],
+        [300.0, 120.0],
+        [100.0, 150.0],
+    ];
+    let small = among(corners.into_iter().flat_map(around).collect());
+    assert!(small.size()[0] < 90.0, "{small:?}");
+    let dense: Vec<[f32; 2]> = (0..400_u16)
+        .flat_map(|x| (0..30_u16).map(move |y| [f32::from(x), 10.0 * f32::from(y)]))
+        .collect();
+    assert_eq!(
+        among(dense).size(),
+        inset.size(),
+        "smaller covers much all the same"
+    );
+}

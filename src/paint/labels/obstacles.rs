@@ -65,8 +65,7 @@ impl Obstacle {
                 _ => 0.0,
             },
             Self::Picture(corners) if meets(corners, rect) => 45.0,
-            Self::Surface(corners) if meets(corners, rect) => 30.0,
-            Self::Dark(corners) if meets(corners, rect) => 12.0,
+            Self::Dark(corners) | Self::Surface(corners) if meets(corners, rect) => 30.0,
             Self::Picture(_) | Self::Dark(_) | Self::Surface(_) => 0.0,
         }
     }
