@@ -138,7 +138,7 @@ impl App {
             Command::OpenWhole => self.open_whole(ctx),
             Command::Cancel => self.cancel(ctx),
             Command::Code(code) => shown.code = code,
-            Command::Picture => self.turn_picture(),
+            Command::Picture => self.turn_picture(now),
             Command::Section(id) => self.open_section(id),
             Command::Control(id) => self.lead_to(id, now),
             Command::Measure(open) => self.shown.is_measuring = open && self.measures(),
@@ -309,6 +309,10 @@ impl App {
             return;
         }
         if self.stop_search() {
+            return;
+        }
+        let is_told = !self.has_inspector_beside() && why::may_tell(self);
+        if is_told && self.stage.asked.take().is_some() {
             return;
         }
         if self.leave_presentation(ctx) {

@@ -12,7 +12,7 @@ use super::{
     room::{BESIDE_TRANSPORT, COURSE, CoursePart, INSPECTOR, Room},
     speaker, stage,
     stage_state::StageState,
-    typing,
+    typing, why,
 };
 
 /// Width of the course folded to the numbers of its steps.
@@ -86,6 +86,15 @@ fn centre(app: &App, ui: &mut Ui, state: &mut StageState) {
     CentralPanel::no_frame().show(ui, |ui| {
         let rect = ui.max_rect();
         stage::show(app, ui, state);
+        if !app.has_inspector_beside() {
+            // Over the caption.
+            let captions = state.laid.iter().flat_map(|laid| &laid.columns);
+            let foot = captions
+                .map(|column| column.caption.min[1])
+                .reduce(f32::min);
+            let views = rect.with_max_y(foot.unwrap_or(rect.bottom()));
+            why::on_stage(app, ui, (views, state.asked), &mut state.verdicts);
+        }
         recording::show(app, ui, rect);
     });
 }
@@ -202,7 +211,7 @@ fn sides(app: &App, ui: &mut Ui, state: &mut StageState, panels: &mut [Box<dyn L
                 .show(ui, |ui| left(app, ui, panels));
         }
     }
-    if app.settings.inspector {
+    if app.has_inspector_beside() {
         Panel::right("inspector")
             .default_size((INSPECTOR * scale).round())
             .size_range(220.0..=widest.max(INSPECTOR * scale))

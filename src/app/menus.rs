@@ -3,7 +3,6 @@
 use egui::Popup;
 
 use crate::{
-    figure::Stand,
     panels::{PanelAsk, compare_choices, method_choices},
     widgets::{language_menu, menu_style, speed_menu, text_menu, theme_menu},
 };
@@ -189,8 +188,7 @@ fn changes(app: &App, ui: &mut Ui) {
         (free, "F8", true, Command::Free),
         ("action-reset-view", "0", true, Command::FitView),
     ];
-    let needs = || app.playback.needs.iter().flatten();
-    if needs().any(|need| need.stand == Stand::Inset) {
+    if app.has_small_picture() {
         rows.push(("action-picture", "V", true, Command::Picture));
     }
     for (key, keys, enabled, command) in rows {

@@ -40,6 +40,7 @@ mod in_sight;
 mod inspector;
 mod keys;
 mod kit;
+mod large_picture;
 mod layout;
 mod links;
 mod marks;

@@ -140,6 +140,11 @@ impl App {
         self.shown.size.x < NARROW * scale * self.enlarged()
     }
 
+    /// Does the inspector stand beside the stage?
+    pub(super) fn has_inspector_beside(&self) -> bool {
+        self.settings.inspector && !self.is_narrow() && !self.is_presenting()
+    }
+
     /// Is all of it within reach of one hand? A frame of another page has its own way to be small.
     pub(super) fn is_phone(&self) -> bool {
         self.shown.size.x < PHONE * self.enlarged() && !self.shown.is_embedded
@@ -186,17 +191,7 @@ impl App {
         self.shown.asks && self.course_part() == CoursePart::Strip && !self.is_low()
     }
 
-    /// Is the camera's picture as large as the observer's? Another lesson begins with a small one.
-    pub(super) fn has_large_picture(&self) -> bool {
-        self.shown.large_picture == Some(self.whereabouts())
-    }
-
-    pub(super) fn turn_picture(&mut self) {
-        let is_large = self.has_large_picture();
-        self.shown.large_picture = (!is_large).then(|| self.whereabouts());
-    }
-
-    fn whereabouts(&self) -> Whereabouts {
+    pub(super) fn whereabouts(&self) -> Whereabouts {
         match self.bookmark.free {
             Some(_) => Whereabouts::Free(self.scene().document().lab().id),
             None => Whereabouts::Lesson(self.bookmark.at[0]),

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::{InputState, TextStyle};
 
 use crate::{
-    figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer, Stand},
+    figure::{Body, Caption, ColumnLayout, Frame, Layout, Need, Raster, Seer},
     panels::{Reach, spots},
     widgets::{
         BoundaryMoved, Canvas, CanvasShown, Composition, Spot, boundary, covered, gripped,
@@ -16,7 +16,12 @@ use crate::{
 };
 
 use super::{
-    App, Command, clicks, prelude::*, room::INDENT, stage_state::StageState, typing::told_of,
+    App, Command, clicks,
+    large_picture::{enlarge_pictures, is_cramped},
+    prelude::*,
+    room::INDENT,
+    stage_state::StageState,
+    typing::told_of,
     ways_out::ways_out,
 };
 
@@ -122,7 +127,7 @@ fn lay_out(
     };
     let mut layout = lay_out(&needs);
     // Where both have no room, what is read leaves its own to the picture that is enlarged.
-    if app.has_large_picture() && layout.columns.iter().any(ColumnLayout::overlaps) {
+    if app.has_large_picture() && is_cramped(&layout, &needs) {
         for needs in needs.to_mut() {
             needs.retain(Need::is_drawing);
         }
@@ -136,17 +141,6 @@ fn lay_out(
     let views = layout.columns.iter().flat_map(|column| &column.views);
     state.places = views.copied().collect();
     layout
-}
-
-/// The camera's picture as large as the observer's space, in each column.
-fn enlarge_pictures(needs: &mut [Vec<Need>]) {
-    for need in needs.iter_mut().flatten() {
-        let is_equal = need.stand == Stand::Inset;
-        *need = Need {
-            is_equal,
-            ..need.enlarged()
-        };
-    }
 }
 
 struct Column<'a> {

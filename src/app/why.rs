@@ -1,5 +1,7 @@
 //! Why what was clicked was kept or dropped, as the method tells it in whose column it was clicked.
 
+use egui::{Align2, Area, Frame, Order, Vec2};
+
 use crate::{
     figure::said,
     labs::Verdict,
@@ -65,32 +67,92 @@ fn notation(verdict: &Verdict) -> Notation {
     Notation::of(said(&[], &verdict.why).into_iter().chain(notes))
 }
 
+/// Below all else of the inspector, scrolled into sight when it comes.
 pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdicts) {
-    let look = app.look_at_step();
-    // Of what is asked about it would tell too much.
-    let about = about.filter(|_| !app.practice.is_asking());
     if verdicts.in_sight.0 != about {
         verdicts.in_sight = (about, 2);
     }
-    let Some(about) = about else { return };
+    let Some(about) = about.filter(|_| may_tell(app)) else {
+        return;
+    };
     let scrolls = verdicts.in_sight.1;
     verdicts.in_sight.1 = scrolls.saturating_sub(1);
-    let verdict = verdicts.of(app.on_stage(), ui, (app.scene(), about));
-    let Some(verdict) = verdict else { return };
-    let look = Look {
-        catalog: look
-            .catalog
-            .alike(app.playback.notation().max(notation(verdict))),
-        ..look
+    let Some(verdict) = verdicts.of(app.on_stage(), ui, (app.scene(), about)) else {
+        return;
     };
     let top = ui.cursor().min;
-    rule(ui, look);
-    let mut title = look.say("verdict-title");
-    let methods = app.scene().document().methods();
-    if let Some(method) = methods.get(about.1).filter(|_| methods.len() > 1) {
-        title = format!("{title} {}", app.name_of(method));
+    rule(ui, app.look());
+    section(ui, app.look(), &title(app, about));
+    told(app, ui, verdict);
+    if scrolls > 0 {
+        ui.scroll_to_rect(Rect::from_min_max(top, ui.cursor().max), None);
+        ui.ctx().request_repaint();
     }
-    section(ui, look, &title);
+}
+
+/// In the lower right corner of the stage, where no inspector stands beside it.
+pub fn on_stage(
+    app: &App,
+    ui: &Ui,
+    (stage, about): (Rect, Option<AskedIn>),
+    verdicts: &mut Verdicts,
+) {
+    const WIDTH: f32 = 320.0;
+    const APART: f32 = 12.0;
+    let Some(about) = about.filter(|_| may_tell(app)) else {
+        return;
+    };
+    let Some(verdict) = verdicts.of(app.on_stage(), ui, (app.scene(), about)) else {
+        return;
+    };
+    let look = app.look();
+    let width = (WIDTH * look.theme.text_scale).min(stage.width() - 4.0 * APART);
+    let area = Area::new(Id::unique("verdict on the stage"))
+        .order(Order::Middle)
+        .pivot(Align2::RIGHT_BOTTOM)
+        .fixed_pos(stage.max - Vec2::splat(APART))
+        .constrain_to(stage);
+    area.show(ui.ctx(), |ui| {
+        Frame::popup(ui.style())
+            .fill(look.theme.background)
+            .show(ui, |ui| {
+                ui.set_max_width(width);
+                ui.horizontal(|ui| {
+                    ui.label(RichText::new(title(app, about)).strong());
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                        let close = look.say("action-close");
+                        if icon_button(ui, look, Icon::Close, &close, true).clicked() {
+                            app.push(Command::Ask(None));
+                        }
+                    });
+                });
+                told(app, ui, verdict);
+            });
+    });
+}
+
+/// Of what is asked about it would tell too much.
+pub fn may_tell(app: &App) -> bool {
+    !app.practice.is_asking()
+}
+
+/// With the name of the method that it is about, where there are several.
+fn title(app: &App, (_, column): AskedIn) -> String {
+    let title = app.look().say("verdict-title");
+    let methods = app.scene().document().methods();
+    match methods.get(column).filter(|_| methods.len() > 1) {
+        Some(method) => format!("{title} {}", app.name_of(method)),
+        None => title,
+    }
+}
+
+fn told(app: &App, ui: &mut Ui, verdict: &Verdict) {
+    let look = app.look_at_step();
+    let alike = app.playback.notation().max(notation(verdict));
+    let look = Look {
+        catalog: look.catalog.alike(alike),
+        ..look
+    };
     explained(ui, look, &verdict.why);
     for note in &verdict.notes {
         ui.label(look.catalog.message(note));
@@ -105,9 +167,5 @@ pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdi
         && ui.button(look.say(key)).clicked()
     {
         app.push(Command::Edit(Edit::Own(change.clone()), None));
-    }
-    if scrolls > 0 {
-        ui.scroll_to_rect(Rect::from_min_max(top, ui.cursor().max), None);
-        ui.ctx().request_repaint();
     }
 }

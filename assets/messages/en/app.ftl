@@ -86,6 +86,7 @@ speaker-last = This is the last step.
 courses = Other courses
 course-built-in = The built-in course
 action-picture = The camera’s picture beside the observer’s
+no-picture = No method on the stage shows a picture of the camera here.
 action-free = Free scene
 action-course = Back to the course
 free-title = Free scene

@@ -86,6 +86,7 @@ speaker-last = Este es el último paso.
 courses = Otros cursos
 course-built-in = El curso incluido
 action-picture = La imagen de la cámara junto a la del observador
+no-picture = Ningún método del escenario muestra aquí la imagen de la cámara.
 action-free = Escena libre
 action-course = Volver al curso
 free-title = Escena libre

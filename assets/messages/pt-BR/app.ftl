@@ -86,6 +86,7 @@ speaker-last = Este é o último passo.
 courses = Outros cursos
 course-built-in = O curso incluído
 action-picture = A imagem da câmera ao lado da do observador
+no-picture = Nenhum método do palco mostra aqui a imagem da câmera.
 action-free = Cena livre
 action-course = Voltar ao curso
 free-title = Cena livre

@@ -10,6 +10,13 @@ impl Bench {
         texts.get(title + 1).map(|(text, _)| text.clone())
     }
 
+    /// The area of a view on the stage.
+    fn size_of(&self, view: &str) -> f32 {
+        let mut places = self.app.stage.places.iter();
+        let found = places.find(|(id, _)| id.0 == view);
+        rect_of(found.expect("it is there").1).area()
+    }
+
     fn click_in_space(&mut self, world: [f64; 3]) {
         let at = self.app.stage.on_screen(world).expect("it is in sight");
         self.tap(at);
@@ -197,11 +204,7 @@ fn why_a_pixel_shows_it_is_told_of_the_run_on_stage() {
 #[test]
 fn the_cameras_picture_is_enlarged_by_a_double_click_and_by_a_key_and_put_back() {
     let mut bench = Bench::lab("frustum");
-    let size = |bench: &Bench| {
-        let mut places = bench.app.stage.places.iter();
-        let found = places.find(|(id, _)| id.0 == "camera");
-        rect_of(found.expect("it is there").1).area()
-    };
+    let size = |bench: &Bench| bench.size_of("camera");
     let small = size(&bench);
     let at = middle_of(&bench, "camera");
     bench.tap(at);
@@ -217,4 +220,49 @@ fn the_cameras_picture_is_enlarged_by_a_double_click_and_by_a_key_and_put_back()
     assert!(bench.app.has_large_picture());
     bench.command(Command::Lab("surfaces"));
     assert!(!bench.app.has_large_picture(), "elsewhere it begins small");
+}
+
+#[test]
+fn the_cameras_picture_has_the_room_of_bars_and_tables_and_where_there_is_none_that_is_said() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("24-faces-turned-away", "in-perspective");
+    let small = bench.size_of("camera");
+    bench.key(Key::V);
+    bench.settle();
+    let large = bench.size_of("camera");
+    assert!(large > 2.0 * small, "{large} {small}");
+    bench.open_step("38-no-order", "three-pixels");
+    bench.key(Key::V);
+    assert!(!bench.app.has_large_picture(), "no method shows one");
+    let told = bench.app.notices.iter().map(|notice| &notice.text);
+    let told: Vec<&String> = told.collect();
+    assert!(
+        told.iter()
+            .any(|text| text.contains("picture of the camera")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn without_an_inspector_beside_it_why_is_told_on_the_stage_and_has_a_way_out() {
+    for is_presenting in [false, true] {
+        let mut bench = Bench::lab("frustum");
+        if is_presenting {
+            bench.command(Command::Present);
+        } else {
+            bench.command(Command::Inspector);
+        }
+        bench.settle();
+        bench.click_in_space([-6.5, 0.8, 0.5]);
+        let texts = bench.texts();
+        let why = texts.iter().filter(|(text, _)| text == "Why?").count();
+        assert_eq!(why, 1, "told once");
+        let said = bench.verdict().expect("it is told");
+        assert!(said.starts_with("Object 5 is culled"), "{said}");
+        bench.key(Key::Escape);
+        assert_eq!(bench.verdict(), None, "nothing is asked any more");
+        bench.click_in_space([-6.5, 0.8, 0.5]);
+        bench.click_on("Go to that step (Enter)");
+        assert_ne!(bench.app.position(), 0);
+    }
 }

@@ -8,6 +8,8 @@ use crate::figure::extent::{Need, Stand};
 
 /// Of its column's height a drawing keeps this part at least, and of its width.
 const DRAWING: f32 = 0.42;
+/// Over other drawings, where methods stand side by side.
+const SHARED: f32 = 0.4;
 /// Text is large from this many points on.
 const LARGE_EM: f32 = 16.0;
 /// Then a picture beside the first one has at least so many ems of text that is read: its title and notes take more of them.
@@ -188,8 +190,11 @@ impl Sheet {
         let room = height - least_height - inset;
         let seen = &under[..self.heights(&under, room).len()];
         let least = |need: &&Need| need.least[1] * self.readable() + self.gap();
-        // As far as they all are seen, the drawing keeps half.
-        let room = room.min((0.5 * height).max(seen.iter().map(least).sum()));
+        // As far as they all are seen, the drawing keeps half; over other drawings, in one of several columns, less.
+        let is_one_of_several = most[1] < f32::MAX;
+        let is_over_others = is_one_of_several && seen.iter().any(|need| need.aspect.is_some());
+        let kept = if is_over_others { SHARED } else { 0.5 };
+        let room = room.min(((1.0 - kept) * height).max(seen.iter().map(least).sum()));
         let mut strips = self.heights(seen, room);
         let gaps = self.gap() * strips.len() as f32;
         let most_strips = height - least_height - inset - gaps;
