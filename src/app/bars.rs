@@ -4,7 +4,9 @@ use egui::{Color32, Popup, TextStyle};
 
 use crate::{
     panels::{compare_picker, method_picker},
-    widgets::{Press, Timeline, menu_style, quiet_button, speed_menu, transport_buttons},
+    widgets::{
+        Press, Timeline, explained, menu_style, quiet_button, speed_menu, transport_buttons,
+    },
 };
 
 use super::{
@@ -333,10 +335,10 @@ pub fn step_text(look: Look<'_>, [step, n_steps]: [usize; 2]) -> String {
 
 pub fn timeline(app: &App, ui: &mut Ui) {
     let transport = &app.playback.transport;
-    let catalog = app.look().catalog;
+    let look = app.look();
     let run = app.playback.main();
     let difference = app.difference_told();
-    let note = difference.map(|difference| catalog.message(&difference.message()));
+    let note = difference.map(|difference| look.catalog.message(&difference.message()));
     let first = difference.and_then(|difference| difference.step);
     // Where the pseudocode is hidden so that a class can be asked, the steps to come do not answer.
     let told = match app.shown.code {
@@ -345,17 +347,17 @@ pub fn timeline(app: &App, ui: &mut Ui) {
         CodeView::Hidden => app.playback.reached,
     };
     let note = note.filter(|_| first.is_none_or(|first| first <= told));
-    let tip = |step: usize| {
+    let tip = |ui: &mut Ui, step: usize| {
         if step > told {
-            return step_told(app, [step, transport.n_steps()]);
+            ui.label(step_told(app, [step, transport.n_steps()]));
+            return;
         }
-        let said = caption_text(catalog, &run.caption(step));
-        match &note {
-            Some(note) if first == Some(step) => format!("≠ {note}\n{said}"),
-            _ => said,
+        if let Some(note) = note.as_ref().filter(|_| first == Some(step)) {
+            ui.label(format!("≠ {note}"));
         }
+        explained(ui, look, &run.caption(step));
     };
-    let name = app.look().say("panel-timeline");
+    let name = look.say("panel-timeline");
     let asked = Timeline {
         n_steps: app.n_steps_told(),
         position: transport.position(),
@@ -370,7 +372,7 @@ pub fn timeline(app: &App, ui: &mut Ui) {
             Some(note) => format!("{name}: {note}"),
             None => name,
         },
-        look: app.look(),
+        look,
     }
     .show(ui);
     app.push_all(asked.map(Command::Seek));

@@ -266,19 +266,30 @@ fn asked(app: &App, ui: &mut Ui) {
     answers::table(app, ui);
 }
 
-fn costs(app: &App, ui: &mut Ui, column: usize) {
+/// With the way to a measurement at its right, or under it where both have no room on one line.
+fn costs_heading(app: &App, ui: &mut Ui) {
     let look = app.look();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         section(ui, look, &look.say("cost-title"));
-        if app.shown.measures {
-            let measure = accent(look, "cost-measure").small();
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if quiet_button(ui, look, Button::new(measure)).clicked() {
-                    app.push(Command::Measure(true));
-                }
-            });
+        if !app.shown.measures {
+            return;
+        }
+        let font = TextStyle::Small.resolve(ui.style());
+        let words = look.say("cost-measure");
+        let words = ui.painter().layout_no_wrap(words, font, look.theme.accent);
+        let width = words.size().x.ceil();
+        let spare = ui.available_size_before_wrap().x - width - ui.spacing().item_spacing.x;
+        ui.add_space(spare.max(0.0));
+        let measure = accent(look, "cost-measure").small();
+        if quiet_button(ui, look, Button::new(measure)).clicked() {
+            app.push(Command::Measure(true));
         }
     });
+}
+
+fn costs(app: &App, ui: &mut Ui, column: usize) {
+    let look = app.look();
+    costs_heading(app, ui);
     let costs = app.playback.costs();
     let Some([now, end]) = costs.get(column).copied() else {
         return;

@@ -3,11 +3,11 @@
 
 use std::{cell::RefCell, ops::RangeInclusive};
 
-use egui::{DragValue, Response, Ui};
+use egui::{DragValue, Response, Slider, Ui};
 
 use crate::{
     labs::not_read,
-    text::{Catalog, Diagnostic, Notation, read_numbers},
+    text::{Catalog, Diagnostic, Notation, Value, read_numbers},
     widgets::Look,
 };
 
@@ -158,4 +158,15 @@ mod tests {
             assert_eq!(read(text, "°"), expected, "{text}");
         }
     }
+}
+
+/// So many of something, with the thousands of a large number apart.
+pub fn count_slider<'a>(look: Look<'a>, count: &'a mut usize, most: usize) -> Slider<'a> {
+    Slider::new(count, 1..=most)
+        .logarithmic(true)
+        .custom_formatter(move |count, _| look.catalog.value(&Value::Count(count as usize)))
+        .custom_parser(|typed| {
+            let digits: String = typed.chars().filter(char::is_ascii_digit).collect();
+            digits.parse().ok()
+        })
 }

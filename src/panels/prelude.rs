@@ -1,6 +1,6 @@
 //! The words of every lab's part of the window.
 
-pub(super) use egui::{Button, RichText, Slider, Ui};
+pub(super) use egui::{Button, RichText, Ui};
 
 pub(super) use crate::{
     labs::{self, Edit, Lab},
@@ -10,6 +10,6 @@ pub(super) use crate::{
 };
 
 pub(super) use super::bench::{self, Bench, Measuring};
-pub(super) use super::fields::{Seeded, number_field};
+pub(super) use super::fields::{Seeded, count_slider, number_field};
 pub(super) use super::lab_panel::{LabPanel, PanelAsk};
 pub(super) use super::plots::{PowerLine, power_plot, row_bars};

@@ -262,16 +262,37 @@ fn click(ui: &Ui, response: &Response, handles: &Handles<'_>) -> Option<StageCli
     })
 }
 
-/// In the first corner in which they cover nothing, else in the first.
+/// What the axes' numbers take at the left and at the foot of a drawing, in points.
+const NUMBERS: Vec2 = vec2(34.0, 22.0);
+
+/// At the first place of the drawing's edges at which they cover nothing, else where they cover least.
 fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, (said, taken): (String, &[Rect])) {
     let theme = look.theme;
     let font = FontId::monospace(theme.pts(11.0, theme.text_scale.sqrt()));
     let text = painter.layout_no_wrap(said, font, theme.soft);
     let inner = rect.shrink(8.0);
-    let corners = [Align2::RIGHT_TOP, Align2::RIGHT_BOTTOM, Align2::LEFT_TOP];
-    let places = corners.map(|corner| corner.align_size_within_rect(text.size(), inner));
-    let is_free = |place: &&Rect| !taken.iter().any(|it| it.intersects(place.expand(4.0)));
-    let place = *places.iter().find(is_free).unwrap_or(&places[0]);
+    let bare = Rect::from_x_y_ranges(
+        inner.left() + NUMBERS.x..=inner.right(),
+        inner.top()..=inner.bottom() - NUMBERS.y,
+    );
+    let edges = [
+        Align2::RIGHT_TOP,
+        Align2::RIGHT_BOTTOM,
+        Align2::LEFT_TOP,
+        Align2::LEFT_BOTTOM,
+        Align2::CENTER_TOP,
+        Align2::CENTER_BOTTOM,
+        Align2::RIGHT_CENTER,
+    ];
+    let places = edges.map(|edge| edge.align_size_within_rect(text.size(), bare));
+    let covered = |place: &Rect| -> f32 {
+        let plate = place.expand(4.0);
+        let over = taken.iter().filter(|it| it.intersects(plate));
+        over.map(|it| it.intersect(plate).area()).sum()
+    };
+    let least = places.iter().map(covered).fold(f32::INFINITY, f32::min);
+    let place = places.iter().find(|place| covered(place) <= least);
+    let Some(place) = place else { return };
     painter.rect_filled(place.expand(4.0), 4.0, theme.background);
     painter.galley(place.min, text, theme.soft);
 }

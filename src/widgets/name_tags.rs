@@ -14,11 +14,17 @@ use super::{
 /// From the middle of a handle, or from the pointer, to its name.
 const BESIDE: f32 = 18.0;
 const PLATE: Vec2 = vec2(4.0, 2.0);
-const SIDES: [(Align2, Vec2); 4] = [
+/// Corner to corner with the handle.
+const ASLANT: f32 = 0.7 * BESIDE;
+const SIDES: [(Align2, Vec2); 8] = [
     (Align2::LEFT_CENTER, vec2(BESIDE, 0.0)),
     (Align2::RIGHT_CENTER, vec2(-BESIDE, 0.0)),
     (Align2::CENTER_BOTTOM, vec2(0.0, -BESIDE)),
     (Align2::CENTER_TOP, vec2(0.0, BESIDE)),
+    (Align2::LEFT_BOTTOM, vec2(ASLANT, -ASLANT)),
+    (Align2::RIGHT_BOTTOM, vec2(-ASLANT, -ASLANT)),
+    (Align2::LEFT_TOP, vec2(ASLANT, ASLANT)),
+    (Align2::RIGHT_TOP, vec2(-ASLANT, ASLANT)),
 ];
 
 impl Handles<'_> {

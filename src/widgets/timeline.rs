@@ -30,7 +30,7 @@ pub struct Timeline<'a> {
     /// The step that is asked about: the only one in the signal's colour, while there is one.
     pub asked: Option<usize>,
     /// A step's sentence, asked for only when the pointer rests on it.
-    pub tip: &'a dyn Fn(usize) -> String,
+    pub tip: &'a dyn Fn(&mut Ui, usize),
     pub name: String,
     pub look: Look<'a>,
 }
@@ -58,7 +58,7 @@ impl Timeline<'_> {
         if let Some(step) = pointed.filter(|_| self.n_steps > 0) {
             response.on_hover_ui_at_pointer(|ui| {
                 ui.set_max_width(360.0);
-                ui.label((self.tip)(step));
+                (self.tip)(ui, step);
             });
         }
         asked.filter(|&step| step != self.position)
@@ -310,7 +310,7 @@ mod tests {
             phases: &[],
             difference: None,
             asked: None,
-            tip: &|_| String::new(),
+            tip: &|_, _| {},
             name: String::new(),
             look: Look::new(theme, catalog),
         };

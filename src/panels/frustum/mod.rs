@@ -35,7 +35,7 @@ fn objects(ui: &mut Ui, look: Look<'_>, costs: &mut CullingCosts) {
     ui.horizontal(|ui| {
         let label = ui.label(look.say("culling-objects"));
         let mut count = costs.n_objects();
-        let slider = Slider::new(&mut count, 1..=MAX_OBJECTS).logarithmic(true);
+        let slider = count_slider(look, &mut count, MAX_OBJECTS);
         if ui.add(slider).labelled_by(label.id).changed() {
             costs.measure(Some(count));
         }

@@ -53,9 +53,8 @@ const fn solid_key(solid: Solid) -> &'static str {
 pub fn street(ui: &mut Ui, look: Look<'_>, street: &mut Seeded) -> Option<PanelAsk> {
     let mut is_asked = false;
     form_button(ui, look.say("street-title"), |ui| {
-        let slider = |ui: &mut Ui, count: &mut usize| {
-            ui.add(Slider::new(count, 1..=MAX_OBJECTS).logarithmic(true))
-        };
+        let slider =
+            |ui: &mut Ui, count: &mut usize| ui.add(count_slider(look, count, MAX_OBJECTS));
         is_asked = street.show_with(ui, look, ["street-count", "street-make"], slider);
     });
     let &mut Seeded { count, seed } = street;
