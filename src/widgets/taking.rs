@@ -64,13 +64,11 @@ impl Handles<'_> {
 
     /// Does the one that was taken last lie out of sight?
     pub fn is_lost(&self, ui: &Ui) -> bool {
-        let spot = self.taken(ui).and_then(|i| self.spot(i));
-        spot.is_some_and(|spot| {
-            !self
-                .viewport
-                .rect
-                .contains(self.viewport.to_screen(spot.at))
-        })
+        // One that has been typed has the focus.
+        let meant = self.taken(ui).into_iter().chain(self.focused(ui));
+        let mut spots = meant.filter_map(|i| self.spot(i));
+        let room = self.viewport.rect;
+        spots.any(|spot| !room.contains(self.viewport.to_screen(spot.at)))
     }
 
     fn taken(&self, ui: &Ui) -> Option<usize> {

@@ -55,8 +55,12 @@ impl Document for Scene {
         self.on_stage().map(record).collect()
     }
 
+    /// One that knows no holes would draw them away.
     fn takes(&self, id: &str) -> bool {
-        Method::by_id(id).is_some_and(|method| (method.info().takes)(self))
+        Method::by_id(id).is_some_and(|method| {
+            let info = method.info();
+            (info.knows_holes || self.holes.is_empty()) && (info.takes)(self)
+        })
     }
 
     fn mended(&self) -> Option<(&'static str, Own)> {
