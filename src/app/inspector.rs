@@ -79,16 +79,19 @@ pub fn content(
     let in_code = pseudocode(app, ui, state, (&code, code_most), &inspected);
     let in_table = watched(app, ui, state, (&scalars, watch_most), &inspected);
     controls::show(app, ui, panels);
-    rule(ui, look);
-    costs(app, ui, column);
-    why::show(app, ui, state.asked, &mut state.verdicts);
+    let is_told = why::show(app, ui, state.asked, &mut state.verdicts);
+    // What it costs gives its place to what was asked.
+    if !is_told {
+        rule(ui, look);
+        costs(app, ui, column);
+    }
     asked(app, ui);
     let cost_of_all = || app.scene().document().cost_of_all(column);
     let of_all = state
         .all_costs
         .at(column)
         .get(app.on_stage(), ui, 0.0, cost_of_all);
-    if let Some(of_all) = of_all.as_ref().filter(|_| !app.hides_length()) {
+    if let Some(of_all) = of_all.as_ref().filter(|_| !is_told && !app.hides_length()) {
         let text = RichText::new(look.catalog.message(of_all)).small();
         ui.add(Label::new(text.color(look.theme.soft)).wrap());
     }
@@ -278,7 +281,7 @@ fn costs_heading(app: &App, ui: &mut Ui) {
         let words = look.say("cost-measure");
         let words = ui.painter().layout_no_wrap(words, font, look.theme.accent);
         let width = words.size().x.ceil();
-        let spare = ui.available_size_before_wrap().x - width - ui.spacing().item_spacing.x;
+        let spare = ui.available_size_before_wrap().x - width;
         ui.add_space(spare.max(0.0));
         let measure = accent(look, "cost-measure").small();
         if quiet_button(ui, look, Button::new(measure)).clicked() {

@@ -67,18 +67,18 @@ fn notation(verdict: &Verdict) -> Notation {
     Notation::of(said(&[], &verdict.why).into_iter().chain(notes))
 }
 
-/// Below all else of the inspector, scrolled into sight when it comes.
-pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdicts) {
+/// Below all else of the inspector, scrolled into sight when it comes. Is anything told?
+pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdicts) -> bool {
     if verdicts.in_sight.0 != about {
         verdicts.in_sight = (about, 2);
     }
     let Some(about) = about.filter(|_| may_tell(app)) else {
-        return;
+        return false;
     };
     let scrolls = verdicts.in_sight.1;
     verdicts.in_sight.1 = scrolls.saturating_sub(1);
     let Some(verdict) = verdicts.of(app.on_stage(), ui, (app.scene(), about)) else {
-        return;
+        return false;
     };
     let top = ui.cursor().min;
     rule(ui, app.look());
@@ -88,6 +88,7 @@ pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdi
         ui.scroll_to_rect(Rect::from_min_max(top, ui.cursor().max), None);
         ui.ctx().request_repaint();
     }
+    true
 }
 
 /// In the lower right corner of the stage, where no inspector stands beside it.

@@ -109,6 +109,12 @@ impl Frame {
 
 pub trait Shown {
     fn caption(&self) -> Caption;
+
+    /// The same without the number that the step has in this run.
+    fn unnumbered(&self) -> Caption {
+        self.caption()
+    }
+
     /// The values that are alive: none is marked as changed.
     fn watch(&self) -> Watch;
     fn views(&self) -> Vec<View>;

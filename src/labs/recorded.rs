@@ -70,6 +70,10 @@ impl<M: Telling> Shown for ShownStep<'_, M> {
         caption
     }
 
+    fn unnumbered(&self) -> Caption {
+        self.at.caption()
+    }
+
     fn watch(&self) -> Watch {
         M::watch(&self.at)
     }

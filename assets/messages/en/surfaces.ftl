@@ -51,7 +51,7 @@ depth-clear = The picture is cleared: { $pixels ->
 depth-triangle = Next comes { $triangle }, { $place } of { $triangles }.
 depth-triangle-unseen = Nothing of { $triangle } is drawn: it is outside the volume, is edge-on or shows its back.
 depth-answer-drawn = { $triangle } is drawn.
-depth-triangle-whole = { $triangle } is drawn. Its fragments: { $fragments }; nearer than what was stored: { $writes }.
+depth-triangle-whole = { $triangle } is drawn. Its fragments: { $fragments }; written: { $writes }.
 depth-span = Row { $row } of { $triangle }, columns { $first } to { $last }: { $writes } of { $fragments ->
     [one] { $fragments } fragment
    *[other] { $fragments } fragments
@@ -59,6 +59,7 @@ depth-span = Row { $row } of { $triangle }, columns { $first } to { $last }: { $
 depth-fragment-first = Pixel { $at } is still empty: { $triangle } is written.
 depth-fragment-kept = { $triangle } is nearer than { $other } at pixel { $at }: it is written.
 depth-fragment-lost = { $triangle } is not nearer than { $other } at pixel { $at }: { $other } stays.
+depth-fragment-kept-behind = { $triangle } is not nearer than { $other } at pixel { $at }, and yet it is written.
 depth-fragment-tie = { $triangle } is as near as { $other } at pixel { $at }: { $other } came first and stays.
 depth-fragment-lost-to-nothing = { $triangle } is not written at pixel { $at }, although nothing was there.
 depth-nothing = nothing

@@ -51,7 +51,7 @@ depth-clear = La imagen está vacía: { $pixels ->
 depth-triangle = Llega { $triangle } ({ $place } de { $triangles }).
 depth-triangle-unseen = De { $triangle } no se dibuja nada: está fuera del volumen, de canto o de espaldas.
 depth-answer-drawn = { $triangle } se dibuja.
-depth-triangle-whole = { $triangle } está dibujado. Sus fragmentos: { $fragments }; más cerca que lo guardado: { $writes }.
+depth-triangle-whole = { $triangle } está dibujado. Sus fragmentos: { $fragments }; escritos: { $writes }.
 depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: { $fragments ->
     [one] de { $fragments } fragmento
    *[other] de { $fragments } fragmentos
@@ -59,6 +59,7 @@ depth-span = Fila { $row } de { $triangle }, columnas { $first } a { $last }: { 
 depth-fragment-first = El píxel { $at } aún está vacío: se escribe { $triangle }.
 depth-fragment-kept = { $triangle } está más cerca que { $other } en el píxel { $at }: se escribe.
 depth-fragment-lost = { $triangle } no está más cerca que { $other } en el píxel { $at }: { $other } no cambia.
+depth-fragment-kept-behind = En el píxel { $at } { $triangle } no está más cerca que { $other } y, aun así, se escribe.
 depth-fragment-tie = { $triangle } está tan cerca como { $other } en el píxel { $at }: { $other } llegó antes y se conserva.
 depth-fragment-lost-to-nothing = En el píxel { $at } no se escribe { $triangle }, aunque allí no había nada.
 depth-nothing = nada

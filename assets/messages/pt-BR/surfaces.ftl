@@ -51,7 +51,7 @@ depth-clear = A imagem está vazia: { $pixels ->
 depth-triangle = Chega { $triangle } ({ $place } de { $triangles }).
 depth-triangle-unseen = De { $triangle } nada se desenha: está fora do volume, de perfil ou de costas.
 depth-answer-drawn = { $triangle } é desenhado.
-depth-triangle-whole = { $triangle } está desenhado. Seus fragmentos: { $fragments }; mais perto que o guardado: { $writes }.
+depth-triangle-whole = { $triangle } está desenhado. Seus fragmentos: { $fragments }; escritos: { $writes }.
 depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: { $fragments ->
     [1] de { $fragments } fragmento
    *[other] de { $fragments } fragmentos
@@ -59,6 +59,7 @@ depth-span = Linha { $row } de { $triangle }, colunas { $first } a { $last }: { 
 depth-fragment-first = O pixel { $at } ainda está vazio: escreve-se { $triangle }.
 depth-fragment-kept = { $triangle } está mais próximo que { $other } no pixel { $at }: escreve-se.
 depth-fragment-lost = { $triangle } não está mais próximo que { $other } no pixel { $at }: { $other } é mantido.
+depth-fragment-kept-behind = No pixel { $at } { $triangle } não está mais próximo que { $other } e, mesmo assim, é escrito.
 depth-fragment-tie = { $triangle } está tão próximo quanto { $other } no pixel { $at }: { $other } chegou antes e é mantido.
 depth-fragment-lost-to-nothing = No pixel { $at } { $triangle } não é escrito, embora ali não houvesse nada.
 depth-nothing = nada

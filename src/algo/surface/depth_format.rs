@@ -118,7 +118,8 @@ impl DepthFormat {
         }
     }
 
-    pub(super) fn is_nearer<R: Real>(&self, new: f64, stored: f64) -> bool {
+    /// Is a new depth, of two as they are stored, the nearer one?
+    pub fn is_nearer<R: Real>(&self, new: f64, stored: f64) -> bool {
         let [new, stored] = [new, stored].map(R::new);
         if self.is_reversed {
             new > stored

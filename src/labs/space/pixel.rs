@@ -8,7 +8,7 @@ use crate::{
         ring::Right,
         surface::{DepthBufferInput, Fragment, pixel_story},
     },
-    figure::Caption,
+    figure::{Caption, Shown},
     labs::{Own, prelude::*, words::pixel_formula},
 };
 
@@ -117,7 +117,7 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
     };
     let why = message.with("at", pixel_formula(pixel));
     let said = match decided {
-        Some(_) => story(run, pixel, about, step),
+        Some(_) => story(run, (pixel, about), step, |shown| shown.caption()),
         None if step == run.n_steps() => story_alone(scene, pixel, about),
         None => Vec::new(),
     };
@@ -134,7 +134,12 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
 }
 
 /// What decided last about a pixel, up to a step, and what came there since and changed nothing.
-fn story(run: &dyn Run, pixel: [u32; 2], about: Link, until: usize) -> Vec<Message> {
+fn story(
+    run: &dyn Run,
+    (pixel, about): ([u32; 2], Link),
+    until: usize,
+    caption: impl Fn(&dyn Shown) -> Caption,
+) -> Vec<Message> {
     let at = Some(Value::from(pixel_formula(pixel)));
     let mut story = Vec::new();
     run.visit([1, until], &mut |_, shown| {
@@ -142,9 +147,9 @@ fn story(run: &dyn Run, pixel: [u32; 2], about: Link, until: usize) -> Vec<Messa
             .decision()
             .is_some_and(|(_, decided)| decided == about)
         {
-            story = vec![shown.caption().decision];
+            story = vec![caption(shown).decision];
         } else if shown.question().is_some() && shown.named("at") == at {
-            story.push(shown.caption().decision);
+            story.push(caption(shown).decision);
             // What is told of it has room for so much.
             story.truncate(MOST_TOLD);
         }
@@ -153,12 +158,13 @@ fn story(run: &dyn Run, pixel: [u32; 2], about: Link, until: usize) -> Vec<Messa
     story
 }
 
-/// The same of a run of the pixel alone, where that of the whole picture goes by larger steps.
+/// The same of a run of the pixel alone, where that of the whole picture goes by larger steps: its steps have other numbers.
 fn story_alone(scene: &Scene, pixel: [u32; 2], about: Link) -> Vec<Message> {
     let mut alone = scene.clone();
     alone.raster.pixel = Some(pixel);
     let run = (alone.method.info().record)(&alone);
-    story(&*run, pixel, about, run.n_steps())
+    let n_steps = run.n_steps();
+    story(&*run, (pixel, about), n_steps, |shown| shown.unnumbered())
 }
 
 /// The raster with this pixel alone looked at, or with all again where it is already.

@@ -79,9 +79,11 @@ impl PixelCounts {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
     use crate::{
-        algo::surface::{RayCasting, RayCastingInput},
+        algo::surface::{DepthSteps, RayCasting, RayCastingInput},
         figure::{Body, Raster},
         labs::{Answers, space::Tones, surfaces::first_scene},
     };
@@ -138,6 +140,35 @@ mod tests {
             }
         }
         assert!(n_asked > 100, "{n_asked}");
+    }
+
+    #[test]
+    fn what_is_called_nearer_is_nearer_also_in_a_program_that_is_wrong() {
+        let mut scene = first_scene();
+        scene.raster = scene.raster.with_rows(12);
+        scene.raster.steps = DepthSteps::Fragments;
+        let mut said = [0; 3];
+        let all = crate::labs::surfaces::SURFACES.all();
+        for method in all.filter(|method| method.card().id.contains("depth")) {
+            scene.method = method;
+            let run = (method.info().record)(&scene);
+            run.visit([1, run.n_steps()], &mut |step, shown| {
+                let keys = [
+                    "depth-fragment-kept",
+                    "depth-fragment-lost",
+                    "depth-fragment-kept-behind",
+                ];
+                let key = shown.unnumbered().decision.key;
+                if let Some(nth) = keys.iter().position(|known| *known == key) {
+                    let event = run.event_json(step);
+                    let [new, stored] = ["new", "stored"].map(|name| event[name].as_f64());
+                    assert_eq!(new < stored, nth == 0, "{key}: {event}");
+                    said[nth] += 1;
+                }
+                ControlFlow::Continue(())
+            });
+        }
+        assert!(said.iter().all(|count| *count > 2), "{said:?}");
     }
 
     #[test]

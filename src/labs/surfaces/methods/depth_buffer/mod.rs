@@ -86,6 +86,18 @@ const fn stays(key: &'static str) -> Row {
     Row::new(Test, COMPARE, key).so(COMPARED).about("at")
 }
 
+/// The row of a step at which a program writes what is behind.
+fn of_mistake<L: Variant>(at: &At<'_, DepthBuffer<L>>) -> Option<&'static Row> {
+    const KEPT_BEHIND: Row = Row::new(Cut, WRITE, "depth-fragment-kept-behind")
+        .so(COMPARED)
+        .keeps("at");
+    let is_over = |it: &Fragment| it.kept && it.stored_id != EMPTY;
+    let fragment = names::fragment_of(at).filter(is_over)?;
+    let format = &at.step.input.format;
+    let is_nearer = format.is_nearer::<f64>(fragment.new, fragment.stored);
+    (!is_nearer).then_some(&KEPT_BEHIND)
+}
+
 impl<L: Variant> Telling for DepthBuffer<L> {
     type Scenery = Scenery;
 
@@ -134,7 +146,8 @@ impl<L: Variant> Telling for DepthBuffer<L> {
     }
 
     fn row_at(at: &At<'_, Self>) -> &'static Row {
-        let own = || names::of_glass(at).unwrap_or_else(|| Self::row(&at.step));
+        let other = || names::of_glass(at).or_else(|| of_mistake(at));
+        let own = || other().unwrap_or_else(|| Self::row(&at.step));
         names::in_shades(at).map_or_else(own, |shades| shades.row)
     }
 
