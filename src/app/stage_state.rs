@@ -5,7 +5,7 @@ use std::{borrow::Cow, collections::BTreeMap};
 use crate::{
     figure::{Body, CodeLinks, Frame, Layout, Mark, Seer, Slot, View},
     labs::Own,
-    widgets::{CanvasShown, picture_viewport},
+    widgets::{CanvasShown, stage_viewport},
 };
 
 use super::{
@@ -261,7 +261,7 @@ impl StageState {
     pub fn viewport(&self, (id, lens): (ViewId, Lens), rect: Rect) -> Viewport {
         let bounds = match lens {
             Lens::Plane => self.sight.bounds,
-            Lens::Eye(_) | Lens::Camera(_) => return picture_viewport(rect, &lens),
+            Lens::Eye(_) | Lens::Camera(_) => return stage_viewport(rect, &lens),
         };
         let moved = self.sight.moved.get(&id);
         moved.map_or_else(|| Viewport::fit(rect, bounds), |moved| moved.on(rect))

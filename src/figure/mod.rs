@@ -31,7 +31,7 @@ pub use comparison::Comparison;
 pub use extent::{Need, Stand, needs, sentences, watches};
 #[cfg(all(test, feature = "gui"))]
 pub(crate) use eye::judged;
-pub use eye::{Eyes, Prospect};
+pub use eye::{AROUND, Eyes, Prospect};
 pub use facet::{Edging, Facet, Skin};
 pub use facets::Facets;
 pub use frame::{Caption, Chip, ChipFate, Choice, Decides, Frame, Glimpse, Shown};

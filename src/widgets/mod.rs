@@ -49,7 +49,7 @@ pub use transport::{
     Icon, Press, icon_button, large_button, speed_menu, transport_buttons, transport_width,
 };
 pub use views::{
-    covered, keep_ahead, picture_viewport, place_inset, projected, space, title_ground,
-    title_of_space, under_title, view,
+    covered, keep_ahead, picture_viewport, place_inset, projected, space, stage_viewport,
+    title_ground, title_of_space, under_title, view,
 };
 pub use watch::{WatchRoom, WatchShown, WatchTable, watch};

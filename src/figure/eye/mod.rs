@@ -21,6 +21,8 @@ use super::{
     view::{Body, View, ViewId},
 };
 
+pub use self::search::AROUND;
+
 use self::{
     corner::{count, emptiest},
     extent::{Extent, drawn},

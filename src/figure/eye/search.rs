@@ -20,7 +20,7 @@ const DRAWING_PTS: [f64; 2] = [420.0, 300.0];
 /// Between an inset and the drawing's edges, and the height of its title.
 const INSET_PTS: [f32; 2] = [13.0, 22.0];
 /// White space around what is in the frame: labels stand there.
-const AROUND: f64 = 1.08;
+pub const AROUND: f64 = 1.08;
 
 /// Between directions that are tried, in degrees; from the first of the pitches, above the ground, to the last.
 const BETWEEN_DEG: u16 = 12;

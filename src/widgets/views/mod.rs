@@ -29,8 +29,8 @@ use crate::figure::{Body, View};
 use prelude::*;
 
 pub use space::{
-    covered, keep_ahead, picture_viewport, place_inset, projected, space, title as title_of_space,
-    title_ground, under_title,
+    covered, keep_ahead, picture_viewport, place_inset, projected, space, stage_viewport,
+    title as title_of_space, title_ground, under_title,
 };
 
 /// Draws a view of any kind but the drawing in `rect`, from its top; what it shows under the pointer.

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use egui::{Context, Role as Access};
 
-use crate::figure::{Body, ColumnLayout, Eyes, Lens, Mark, Projected, Seer, Space, View, ViewId};
+use crate::figure::{
+    AROUND, Body, ColumnLayout, Eyes, Lens, Mark, Projected, Seer, Space, View, ViewId,
+};
 
 use super::{
     super::{composed::rect_of, hit},
@@ -13,6 +15,8 @@ use super::{
 
 const FRAME: f32 = 1.5;
 const TITLE_PTS: f32 = 13.0;
+/// From a point that is marked to the rim of its marker, in points.
+const MARKER: f64 = 8.0;
 
 /// The picture of a lens, whose lower edge is at −1 and upper at 1, as large as it fits in `rect`: all of a camera's, and
 /// of an eye's what has to be seen, and around it as much as there is room for.
@@ -24,6 +28,20 @@ pub fn picture_viewport(rect: Rect, lens: &Lens) -> Viewport {
         rect: lens.aspect().map_or(rect, |_| seen),
         centre: [0.0; 2],
         scale: f64::from(height) / 2.0,
+    }
+}
+
+/// The same where the stage's edge would cut markers of what an eye has in its frame.
+pub fn stage_viewport(rect: Rect, lens: &Lens) -> Viewport {
+    let viewport = picture_viewport(rect, lens);
+    if !matches!(lens, Lens::Eye(_)) {
+        return viewport;
+    }
+    let height = 2.0 * viewport.scale;
+    let bare = AROUND * (height - 2.0 * MARKER).max(0.0);
+    Viewport {
+        scale: 0.5 * height.min(bare),
+        ..viewport
     }
 }
 
