@@ -134,6 +134,17 @@ impl Seeded {
     }
 }
 
+/// So many of something, with the thousands of a large number apart.
+pub fn count_slider<'a>(look: Look<'a>, count: &'a mut usize, most: usize) -> Slider<'a> {
+    Slider::new(count, 1..=most)
+        .logarithmic(true)
+        .custom_formatter(move |count, _| look.catalog.value(&Value::Count(count as usize)))
+        .custom_parser(|typed| {
+            let digits: String = typed.chars().filter(char::is_ascii_digit).collect();
+            digits.parse().ok()
+        })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -158,15 +169,4 @@ mod tests {
             assert_eq!(read(text, "°"), expected, "{text}");
         }
     }
-}
-
-/// So many of something, with the thousands of a large number apart.
-pub fn count_slider<'a>(look: Look<'a>, count: &'a mut usize, most: usize) -> Slider<'a> {
-    Slider::new(count, 1..=most)
-        .logarithmic(true)
-        .custom_formatter(move |count, _| look.catalog.value(&Value::Count(count as usize)))
-        .custom_parser(|typed| {
-            let digits: String = typed.chars().filter(char::is_ascii_digit).collect();
-            digits.parse().ok()
-        })
 }
