@@ -46,9 +46,10 @@ impl App {
             Command::Ask(about) => self.stage.ask(about),
             Command::Verdict => self.go_to_verdict(),
             Command::Type(handle, at) => self.start_typing(handle, at),
-            Command::TypeChosen => {
-                self.start_typing(self.stage.chosen().or(self.stage.clicked), None);
-            }
+            Command::TypeChosen => match self.stage.chosen().or(self.stage.clicked) {
+                Some(handle) => self.start_typing(Some(handle), None),
+                None => self.tell(&Message::new("type-what"), now),
+            },
             Command::Typed => self.apply_typed(ctx, now),
             Command::DrawNth(nth) => {
                 if let Some(outline) = self.history.now().document().lab().outlines.get(nth) {

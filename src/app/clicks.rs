@@ -9,7 +9,7 @@ use crate::{
     widgets::{CanvasShown, Gesture, Moved, Seized, gripped, link_at, place_at, reach, snapped},
 };
 
-use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState};
+use super::{App, Command, history::UndoGroup, prelude::*, stage_state::StageState, why};
 
 /// A click this near to a segment or an edge, in points, is on it.
 const CLICK_REACH: f32 = 8.0;
@@ -96,7 +96,8 @@ fn clicked(
     let document = app.scene().document();
     let change = document.click(&click);
     app.push_all(change.map(|change| Command::Edit(Edit::Own(change), None)));
-    app.push(Command::Ask(document.asked(&click).map(in_column)));
+    let asked = why::asked(app.scene(), column, &click);
+    app.push(Command::Ask(asked.map(in_column)));
 }
 
 /// What a handle goes on from that is moved: where it was when the button went down, or when an axis was taken.

@@ -62,9 +62,12 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
         claimed(ui, look, claim);
     }
     let has_goal = !app.met().is_empty();
-    if !app.is_untouched() && !has_goal {
+    if !app.is_untouched() {
         changed(app, ui);
-        ui.set_opacity(ASIDE);
+        // What is to be reached is read as long as it is not.
+        if !has_goal {
+            ui.set_opacity(ASIDE);
+        }
     }
     let told = app.text_told();
     let waits = |block: &Block| *block == Block::Wait;
@@ -81,9 +84,6 @@ fn text(app: &App, ui: &mut Ui, (lesson, step): (&Lesson, &StepText), id: Id) {
     }
     if has_goal {
         goal_panel::show(app, ui);
-    }
-    if has_goal && !app.is_untouched() {
-        changed(app, ui);
     }
     shown_answer(app, ui);
     let is_last = app.bookmark.at[1] + 1 == lesson.steps.len();

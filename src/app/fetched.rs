@@ -18,6 +18,10 @@ impl App {
         }
         self.shown.awaited = None;
         self.settings.lang = lang;
+        if self.notices.iter().any(Notice::is_greeting) {
+            self.notices.retain(|notice| !notice.is_greeting());
+            self.greet();
+        }
         if self.settings.folder.is_none() && !self.speaks(lang) {
             self.bookmark.replace(Course::embedded());
         }

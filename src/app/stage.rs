@@ -23,6 +23,7 @@ use super::{
     stage_state::StageState,
     typing::told_of,
     ways_out::ways_out,
+    why,
 };
 
 pub fn show(app: &App, ui: &mut Ui, state: &mut StageState) {
@@ -215,7 +216,7 @@ impl Column<'_> {
                 locks: self.locks,
                 ..Click::default()
             };
-            let asked = self.app.scene().document().asked(&click);
+            let asked = why::asked(self.app.scene(), self.index, &click);
             self.app
                 .push(Command::Ask(asked.map(|it| (it, self.index))));
         }

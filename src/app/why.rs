@@ -4,7 +4,7 @@ use egui::{Align2, Area, Frame, Order, Vec2};
 
 use crate::{
     figure::said,
-    labs::Verdict,
+    labs::{Click, Verdict},
     text::{Notation, Said},
     widgets::{explained, quiet_button, rule, section},
 };
@@ -49,16 +49,29 @@ pub fn verdict(playback: &Playback, scene: &Scene, (about, column): AskedIn) -> 
     if column == 0 {
         return document.verdict(about, (run, step));
     }
-    let mut alone = scene.clone();
-    alone.document_mut().set_compare(None);
-    alone
-        .document_mut()
-        .set_method(document.methods().get(column)?.id);
+    let alone = alone(scene, column)?;
     let verdict = alone.document().verdict(about, (run, step))?;
     Some(Verdict {
         step: None,
         ..verdict
     })
+}
+
+/// What a click in a column is about: as the method answers that stands there.
+pub fn asked(scene: &Scene, column: usize, click: &Click<'_>) -> Option<Link> {
+    if column == 0 {
+        return scene.document().asked(click);
+    }
+    alone(scene, column)?.document().asked(click)
+}
+
+/// The scene with the method of one column.
+fn alone(scene: &Scene, column: usize) -> Option<Scene> {
+    let method = scene.document().methods().get(column)?.id;
+    let mut alone = scene.clone();
+    alone.document_mut().set_compare(None);
+    alone.document_mut().set_method(method);
+    Some(alone)
 }
 
 /// Its numbers stand beside each other.

@@ -266,7 +266,10 @@ pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {
 /// What a step shows, under its title.
 pub fn claimed(ui: &mut Ui, look: Look<'_>, claim: &str) {
     let font = TextStyle::Body.resolve(ui.style());
-    ui.label(RichText::new(claim).font(font).color(look.theme.accent));
+    let span = Span::text(claim, font, look.theme.accent);
+    let lines = Typeset::wrapped(ui.painter(), &[span], ui.available_width());
+    let label = ui.add(Label::new(lines.galley()));
+    (ui.ctx()).accesskit_node_builder(label.id, |node| node.set_value(claim));
 }
 
 /// What is to be kept of a lesson: a row for each thing, under the word that says what it is.

@@ -15,6 +15,10 @@ use super::prelude::*;
 const ROW_PTS: f32 = 4.0;
 /// The bar over a menu, and what stays free below.
 const AROUND_PTS: f32 = 72.0;
+/// A narrower window has no room for two menus side by side.
+const TWO_PTS: f32 = 640.0;
+/// Over and under the rows of a menu beside another.
+const BESIDE_PTS: f32 = 12.0;
 
 /// Space inside the rows, and none between them: wherever the pointer is, it is on one.
 pub fn menu_style(style: &mut Style) {
@@ -62,8 +66,14 @@ fn opened(
     closes: PopupCloseBehavior,
     content: &mut dyn FnMut(&mut Ui),
 ) -> Response {
-    // What is taller than the window scrolls.
-    let most = ui.ctx().content_rect().height() - AROUND_PTS;
+    // What is taller than the window scrolls. A menu that a row opens has room from there down, or up: it would lie over the row
+    // that opened it, under the pointer that is about to click.
+    let (window, top) = (ui.ctx().content_rect(), ui.cursor().top());
+    let most = if menu::is_in_menu(ui) && window.width() >= TWO_PTS {
+        (window.bottom() - top).max(top - window.top()) - 2.0 * BESIDE_PTS
+    } else {
+        window.height() - AROUND_PTS
+    };
     let content = |ui: &mut Ui| {
         let rows = ScrollArea::vertical().max_height(most);
         rows.show(ui, content);

@@ -87,6 +87,7 @@ courses = Other courses
 course-built-in = The built-in course
 action-picture = The camera’s picture beside the observer’s
 no-picture = No method on the stage shows a picture of the camera here.
+type-what = Choose a handle first: Tab goes from one to the next, a click takes one.
 action-free = Free scene
 action-course = Back to the course
 free-title = Free scene

@@ -51,7 +51,10 @@ handle-near = Near plane
 handle-far = Far plane
 handle-top = Opening of the camera
 handle-point = Point P
-handle-space-end = End P{ $number }
+handle-space-end = { $number ->
+    [1] End P₁
+   *[other] End P₂
+  }
 handle-space-corner = Vertex { $vertex }
 handle-object = Object { $number }
 handle-object-corner = Object { $number }, vertex { $corner }

@@ -87,6 +87,7 @@ courses = Otros cursos
 course-built-in = El curso incluido
 action-picture = La imagen de la cámara junto a la del observador
 no-picture = Ningún método del escenario muestra aquí la imagen de la cámara.
+type-what = Elige primero un tirador: Tab pasa de uno a otro y un clic toma uno.
 action-free = Escena libre
 action-course = Volver al curso
 free-title = Escena libre

@@ -51,7 +51,10 @@ handle-near = Plano cercano
 handle-far = Plano lejano
 handle-top = Apertura de la cámara
 handle-point = Punto P
-handle-space-end = Extremo P{ $number }
+handle-space-end = { $number ->
+    [1] Extremo P₁
+   *[other] Extremo P₂
+  }
 handle-space-corner = Vértice { $vertex }
 handle-object = Objeto { $number }
 handle-object-corner = Objeto { $number }, vértice { $corner }

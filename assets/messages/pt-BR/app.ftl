@@ -87,6 +87,7 @@ courses = Outros cursos
 course-built-in = O curso incluído
 action-picture = A imagem da câmera ao lado da do observador
 no-picture = Nenhum método do palco mostra aqui a imagem da câmera.
+type-what = Escolha antes uma alça: Tab passa de uma a outra, um clique pega uma.
 action-free = Cena livre
 action-course = Voltar ao curso
 free-title = Cena livre

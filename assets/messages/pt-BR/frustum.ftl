@@ -51,7 +51,10 @@ handle-near = Plano próximo
 handle-far = Plano distante
 handle-top = Abertura da câmera
 handle-point = Ponto P
-handle-space-end = Extremo P{ $number }
+handle-space-end = { $number ->
+    [1] Extremo P₁
+   *[other] Extremo P₂
+  }
 handle-space-corner = Vértice { $vertex }
 handle-object = Objeto { $number }
 handle-object-corner = Objeto { $number }, vértice { $corner }

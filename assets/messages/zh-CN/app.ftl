@@ -83,6 +83,7 @@ courses = 其他课程
 course-built-in = 内置课程
 action-picture = 相机画面与观察者画面并排
 no-picture = 这里没有方法显示相机画面。
+type-what = 请先选一个控制点：按 Tab 逐个切换，或单击一个。
 action-free = 自由场景
 action-course = 回到课程
 free-title = 自由场景

@@ -45,7 +45,10 @@ handle-near = 近平面
 handle-far = 远平面
 handle-top = 相机视场角
 handle-point = 点 P
-handle-space-end = 端点 P{ $number }
+handle-space-end = { $number ->
+    [1] 端点 P₁
+   *[other] 端点 P₂
+  }
 handle-space-corner = 顶点 { $vertex }
 handle-object = 物体 { $number }
 handle-object-corner = 物体 { $number } 的顶点 { $corner }

@@ -14,6 +14,7 @@ mod frustum_menu;
 mod goals;
 mod hands;
 mod held;
+mod held_ends;
 mod hints;
 mod keys;
 mod labs;

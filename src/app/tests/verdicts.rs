@@ -266,3 +266,17 @@ fn without_an_inspector_beside_it_why_is_told_on_the_stage_and_has_a_way_out() {
         assert_ne!(bench.app.position(), 0);
     }
 }
+
+#[test]
+fn in_each_column_the_method_that_stands_there_is_asked() {
+    let mut bench = Bench::course(SIZE);
+    bench.open_step("14-both-lists", "side-by-side");
+    bench.key(Key::End);
+    // In the column that is drawn last, an edge that was cut away, at its middle.
+    let at = bench.app.stage.on_screen([5.0, 2.875, 0.0]);
+    bench.press_at(at.expect("it is in sight"));
+    let texts = bench.texts();
+    let said: Vec<&String> = texts.iter().map(|(text, _)| text).collect();
+    let is_told = |text: &&&String| text.starts_with("From (") && text.contains("(6, 3)");
+    assert!(said.iter().any(|text| is_told(&text)), "{said:?}");
+}

@@ -26,6 +26,11 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
 
     fn input(scene: &Scene) -> Self::Input;
 
+    /// Where a point of what it clips is drawn that lies there.
+    fn drawn(_: &Scene, at: [f64; 3]) -> [f64; 3] {
+        at
+    }
+
     /// Its card, where this scene changes its pseudocode.
     fn card(_: &Scene) -> Option<&'static MethodCard> {
         None
@@ -74,6 +79,7 @@ where
                 Some(scenery),
             ))
         },
+        drawn: A::drawn,
         verdict: A::verdict,
         shown_at: |scene, (step, place)| {
             if scene.size() > A::MOST_FACES {

@@ -135,8 +135,12 @@ impl Draggable for Scene {
         })
     }
 
-    /// A triangle in its middle: the origin of its coordinates can be anywhere.
+    /// A triangle in its middle: the origin of its coordinates can be anywhere. An end where its method draws it.
     fn held_at(&self, handle: Handle) -> Option<[f64; 3]> {
+        if handle.kind().id == "end" {
+            let at = self.position(handle)?;
+            return Some((self.method.info().drawn)(self, at));
+        }
         let object = self.objects().get(handle.idx()[0]);
         let triangle = object.filter(|it| handle.is(&OBJECT) && it.model().is_triangle());
         let Some(triangle) = triangle else {

@@ -85,7 +85,12 @@ const OF_PICTURE: Said = Said {
 pub fn pixel_verdict(scene: &Scene, about: Link) -> Option<Verdict> {
     let pixel = pixel_of(scene, about)?;
     let input = DepthBufferInput::new(surfaces_of(scene, picture_size(scene)));
-    Some(verdict_at(scene, &input, pixel, &OF_PICTURE))
+    Some(verdict_at(
+        scene,
+        &input,
+        pixel,
+        (&OF_PICTURE, &|_, _| true),
+    ))
 }
 
 /// Of a pixel of the raster: what it shows at this step, by which step; where that is not what is nearest there, what is.
@@ -104,11 +109,17 @@ pub fn raster_verdict(scene: &Scene, about: Link, (run, step): AtStep<'_>) -> Op
     let decided = run.why_until(about, step);
     let offer = Some(looking_at(scene, pixel));
     if shown == nearest {
+        // Of pixels beside this one only what this picture shows there, too.
+        let shows = |[column, row]: [u32; 2], id: Option<u32>| {
+            let place = (row * size[0] + column) as usize;
+            let there = (scene.method.info().shown_at)(scene, (step, place));
+            there.is_some_and(|there| u32::try_from(there).ok() == id)
+        };
         let step = decided;
         return Some(Verdict {
             step,
             offer,
-            ..verdict_at(scene, &input, pixel, &OF_PIXELS)
+            ..verdict_at(scene, &input, pixel, (&OF_PIXELS, &shows))
         });
     }
     let message = match shown {
@@ -177,7 +188,13 @@ fn looking_at(scene: &Scene, pixel: [u32; 2]) -> (&'static str, Own) {
     (keys[usize::from(is_alone)], change)
 }
 
-fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2], words: &Said) -> Verdict {
+/// With what is seen beside the pixel, where the picture that is asked about `shows` that.
+fn verdict_at(
+    scene: &Scene,
+    input: &DepthBufferInput,
+    pixel: [u32; 2],
+    (words, shows): (&Said, Shows<'_>),
+) -> Verdict {
     let story = pixel_story::<Right>(input, pixel);
     let seen = story.iter().rfind(|fragment| fragment.kept);
     let message = Message::new(match seen {
@@ -195,7 +212,7 @@ fn verdict_at(scene: &Scene, input: &DepthBufferInput, pixel: [u32; 2], words: &
         None => Caption::new(message),
     };
     let seen = seen.map(|fragment| fragment.id);
-    let notes = other_beside(scene, input, (pixel, seen), words);
+    let notes = other_beside(scene, input, (pixel, seen), (words, shows));
     Verdict {
         why,
         notes: notes.into_iter().collect(),
@@ -227,12 +244,12 @@ fn other_beside(
     scene: &Scene,
     input: &DepthBufferInput,
     (pixel, seen): ([u32; 2], Option<u32>),
-    words: &Said,
+    (words, shows): (&Said, Shows<'_>),
 ) -> Option<Message> {
     if input.order.len() > MOST_FACES {
         return None;
     }
-    let shift = shift(input, pixel, seen)?;
+    let shift = shift(input, pixel, seen).filter(|shift| shows(shift.at, shift.seen))?;
     let message = match shift.seen {
         Some(id) => told_of(scene, id, Message::new(words.other)),
         None => Message::new(words.other_nothing),
@@ -245,9 +262,13 @@ fn other_beside(
     Some(message.with("direction", Value::Term(direction)))
 }
 
+/// Does a picture show this triangle, or nothing, at this pixel?
+type Shows<'a> = &'a dyn Fn([u32; 2], Option<u32>) -> bool;
+
 struct Shift {
     by: u32,
     direction: Direction,
+    at: [u32; 2],
     seen: Option<u32>,
 }
 
@@ -271,6 +292,7 @@ fn shift(input: &DepthBufferInput, pixel: [u32; 2], seen: Option<u32>) -> Option
                 return Some(Shift {
                     by,
                     direction,
+                    at: [column, row],
                     seen: there,
                 });
             }

@@ -50,6 +50,8 @@ pub struct MethodInfo {
     /// A scene of more faces is refused.
     pub most_faces: usize,
     pub record: fn(&Scene) -> Box<dyn Run>,
+    /// Where an end of the segment is drawn that lies there.
+    pub drawn: fn(&Scene, [f64; 3]) -> [f64; 3],
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,
     /// Which triangle a pixel shows at a step, less than 0 for none; of a method that makes no picture nothing.

@@ -172,6 +172,37 @@ mod tests {
     }
 
     #[test]
+    fn nothing_is_said_to_be_seen_beside_a_pixel_of_a_picture_that_does_not_show_it() {
+        let mut scene = first_scene();
+        scene.raster = scene.raster.with_rows(12);
+        let [columns, rows] = scene.raster.size(scene.camera.aspect());
+        let mut n_told = [0; 2];
+        let all = crate::labs::surfaces::SURFACES.all();
+        for method in all.filter(|method| method.card().id.contains("depth")) {
+            scene.method = method;
+            let run = (method.info().record)(&scene);
+            for at in [0, run.n_steps()] {
+                let shows = |place| (method.info().shown_at)(&scene, (at, place));
+                let n_shown = (0..(columns * rows) as usize)
+                    .filter(|&place| shows(place).is_some_and(|id| id >= 0))
+                    .count();
+                for place in 0..(columns * rows) as usize {
+                    let about = Link::nth(Raster::LINK, place);
+                    let Some(verdict) = scene.verdict(about, (&*run, at)) else {
+                        continue;
+                    };
+                    let mut notes = verdict.notes.iter();
+                    let says = notes.any(|note| note.key == "pixel-other");
+                    assert!(!says || n_shown > 0, "{method:?} {at} {place}");
+                    n_told[usize::from(n_shown > 0)] += usize::from(says);
+                }
+            }
+        }
+        assert_eq!(n_told[0], 0);
+        assert!(n_told[1] > 20, "{n_told:?}");
+    }
+
+    #[test]
     fn pixels_faces_and_objects_are_told_of_by_every_method() {
         let mut scene = first_scene();
         let [columns, rows] = scene

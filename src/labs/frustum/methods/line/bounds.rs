@@ -215,6 +215,10 @@ impl SpaceLine<4> for ClipSpace {
             ends: ends.map(|[x, y, z]| clip_from_world.times([x, y, z, 1.0])),
         }
     }
+
+    fn drawn(scene: &Scene, at: [f64; 3]) -> [f64; 3] {
+        w_lens::foot(scene.culler(), at)
+    }
 }
 
 impl LineLook<4> for ClipSpace {
@@ -274,4 +278,9 @@ pub trait SpaceLine<const N: usize>: LineLook<N, Scenery = Scenery> {
     const SUBJECT: Subject;
 
     fn input(scene: &Scene) -> Self::Input;
+
+    /// Where an end is drawn that lies there.
+    fn drawn(_: &Scene, at: [f64; 3]) -> [f64; 3] {
+        at
+    }
 }

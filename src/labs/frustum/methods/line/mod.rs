@@ -32,6 +32,10 @@ where
         B::input(scene)
     }
 
+    fn drawn(scene: &Scene, at: [f64; 3]) -> [f64; 3] {
+        B::drawn(scene, at)
+    }
+
     fn verdict(scene: &Scene, about: Link, run: &dyn Run) -> Option<Verdict> {
         let input = B::input(scene);
         let fate = |end| fates::fate::<N, B, L>(&input, end);

@@ -30,7 +30,7 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
         marks.extend(plane_at_work(lens.camera, side));
     }
     let given = scenery.scene().places().segment;
-    let world = given.map(|at| lens.on_plane(at));
+    let world = given.map(|at| foot(lens.camera, at));
     let feet = given.into_iter().zip(world).filter(|(at, foot)| at != foot);
     let feet = feet.map(|(at, foot)| Mark3::new(Role::Soft, Shape3::Segment([at, foot])));
     marks.extend(feet.map(Mark3::fine));
@@ -45,6 +45,12 @@ pub fn views(shown: &LineStep<'_, 4, ClipSpace>, scenery: &Scenery) -> Vec<View>
         scenery.observer(|_| Fate::ToCome, marks),
         View::new(SCREENS_VIEW, screens),
     ]
+}
+
+/// All of the lens lies in one plane, that of x and w: of a point there is its foot in it.
+pub fn foot(camera: &Camera, at: [f64; 3]) -> [f64; 3] {
+    let [x, _, z] = camera.view_from_world().point(at);
+    camera.world_from_view([x, 0.0, z])
 }
 
 /// The square, and around it as much as is needed for what lands beside it, if that is not too far away.
@@ -118,12 +124,6 @@ impl<'a> WLens<'a> {
     /// Is the segment between both images a piece that is not to be seen there?
     fn is_wrong(&self) -> bool {
         End::BOTH.into_iter().any(|end| self.is_behind(end))
-    }
-
-    /// All of the lens lies in one plane, that of x and w: of a point there is its foot in it.
-    fn on_plane(&self, at: [f64; 3]) -> [f64; 3] {
-        let [x, _, z] = self.camera.view_from_world().point(at);
-        self.camera.world_from_view([x, 0.0, z])
     }
 
     fn on_screen(&self, [x, _]: [f64; 2]) -> [f64; 3] {
