@@ -8,7 +8,7 @@ use super::prelude::*;
 const MOST: usize = 10;
 /// Width over the height of one row; before and after a bar there is room for what is written at its ends.
 const WIDTH: f64 = 11.0;
-const AROUND: f64 = 2.4;
+const AROUND: f64 = 3.2;
 
 pub struct Bar {
     pub name: Value,
@@ -38,7 +38,7 @@ pub fn bars(title: &'static str, bars: &[Bar], focus: Option<usize>) -> Option<M
     for (row, bar) in bars.iter().enumerate() {
         let ends = bar.reach.map(|x| place(x, row));
         marks.push(Mark::new(bar.role, Shape::Segment(ends)).weighing(Weight::of(6.0)));
-        let name = Mark::new(bar.role, Shape::Label([-1.4 * AROUND, ends[0][1]]));
+        let name = Mark::new(bar.role, Shape::Label([-1.3 * AROUND, ends[0][1]]));
         marks.push(name.labelled(bar.name.clone()).strong());
         for (i, outward) in [-1.0, 1.0].into_iter().enumerate() {
             let end = Mark::new(bar.role, Shape::Vertex(ends[i])).weighing(Weight::of(2.0));
@@ -46,7 +46,7 @@ pub fn bars(title: &'static str, bars: &[Bar], focus: Option<usize>) -> Option<M
             marks.extend(said.map(|said| end.labelled(said).toward([outward, 0.0])));
         }
     }
-    let (left, right) = (-1.7 * AROUND, WIDTH + AROUND);
+    let (left, right) = (-1.5 * AROUND, WIDTH + AROUND);
     Some(Multiples {
         drawings: vec![SmallDrawing::new(Value::Term(title), None, marks)],
         bounds: [[left, 0.4 - bars.len() as f64], [right, 0.6]],
