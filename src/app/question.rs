@@ -1,11 +1,11 @@
 //! What the open step asks, under the stage of those who see no lesson text, because it is presented or folded away; and its
 //! answer, once it is shown.
 
-use egui::{Frame, Panel};
+use egui::{Frame, Panel, Vec2};
 
 use crate::widgets::lesson_text;
 
-use super::{App, Command, prelude::*};
+use super::{App, Command, in_sight::scroll_to_new, prelude::*};
 
 /// Of the window's height.
 const MOST: f32 = 0.34;
@@ -73,13 +73,7 @@ pub fn answer_button(app: &App, ui: &mut Ui) {
 
 /// Scrolls to an answer that has just been shown, once what stands above this place has been drawn.
 pub fn shown_answer(app: &App, ui: &Ui) {
-    let id = Id::unique("an answer in sight");
-    let was = ui.data(|data| data.get_temp(id)).unwrap_or(false);
-    if was != app.shown.is_answered {
-        ui.data_mut(|data| data.insert_temp(id, app.shown.is_answered));
-        if app.shown.is_answered {
-            ui.scroll_to_cursor(Some(Align::Max));
-            ui.ctx().request_repaint();
-        }
-    }
+    let end = Rect::from_min_size(ui.cursor().min, Vec2::ZERO);
+    let count = usize::from(app.shown.is_answered);
+    scroll_to_new(ui, "an answer in sight", count, end);
 }
