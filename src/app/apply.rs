@@ -274,12 +274,20 @@ impl App {
     }
 
     pub(super) fn travel(&mut self, step: fn(&mut History<Scene>, usize) -> Option<usize>) {
-        let before = self.history.revision();
+        const MANY: usize = 8;
+        let size = |app: &Self| app.history.now().document().size().max(1);
+        let before = (self.history.revision(), size(self));
         let position = self.position();
         let position = step(&mut self.history, position);
-        if self.history.revision() != before {
+        if self.history.revision() != before.0 {
             self.rerecord();
-            self.see(Seen::Refitted);
+            // A street and the few objects that were there before are not seen from one place.
+            let is_another = size(self).abs_diff(before.1) > MANY * size(self).min(before.1);
+            self.see(if is_another {
+                Seen::Fitted
+            } else {
+                Seen::Refitted
+            });
         }
         if let Some(position) = position {
             self.seek(position);

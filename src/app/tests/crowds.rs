@@ -2,7 +2,10 @@
 
 use super::*;
 use crate::{
-    labs::polygons::{PolygonsChange, SceneVertex},
+    labs::{
+        polygons::{PolygonsChange, SceneVertex},
+        space::SpaceChange,
+    },
     trace::Counts,
 };
 
@@ -79,4 +82,25 @@ fn the_cost_of_all_segments_stands_under_that_of_the_one() {
         let n = Catalog::of(Lang::En).value(&Value::Count(n as usize));
         assert!(said.contains(&n), "{n} is not in {said:?}");
     }
+}
+
+#[test]
+fn undo_of_a_street_shows_the_few_objects_from_where_they_were_seen() {
+    let mut bench = Bench::lab("frustum");
+    let place = |bench: &Bench| bench.app.stage.on_screen([-6.5, 0.8, 0.5]);
+    let before = place(&bench).expect("an object is in sight");
+    let street = SpaceChange::Street {
+        count: 2000,
+        seed: 1,
+    };
+    bench.edit(Edit::Own(Arc::new(street)));
+    assert_ne!(
+        place(&bench),
+        Some(before),
+        "a street is seen from farther away"
+    );
+    bench.undo();
+    bench.settle();
+    let after = place(&bench).expect("it is in sight again");
+    assert!((after - before).length() < 1.0, "{before:?} {after:?}");
 }
