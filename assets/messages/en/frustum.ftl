@@ -55,7 +55,7 @@ handle-space-end = { $number ->
     [1] End P₁
    *[other] End P₂
   }
-handle-space-corner = Vertex { $vertex }
+handle-space-corner = Given vertex { $vertex }
 handle-object = Object { $number }
 handle-object-corner = Object { $number }, vertex { $corner }
 

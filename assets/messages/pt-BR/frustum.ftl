@@ -55,7 +55,7 @@ handle-space-end = { $number ->
     [1] Extremo P₁
    *[other] Extremo P₂
   }
-handle-space-corner = Vértice { $vertex }
+handle-space-corner = Vértice dado { $vertex }
 handle-object = Objeto { $number }
 handle-object-corner = Objeto { $number }, vértice { $corner }
 

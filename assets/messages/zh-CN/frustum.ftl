@@ -49,7 +49,7 @@ handle-space-end = { $number ->
     [1] 端点 P₁
    *[other] 端点 P₂
   }
-handle-space-corner = 顶点 { $vertex }
+handle-space-corner = 给定顶点 { $vertex }
 handle-object = 物体 { $number }
 handle-object-corner = 物体 { $number } 的顶点 { $corner }
 

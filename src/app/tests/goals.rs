@@ -280,7 +280,7 @@ fn a_hint_says_which_part_is_open_and_its_numbers_first() {
     assert!(bench.names.iter().any(is_said), "{:?}", bench.names);
     bench.key(Key::T);
     bench.frame(0.1, Vec::new());
-    let way = "One solution moves only: Vertex V₁.";
+    let way = "One solution moves only: Given vertex V₁.";
     let is_said = |(name, _): &(String, Rect)| name == way;
     assert!(bench.names.iter().any(is_said), "{:?}", bench.names);
 }
