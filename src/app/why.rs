@@ -9,13 +9,7 @@ use crate::{
     widgets::{explained, quiet_button, rule, section},
 };
 
-use super::{
-    App, Command,
-    command::AskedIn,
-    playback::Playback,
-    prelude::*,
-    run_room::{OnStage, RunRoom},
-};
+use super::{App, Command, command::AskedIn, playback::Playback, prelude::*, run_room::RunRoom};
 
 #[derive(Default)]
 pub struct Verdicts {
@@ -26,17 +20,13 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    fn of(
-        &mut self,
-        on_stage: OnStage<'_>,
-        ui: &Ui,
-        (scene, about): (&Scene, AskedIn),
-    ) -> Option<&Verdict> {
+    fn of(&mut self, app: &App, ui: &Ui, about: AskedIn) -> Option<&Verdict> {
+        let on_stage = app.on_stage();
         let now = (about, on_stage.0.transport.position());
         if self.about.replace(now) != Some(now) {
             self.room = RunRoom::default();
         }
-        let verdict = || verdict(on_stage.0, scene, about);
+        let verdict = || verdict(on_stage.0, app.scene(), about);
         self.room.get(on_stage, ui, 0.0, verdict).as_ref()
     }
 }
@@ -82,15 +72,14 @@ fn notation(verdict: &Verdict) -> Notation {
 
 /// Below all else of the inspector, scrolled into sight when it comes. Is anything told?
 pub fn show(app: &App, ui: &mut Ui, about: Option<AskedIn>, verdicts: &mut Verdicts) -> bool {
+    let about = about.filter(|_| may_tell(app));
     if verdicts.in_sight.0 != about {
         verdicts.in_sight = (about, 2);
     }
-    let Some(about) = about.filter(|_| may_tell(app)) else {
-        return false;
-    };
+    let Some(about) = about else { return false };
     let scrolls = verdicts.in_sight.1;
     verdicts.in_sight.1 = scrolls.saturating_sub(1);
-    let Some(verdict) = verdicts.of(app.on_stage(), ui, (app.scene(), about)) else {
+    let Some(verdict) = verdicts.of(app, ui, about) else {
         return false;
     };
     let top = ui.cursor().min;
@@ -116,7 +105,7 @@ pub fn on_stage(
     let Some(about) = about.filter(|_| may_tell(app)) else {
         return;
     };
-    let Some(verdict) = verdicts.of(app.on_stage(), ui, (app.scene(), about)) else {
+    let Some(verdict) = verdicts.of(app, ui, about) else {
         return;
     };
     let look = app.look();

@@ -290,9 +290,10 @@ fn coordinates(painter: &Painter, rect: Rect, look: Look<'_>, (said, taken): (St
         let over = taken.iter().filter(|it| it.intersects(plate));
         over.map(|it| it.intersect(plate).area()).sum()
     };
-    let least = places.iter().map(covered).fold(f32::INFINITY, f32::min);
-    let place = places.iter().find(|place| covered(place) <= least);
-    let Some(place) = place else { return };
+    // The first of those at which they cover as little.
+    let least = places.map(|place| (covered(&place), place));
+    let least = least.into_iter().min_by(|(a, _), (b, _)| a.total_cmp(b));
+    let Some((_, place)) = least else { return };
     painter.rect_filled(place.expand(4.0), 4.0, theme.background);
     painter.galley(place.min, text, theme.soft);
 }

@@ -123,10 +123,14 @@ pub fn explained(ui: &mut Ui, look: Look<'_>, shown: &Caption) {
     let formulas = shown.arithmetic.iter();
     let formulas = formulas.map(|f| look.catalog.formula_pieces(f)).collect();
     let spans = spans(look, shown, formulas, [font.clone(), font]);
-    let lines = Typeset::wrapped(ui.painter(), &spans, ui.available_width());
+    set_label(ui, &spans, &caption_text(look.catalog, shown));
+}
+
+/// Text with its quotients stacked, which can be selected; `said` is what a screen reader reads.
+pub fn set_label(ui: &mut Ui, spans: &[Span], said: &str) {
+    let lines = Typeset::wrapped(ui.painter(), spans, ui.available_width());
     let label = ui.add(Label::new(lines.galley()).selectable(true));
-    let said = caption_text(look.catalog, shown);
-    (ui.ctx()).accesskit_node_builder(label.id, |node| node.set_value(&*said));
+    (ui.ctx()).accesskit_node_builder(label.id, |node| node.set_value(said));
 }
 
 /// All of a caption's formulas, then fewer: those in the middle are left out first, then the steps in the middle of the

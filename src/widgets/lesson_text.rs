@@ -10,7 +10,7 @@ use crate::{
     paint::theme,
 };
 
-use super::{headings::focus_ring, prelude::*};
+use super::{caption::set_label, headings::focus_ring, prelude::*};
 
 const LEADING: f32 = 0.35;
 /// Between the dots under a term, and how far above the bottom of its row they stand.
@@ -267,9 +267,7 @@ pub fn step_title(ui: &mut Ui, look: Look<'_>, title: &str) {
 pub fn claimed(ui: &mut Ui, look: Look<'_>, claim: &str) {
     let font = TextStyle::Body.resolve(ui.style());
     let span = Span::text(claim, font, look.theme.accent);
-    let lines = Typeset::wrapped(ui.painter(), &[span], ui.available_width());
-    let label = ui.add(Label::new(lines.galley()));
-    (ui.ctx()).accesskit_node_builder(label.id, |node| node.set_value(claim));
+    set_label(ui, &[span], claim);
 }
 
 /// What is to be kept of a lesson: a row for each thing, under the word that says what it is.

@@ -66,8 +66,8 @@ fn opened(
     closes: PopupCloseBehavior,
     content: &mut dyn FnMut(&mut Ui),
 ) -> Response {
-    // What is taller than the window scrolls. A menu that a row opens has room from there down, or up: it would lie over the row
-    // that opened it, under the pointer that is about to click.
+    // What is taller than the window scrolls. A menu that a row opens is no taller than the room below that row, or above it: else
+    // it would lie over the row, and a click on the row would hit what lies there.
     let (window, top) = (ui.ctx().content_rect(), ui.cursor().top());
     let most = if menu::is_in_menu(ui) && window.width() >= TWO_PTS {
         (window.bottom() - top).max(top - window.top()) - 2.0 * BESIDE_PTS

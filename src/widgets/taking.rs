@@ -62,7 +62,7 @@ impl Handles<'_> {
         indices.find(|&i| self.id_of(i) == focused)
     }
 
-    /// Does the one that was taken last lie out of sight?
+    /// Does the one that was taken last, or has the focus, lie out of sight?
     pub fn is_lost(&self, ui: &Ui) -> bool {
         // One that has been typed has the focus.
         let meant = self.taken(ui).into_iter().chain(self.focused(ui));

@@ -2,7 +2,7 @@
 
 use super::super::layout::Slot;
 
-/// How near a point may be that is not under an inset and whose marker is, in points.
+/// The marker of a point that is this near to an inset reaches under it; in points.
 const NEAR: f32 = 6.0;
 
 /// Where it covers as much as this in each corner, an inset may be so much smaller, if then it covers less than half of that.
@@ -15,11 +15,14 @@ const SMALLER: [f32; 2] = [0.8, 0.65];
 pub fn emptiest(drawing: Slot, inset: Slot, title: f32, under: impl Fn(Slot) -> usize) -> Slot {
     let mut best = of_four(drawing, inset, title, &under);
     for part in SMALLER {
+        if best.0[0] < MUCH {
+            break;
+        }
         let [width, height] = inset.size().map(|side| part * side);
         let [right, low] = inset.max;
         let smaller = Slot::new([right - width, low - height], [width, height]);
         let found = of_four(drawing, smaller, title, &under);
-        if best.0[0] >= MUCH && 2 * found.0[0] < best.0[0] {
+        if 2 * found.0[0] < best.0[0] {
             best = found;
         }
     }

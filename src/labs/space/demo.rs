@@ -26,7 +26,7 @@ pub trait SpaceTelling: Telling<Scenery = Scenery> {
 
     fn input(scene: &Scene) -> Self::Input;
 
-    /// Where a point of what it clips is drawn that lies there.
+    /// Where it draws an end of the segment that lies at `at`.
     fn drawn(_: &Scene, at: [f64; 3]) -> [f64; 3] {
         at
     }

@@ -50,7 +50,7 @@ pub struct MethodInfo {
     /// A scene of more faces is refused.
     pub most_faces: usize,
     pub record: fn(&Scene) -> Box<dyn Run>,
-    /// Where an end of the segment is drawn that lies there.
+    /// Where the method draws an end of the segment that lies at this place.
     pub drawn: fn(&Scene, [f64; 3]) -> [f64; 3],
     /// What decided the fate of something, in a run of it; none where only the lab knows.
     pub verdict: fn(&Scene, Link, &dyn Run) -> Option<Verdict>,

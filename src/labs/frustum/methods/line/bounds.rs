@@ -279,7 +279,7 @@ pub trait SpaceLine<const N: usize>: LineLook<N, Scenery = Scenery> {
 
     fn input(scene: &Scene) -> Self::Input;
 
-    /// Where an end is drawn that lies there.
+    /// Where an end of the segment is drawn that lies at `at`.
     fn drawn(_: &Scene, at: [f64; 3]) -> [f64; 3] {
         at
     }
